@@ -1,0 +1,103 @@
+"""From sympy to NumPy: the one place where an expression becomes a function."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+
+from discostorm import _checks
+
+Value = float | NDArray[np.float64]
+
+#: Elements computed at a time, so that the intermediate results stay in the cache.
+_BLOCK = 65_536
+
+
+@cache
+def _compiled(symbols: tuple[sp.Symbol, ...], expression: sp.Expr) -> Callable[..., Value]:
+    # modules="numpy" alone: with SciPy about, lambdify would pick other functions.
+    function: Callable[..., Value] = sp.lambdify(symbols, expression, modules="numpy", cse=True)
+    return function
+
+
+def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., Value]:
+    """Turn a sympy expression into a NumPy function of its symbols.
+
+    Unlike `sympy.lambdify`, the function returns the shape its arguments broadcast to,
+    also where the expression does not contain one of them, and computes in float64,
+    so integer arrays of any width cannot overflow.
+
+    Parameters
+    ----------
+    symbols : sequence of sympy.Symbol
+        The arguments of the function, in order; each may also be given by its name.
+        All free symbols of `expression` must be among them.
+    expression : sympy.Expr
+        What to compute.
+
+    Returns
+    -------
+    callable
+        Takes array-likes of finite numbers. Scalars give a float, arrays an ndarray.
+
+    Raises
+    ------
+    ValueError
+        If `expression` contains other symbols; from the function, if an argument is
+        not finite or the shapes do not broadcast.
+    TypeError
+        From the function, if an argument is missing or not made of real numbers.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> x, y = sp.symbols("x y")
+    >>> f = lambdify([x, y], 2 * x)
+    >>> f(3, y=1)
+    6.0
+    >>> f([1, 2], [[0], [0]])
+    array([[2., 4.],
+           [2., 4.]])
+    """
+    unknown = expression.free_symbols - set(symbols)
+    if unknown:
+        names = ", ".join(sorted(str(symbol) for symbol in unknown))
+        raise ValueError(f"expression contains {names}, which symbols does not list")
+    names = [symbol.name for symbol in symbols]
+
+    def numeric(*args: ArrayLike, **kwargs: ArrayLike) -> Value:
+        given = dict(zip(names, args, strict=False)) | kwargs
+        if len(args) + len(kwargs) != len(names) or given.keys() != set(names):
+            raise TypeError(f"the function takes {', '.join(names)}; got {', '.join(given)}")
+        return evaluate(
+            expression,
+            {
+                symbol: _checks.numbers(symbol.name, given[symbol.name], -np.inf, above=True)
+                for symbol in symbols
+            },
+        )
+
+    numeric.__doc__ = f"Return {expression} as a NumPy function of {', '.join(names)}."
+    return numeric
+
+
+def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
+    """Return the value of ``expression`` for float64 arrays; of the shape they broadcast to."""
+    shape = _checks.shape(**{symbol.name: np.shape(value) for symbol, value in given.items()})
+    function = _compiled(tuple(given), expression)
+    if not shape:
+        return float(function(*given.values()))
+    result = np.empty(shape)
+    rows = max(1, _BLOCK // max(1, math.prod(shape[1:])))
+    for start in range(0, shape[0], rows):
+        block = slice(start, start + rows)
+        result[block] = function(
+            *(
+                value[block] if np.ndim(value) == len(shape) and len(value) > 1 else value
+                for value in given.values()
+            )
+        )
+    return result
