@@ -1,11 +1,14 @@
 """Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable."""
 
 from discostorm._numeric import lambdify
+from discostorm.aggregation import Aggregation
 from discostorm.dds import DDS
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Message, Payload, Protocol, Unit
+from discostorm.planner import Plan, Remedy, Share, plan
+from discostorm.presets import WIFI, wifi_preset
 from discostorm.scalability import breakdown, saturation_hosts, utilization
-from discostorm.wifi import PAPER, Link, Wifi
+from discostorm.wifi import PAPER, Link, Padding, Wifi
 from discostorm.zenoh import ZENOH
 
 __version__ = "0.1.0"
@@ -13,17 +16,25 @@ __version__ = "0.1.0"
 __all__ = [
     "DDS",
     "PAPER",
+    "WIFI",
     "ZENOH",
+    "Aggregation",
     "Fleet",
     "HostGroup",
     "Link",
     "Message",
+    "Padding",
     "Payload",
+    "Plan",
     "Protocol",
+    "Remedy",
+    "Share",
     "Unit",
     "Wifi",
     "breakdown",
     "lambdify",
+    "plan",
     "saturation_hosts",
     "utilization",
+    "wifi_preset",
 ]

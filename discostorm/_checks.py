@@ -1,6 +1,8 @@
 """Checks of what a user passes in: the error names parameter, value and allowed range."""
 
+from collections.abc import Sequence
 from numbers import Real
+from reprlib import repr as short
 from typing import Any
 
 import numpy as np
@@ -10,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 MOST = 1e9
 
 
-def _allowed(low: float, high: float, above: bool) -> str:
-    start = f"above {low:g}" if above else f"of at least {low:g}"
+def wanted(low: float, high: float = np.inf, above: bool = False) -> str:
+    """Return in words which numbers are allowed."""
+    start = f" above {low:g}" if above else f" of at least {low:g}"
     end = "" if np.isinf(high) else f" and at most {high:g}"
-    return f"a finite number {start}{end}"
+    return f"a finite number{'' if np.isinf(low) else start}{end}"
 
 
 def numbers(
@@ -29,46 +32,82 @@ def numbers(
     TypeError
         If it is not made of real numbers.
     ValueError
-        If an element is NaN, infinite or out of range.
+        If an element is NaN, infinite or out of range, or the rows differ in length.
     """
-    allowed = _allowed(low, high, above)
+    allowed = wanted(low, high, above)
     try:
         given = np.asarray(value)
     except ValueError as error:
-        raise ValueError(f"{name} must be {allowed}, or an array of them; got {value!r}") from error
+        raise ValueError(
+            f"{name} must be {allowed}, or an array of them; got {short(value)}"
+        ) from error
     if given.dtype.kind not in "iuf" and not (
         given.dtype.kind == "O"
         and all(isinstance(item, Real) and not isinstance(item, bool) for item in given.flat)
     ):
-        raise TypeError(f"{name} must be {allowed}, or an array of them; got {value!r}")
-    array = given.astype(np.float64, copy=False)
+        raise TypeError(f"{name} must be {allowed}, or an array of them; got {short(value)}")
+    try:
+        array = given.astype(np.float64, copy=False)
+    except OverflowError as error:  # an integer beyond all floats
+        raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
     if array.size:
         least, most = array.min(), array.max()
         # A comparison with NaN is false, so both tests are put the positive way round.
         if not ((least > low if above else least >= low) and most <= high and most < np.inf):
             good = np.isfinite(array) & (array <= high) & (array > low if above else array >= low)
-            raise ValueError(f"{name} must be {allowed}; got {array[~good].flat[0]:g}")
+            raise ValueError(f"{name} must be {allowed}; got {array[~good].item(0)!r}")
     return array if array.ndim else array.item()
 
 
-def number(name: str, value: Any, low: float, high: float = np.inf, *, above: bool = False) -> float:
+def number(
+    name: str, value: Any, low: float, high: float = np.inf, *, above: bool = False
+) -> float:
     """Return ``value`` as a float if it is one number within the range; see `numbers`."""
     checked = numbers(name, value, low, high, above=above)
     if not isinstance(checked, float):
-        raise TypeError(f"{name} must be one number, not an array; got {value!r}")
+        raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
     return checked
 
 
-def shape(**given: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the shape to which the named shapes broadcast.
+def shape(**given: Any) -> tuple[int, ...]:
+    """Return the shape to which the named numbers and arrays broadcast.
 
     Raises
     ------
     ValueError
         If they do not; the message names each with its shape.
     """
+    shapes = {name: np.shape(value) for name, value in given.items()}
     try:
-        return np.broadcast_shapes(*given.values())
+        return np.broadcast_shapes(*shapes.values())
     except ValueError:
-        shapes = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
-        raise ValueError(f"the shapes do not broadcast to one: {shapes}") from None
+        named = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise ValueError(
+            f"the arguments must have shapes that broadcast to one; got {named}"
+        ) from None
+
+
+def instance(name: str, value: Any, kind: type) -> None:
+    """Raise a TypeError unless ``value`` is of that kind."""
+    if not isinstance(value, kind):
+        article = "an" if kind.__name__[0] in "AEIO" else "a"
+        raise TypeError(f"{name} must be {article} {kind.__name__}; got {short(value)}")
+
+
+def members(name: str, values: Any, kind: type) -> tuple[Any, ...]:
+    """Return ``values`` as a tuple if it holds at least one, and only such of that kind."""
+    if isinstance(values, str) or not np.iterable(values):
+        raise TypeError(f"{name} must be a tuple of {kind.__name__}; got {short(values)}")
+    found = tuple(values)
+    if not found:
+        raise ValueError(f"{name} must hold at least one {kind.__name__}; got none")
+    for index, value in enumerate(found):
+        instance(f"{name}[{index}]", value, kind)
+    return found
+
+
+def choice(name: str, value: Any, allowed: Sequence[str], note: str = "") -> None:
+    """Raise a ValueError unless ``value`` is one of the allowed words."""
+    if value not in allowed:
+        known = " or ".join(repr(word) for word in allowed)
+        raise ValueError(f"{name} must be {known}{note}; got {short(value)}")

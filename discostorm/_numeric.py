@@ -16,10 +16,32 @@ Value = float | NDArray[np.float64]
 _BLOCK = 65_536
 
 
+def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
+    """Return the expression with symbols for what it rounds, and what these stand for.
+
+    What is rounded up must stay as it is written: an expanded ratio, or one times a
+    reciprocal, is off by a rounding error, which may lift a whole number over itself.
+    """
+    hidden: dict[sp.Expr, sp.Symbol] = {}
+    parts = sp.preorder_traversal(expression)
+    for part in parts:
+        if isinstance(part, (sp.ceiling, sp.floor, sp.Min)):
+            parts.skip()
+            hidden.setdefault(part, sp.Symbol(f"rounded_{len(hidden)}"))
+    return expression.xreplace(hidden), {symbol: part for part, symbol in hidden.items()}
+
+
+def share(expression: sp.Expr) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Expr]:
+    """Return what the expression shares or rounds, each with its symbol, and what is left."""
+    rest, rounded = hide_rounded(expression)
+    shared, (reduced,) = sp.cse([rest])
+    return [*rounded.items(), *shared], reduced
+
+
 @cache
 def _compiled(symbols: tuple[sp.Symbol, ...], expression: sp.Expr) -> Callable[..., Value]:
     # modules="numpy" alone: with SciPy about, lambdify would pick other functions.
-    function: Callable[..., Value] = sp.lambdify(symbols, expression, modules="numpy", cse=True)
+    function: Callable[..., Value] = sp.lambdify(symbols, expression, modules="numpy", cse=share)
     return function
 
 
@@ -49,7 +71,8 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         If `expression` contains other symbols; from the function, if an argument is
         not finite or the shapes do not broadcast.
     TypeError
-        From the function, if an argument is missing or not made of real numbers.
+        If `symbols` or `expression` is not made by sympy; from the function, if an
+        argument is missing or not made of real numbers.
 
     Examples
     --------
@@ -62,11 +85,13 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     array([[2., 4.],
            [2., 4.]])
     """
-    unknown = expression.free_symbols - set(symbols)
+    _checks.instance("expression", expression, sp.Expr)
+    arguments: tuple[sp.Symbol, ...] = _checks.members("symbols", symbols, sp.Symbol)
+    unknown = expression.free_symbols - set(arguments)
     if unknown:
-        names = ", ".join(sorted(str(symbol) for symbol in unknown))
-        raise ValueError(f"expression contains {names}, which symbols does not list")
-    names = [symbol.name for symbol in symbols]
+        missing = ", ".join(sorted(symbol.name for symbol in unknown))
+        raise ValueError(f"symbols must list all that expression contains; {missing} is missing")
+    names = [symbol.name for symbol in arguments]
 
     def numeric(*args: ArrayLike, **kwargs: ArrayLike) -> Value:
         given = dict(zip(names, args, strict=False)) | kwargs
@@ -76,7 +101,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
             expression,
             {
                 symbol: _checks.numbers(symbol.name, given[symbol.name], -np.inf, above=True)
-                for symbol in symbols
+                for symbol in arguments
             },
         )
 
@@ -86,7 +111,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
 
 def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     """Return the value of ``expression`` for float64 arrays; of the shape they broadcast to."""
-    shape = _checks.shape(**{symbol.name: np.shape(value) for symbol, value in given.items()})
+    shape = _checks.shape(**{symbol.name: value for symbol, value in given.items()})
     function = _compiled(tuple(given), expression)
     if not shape:
         return float(function(*given.values()))
@@ -96,7 +121,9 @@ def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
         block = slice(start, start + rows)
         result[block] = function(
             *(
-                value[block] if np.ndim(value) == len(shape) and len(value) > 1 else value
+                value[block]
+                if isinstance(value, np.ndarray) and value.ndim == len(shape) and len(value) > 1
+                else value
                 for value in given.values()
             )
         )

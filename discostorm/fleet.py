@@ -1,11 +1,15 @@
 """Who is on the channel: groups of like hosts, and what a fleet of them counts."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass, fields
+import tomllib
+from collections import Counter
+from dataclasses import dataclass
 from functools import reduce
 from operator import add
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from discostorm import _checks, notation as nt
@@ -13,32 +17,64 @@ from discostorm import _checks, notation as nt
 #: A number, an array or a sympy expression: a fleet counts any of them alike.
 Count = Any
 
+#: What a group counts, and the least that is allowed; the most is `_checks.MOST`.
+LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
+COUNTS = tuple(LEAST)
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class HostGroup:
     """Hosts that run the same software.
 
     Parameters
     ----------
     hosts : float, array or sympy.Expr
-        Number of hosts in the group, from 1 to 1e9.
+        Number of hosts in the group [1], from 1 to 1e9.
     processes : float, array or sympy.Expr
-        Processes on each host, from 1 to 1e9.
+        Processes on each host [1], from 1 to 1e9.
     endpoints : float, array or sympy.Expr
-        Endpoints of each process, from 0 to 1e9.
+        Endpoints of each process [1], from 0 to 1e9; of unlike processes, their mean.
+    name : str, optional
+        What to call it.
+
+    Raises
+    ------
+    ValueError
+        If a number is NaN, infinite or out of range, or the shapes do not broadcast.
+    TypeError
+        If one is neither made of real numbers nor a sympy expression with symbols, or
+        the name is not text.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> ds.HostGroup(10, 1, 678, name="robots")
+    HostGroup(hosts=10, processes=1, endpoints=678, name='robots')
     """
 
     hosts: Count
     processes: Count
     endpoints: Count
+    name: str = ""
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if not isinstance(value, sp.Expr):
-                low = 0 if field.name == "endpoints" else 1
-                value = _checks.numbers(field.name, value, low, _checks.MOST)
-                object.__setattr__(self, field.name, value)
+        for count, least in LEAST.items():
+            value = getattr(self, count)
+            if not is_symbolic(value):
+                value = _checks.numbers(count, value, least, _checks.MOST)
+                object.__setattr__(self, count, value)
+        _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
+        _checks.instance("name", self.name, str)
+
+    def counts(self) -> tuple[Count, ...]:
+        """Return hosts, processes and endpoints."""
+        return tuple(getattr(self, count) for count in COUNTS)
+
+    def __repr__(self) -> str:
+        parts = [
+            f"{name}={_brief(count)}" for name, count in zip(COUNTS, self.counts(), strict=True)
+        ]
+        return f"HostGroup({', '.join(parts + [f'name={self.name!r}'] * bool(self.name))})"
 
 
 @dataclass(frozen=True)
@@ -48,14 +84,38 @@ class Fleet:
     Parameters
     ----------
     groups : tuple of HostGroup
-        At least one.
+        At least one; their names, where given, differ.
+
+    Raises
+    ------
+    ValueError
+        If there is no group, two have the same name, or their shapes do not broadcast.
+    TypeError
+        If one is not a HostGroup.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> robots = ds.HostGroup(2, 1, 678, name="robots")
+    >>> laptop = ds.HostGroup(1, 1, 90, name="laptop")
+    >>> round(ds.utilization(ds.DDS, ds.Fleet((robots, laptop))), 4)
+    1.2014
     """
 
     groups: tuple[HostGroup, ...]
 
     def __post_init__(self) -> None:
-        if not self.groups:
-            raise ValueError("groups must hold at least one HostGroup; got none")
+        object.__setattr__(self, "groups", _checks.members("groups", self.groups, HostGroup))
+        names = Counter(group.name for group in self.groups if group.name)
+        if twice := [name for name, times in names.items() if times > 1]:
+            raise ValueError(f"groups must have names that differ; got {twice[0]!r} twice")
+        _checks.shape(
+            **{
+                f"groups[{index}].{name}": count
+                for index, group in enumerate(self.groups)
+                for name, count in zip(COUNTS, group.counts(), strict=True)
+            }
+        )
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":
@@ -67,36 +127,121 @@ class Fleet:
         """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
         if groups == 1:
             return SWARM
-        return cls(
-            tuple(
-                HostGroup(*sp.symbols(f"N_H{i} N_P{i} N_E{i}", nonnegative=True))
-                for i in range(1, groups + 1)
-            )
-        )
+        return cls(tuple(symbolic_group(index) for index in range(1, groups + 1)))
+
+    @classmethod
+    def from_toml(cls, path: str | PathLike[str]) -> "Fleet":
+        """Return the fleet that a TOML file describes.
+
+        The file has a table ``[[groups]]`` for each group of hosts, with one number each
+        for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
+        and optionally a ``name``; see `HostGroup`::
+
+            [[groups]]
+            name = "robots"
+            hosts = 10
+            processes = 1
+            endpoints = 678
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file, in UTF-8.
+
+        Returns
+        -------
+        Fleet
+            Its groups in the order of the file.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        ValueError
+            If it is not TOML, or a key is missing, unknown or has a wrong value; the
+            message names the file, the group, the key, the value and the allowed range.
+        """
+        try:
+            content = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        except ValueError as error:  # neither UTF-8 nor TOML
+            raise ValueError(f"{path} must be a TOML file: {error}") from error
+        try:
+            _only_keys(content, ("groups",))
+            groups = content.get("groups")
+            if not isinstance(groups, list) or not groups:
+                raise ValueError(f"it must have at least one [[groups]] table; got {groups!r}")
+            return cls(tuple(_group(index, table) for index, table in enumerate(groups, start=1)))
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{path}: {error}") from error
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints of one group after the other."""
-        return tuple(getattr(group, field.name) for group in self.groups for field in fields(group))
+        return tuple(count for group in self.groups for count in group.counts())
 
     def processes(self) -> Count:
         """Return the number of processes in the fleet."""
-        return _total(group.hosts * group.processes for group in self.groups)
+        return reduce(add, (group.hosts * group.processes for group in self.groups))
 
     def pairs(self) -> Count:
         """Return the number of ordered pairs of processes on different hosts."""
-        return _total(self._pairs_from(group) for group in self.groups)
+        return reduce(add, self._pairs_from())
 
     def endpoint_pairs(self) -> Count:
         """Return the number of pairs of an endpoint and a process on another host."""
-        return _total(self._pairs_from(group) * group.endpoints for group in self.groups)
+        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        return reduce(add, (count * group.endpoints for count, group in pairs))
 
-    def _pairs_from(self, group: HostGroup) -> Count:
-        remote = self.processes() - group.processes
-        return group.hosts * group.processes * remote
+    def _pairs_from(self) -> list[Count]:
+        """Return, for each group, its processes times the processes on other hosts."""
+        pairs = []
+        for index, group in enumerate(self.groups):
+            # Added up rather than subtracted from the total, which would cancel.
+            remote = (group.hosts - 1) * group.processes
+            for other in self.groups[:index] + self.groups[index + 1 :]:
+                remote = remote + other.hosts * other.processes
+            pairs.append(group.hosts * group.processes * remote)
+        return pairs
 
 
-def _total(counts: Iterable[Count]) -> Count:
-    return reduce(add, counts)
+def is_symbolic(value: Any) -> bool:
+    """Return whether it is a sympy expression with symbols, so that it has no value yet."""
+    return isinstance(value, sp.Expr) and bool(value.free_symbols)
+
+
+def symbolic_group(index: int) -> HostGroup:
+    """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
+    return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
+
+
+def _brief(count: Count) -> str:
+    if isinstance(count, np.ndarray):
+        text = np.array2string(count, separator=", ", threshold=6, edgeitems=2)
+        return " ".join(text.split())
+    return str(count).removesuffix(".0")
+
+
+def _only_keys(table: dict[str, Any], known: tuple[str, ...]) -> None:
+    for key, value in table.items():
+        if key not in known:
+            raise ValueError(f"key must be {' or '.join(known)}; got {key} = {value!r}")
+
+
+def _group(number: int, table: Any) -> HostGroup:
+    """Return the group of one table of a fleet file; the error says which it is."""
+    try:
+        if not isinstance(table, dict):
+            raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {table!r}")
+        _only_keys(table, (*COUNTS, "name"))
+        for key, least in LEAST.items():
+            allowed = _checks.wanted(least, _checks.MOST)
+            if key not in table:
+                raise ValueError(f"{key} is missing; it must be {allowed}")
+            if type(table[key]) not in (int, float):
+                raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
+        return HostGroup(**table)
+    except (TypeError, ValueError) as error:
+        name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""
+        raise ValueError(f"group {number}{name}: {error}") from error
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

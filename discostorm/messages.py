@@ -1,30 +1,31 @@
 """A discovery protocol is a table of messages; its load and utilization follow from it."""
 
-import csv
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
-from typing import Literal
+from typing import Literal, get_args
 
 import sympy as sp
 
 from discostorm import _checks, notation as nt
+from discostorm._data import read_data as read_data
 from discostorm.fleet import SWARM, Count, Fleet
-from discostorm.wifi import Cast, downlink_airtime, uplink_airtime
+from discostorm.wifi import Cast, Model, downlink_airtime, uplink_airtime
 
 Transport = Literal["UDP", "TCP"]
 
 
-def read_data(name: str) -> list[dict[str, str]]:
-    """Return the rows of a data file of the package; every row names its source."""
-    with (files("discostorm") / "data" / name).open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
 @dataclass(frozen=True)
 class Unit:
-    """What a message is sent once, twice or more for; a fleet says how many there are."""
+    """What a message is sent once, twice or more for; a fleet says how many there are.
+
+    Parameters
+    ----------
+    name : str
+        What one of them is called.
+    count : callable
+        Takes a `Fleet`, returns how many of them it has [1].
+    """
 
     name: str
     count: Callable[[Fleet], Count]
@@ -37,7 +38,24 @@ ENDPOINT_PAIR = Unit("endpoint and process on another host", Fleet.endpoint_pair
 
 @dataclass(frozen=True)
 class Payload:
-    """Payload size of a message [B]: nominal value, range and where they come from."""
+    """Payload size of a message: nominal value, range and where they come from.
+
+    Parameters
+    ----------
+    nominal : float
+        The size to compute with [B], from `low` to `high`.
+    low, high : float
+        The range of sizes [B], at least 0.
+    source : str
+        Where the numbers come from.
+
+    Raises
+    ------
+    ValueError
+        If a size is NaN, infinite or out of range.
+    TypeError
+        If a size is not one real number.
+    """
 
     nominal: float
     low: float
@@ -46,8 +64,8 @@ class Payload:
 
     def __post_init__(self) -> None:
         _checks.number("low", self.low, 0)
-        _checks.number("nominal", self.nominal, self.low)
-        _checks.number("high", self.high, self.nominal)
+        _checks.number("high", self.high, self.low)
+        _checks.number("nominal", self.nominal, self.low, self.high)
 
 
 @dataclass(frozen=True)
@@ -69,7 +87,14 @@ class Message:
     unit : Unit
         What it is counted by.
     per_unit : float
-        How many are sent for each unit.
+        How many are sent for each unit [1], above 0.
+
+    Raises
+    ------
+    ValueError
+        If `cast`, `transport` or `per_unit` is none of the above.
+    TypeError
+        If `payload` is not a Payload, or `unit` not a Unit.
     """
 
     name: str
@@ -79,6 +104,13 @@ class Message:
     payload: Payload
     unit: Unit
     per_unit: float
+
+    def __post_init__(self) -> None:
+        _checks.choice("cast", self.cast, get_args(Cast))
+        _checks.choice("transport", self.transport, get_args(Transport))
+        _checks.instance("payload", self.payload, Payload)
+        _checks.instance("unit", self.unit, Unit)
+        _checks.number("per_unit", self.per_unit, 0, above=True)
 
     @property
     def payload_symbol(self) -> sp.Symbol:
@@ -99,13 +131,13 @@ class Message:
         """Return how many are sent, up and again down."""
         return self.per_unit * self.unit.count(fleet)
 
-    def airtime_up(self) -> sp.Expr:
+    def airtime_up(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of one frame up to the access point [s]."""
-        return uplink_airtime(self.frame_symbolic)
+        return uplink_airtime(self.frame_symbolic, model)
 
-    def airtime_down(self) -> sp.Expr:
+    def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of one frame down from the access point [s]."""
-        return downlink_airtime(self.frame_symbolic, self.cast)
+        return downlink_airtime(self.frame_symbolic, self.cast, model)
 
 
 _HEADER_SYMBOLS: dict[Transport, sp.Symbol] = {"UDP": nt.H_UDP, "TCP": nt.H_TCP}
@@ -121,9 +153,7 @@ def header_bytes() -> dict[str, int]:
     }
 
 
-def table2(
-    name: str, phase: str, cast: Cast, unit: Unit, per_unit: float
-) -> Message:
+def table2(name: str, phase: str, cast: Cast, unit: Unit, per_unit: float) -> Message:
     """Return the message of that name with its size and transport from the paper's Table II."""
     (row,) = (row for row in read_data("table2.csv") if row["message"] == name)
     payload = Payload(
@@ -135,10 +165,31 @@ def table2(
 
 @dataclass(frozen=True)
 class Protocol:
-    """A discovery protocol: a name and its table of messages."""
+    """A discovery protocol: a name and its table of messages.
+
+    Parameters
+    ----------
+    name : str
+        What to call it in tables and figures.
+    messages : tuple of Message
+        At least one; their names differ.
+
+    Raises
+    ------
+    ValueError
+        If there is no message, or two have the same name.
+    TypeError
+        If one is not a Message.
+    """
 
     name: str
     messages: tuple[Message, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
+        names = [message.name for message in self.messages]
+        if len(set(names)) < len(names):
+            raise ValueError(f"messages must have names that differ; got {', '.join(names)}")
 
     @property
     def phases(self) -> tuple[str, ...]:
@@ -153,9 +204,8 @@ class Protocol:
         ValueError
             If the protocol has no such phase.
         """
-        if phase is not None and phase not in self.phases:
-            known = " or ".join(repr(name) for name in self.phases)
-            raise ValueError(f"phase must be {known} for {self.name}, or None; got {phase!r}")
+        if phase is not None:
+            _checks.choice("phase", phase, self.phases, f" for {self.name}, or None")
         return tuple(message for message in self.messages if phase in (None, message.phase))
 
     def load(self, phase: str | None = None) -> sp.Expr:
@@ -184,17 +234,19 @@ class Protocol:
         """
         return sp.factor(sum(message.load() for message in self.of_phase(phase)))
 
-    def cost(self, unit: Unit, phase: str | None = None) -> sp.Expr:
+    def cost(self, unit: Unit, phase: str | None = None, model: Model = "linear") -> sp.Expr:
         """Return the airtime that each `unit` adds, up and down [s]."""
         return sp.Add(
             *(
-                message.per_unit * (message.airtime_up() + message.airtime_down())
+                message.per_unit * (message.airtime_up(model) + message.airtime_down(model))
                 for message in self.of_phase(phase)
                 if message.unit == unit
             )
         )
 
-    def utilization(self, phase: str | None = None, fleet: Fleet = SWARM) -> sp.Expr:
+    def utilization(
+        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
+    ) -> sp.Expr:
         r"""Return the fraction of one second of channel time that discovery takes.
 
         .. math:: U_\Phi = \sum_{\phi \in \Phi} L_\phi (\mathcal{T}^{up}_\phi +
@@ -206,6 +258,8 @@ class Protocol:
             One of `phases`; all of them if left out.
         fleet : Fleet, optional
             The paper's swarm if left out.
+        model : {"linear", "padded", "aggregated"}, optional
+            How a frame becomes airtime; the `model` of a `Wifi`.
 
         Returns
         -------
@@ -218,7 +272,7 @@ class Protocol:
             If the protocol has no such phase.
         """
         units = dict.fromkeys(message.unit for message in self.of_phase(phase))
-        return sp.Add(*(unit.count(fleet) * self.cost(unit, phase) for unit in units))
+        return sp.Add(*(unit.count(fleet) * self.cost(unit, phase, model) for unit in units))
 
     def values(self) -> dict[sp.Symbol, float]:
         """Return the nominal value of each payload and header symbol [B]."""

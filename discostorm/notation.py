@@ -18,9 +18,7 @@ class Quantity:
 NOTATION: dict[str, Quantity] = {}
 
 
-def _define(
-    name: str, meaning: str, unit: str, source: str, *, zero: bool = False
-) -> sp.Symbol:
+def _define(name: str, meaning: str, unit: str, source: str, *, zero: bool = False) -> sp.Symbol:
     symbol = sp.Symbol(name, nonnegative=True) if zero else sp.Symbol(name, positive=True)
     NOTATION[name] = Quantity(symbol, meaning, unit, source)
     return symbol
@@ -38,6 +36,26 @@ R_MULTI = _define("R_multi", "data rate of multicast frames", "bit/s", "paper, S
 O_UNI = _define("O_uni", "fixed airtime of a unicast frame", "s", "paper, Sec. IV-B", zero=True)
 O_MULTI = _define(
     "O_multi", "fixed airtime of a multicast frame", "s", "paper, Sec. IV-B", zero=True
+)
+
+_TXTIME = "IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3"
+N_DBPS_UNI = _define("N_DBPS_uni", "data bits in a symbol, unicast", "bit", _TXTIME)
+N_DBPS_MULTI = _define("N_DBPS_multi", "data bits in a symbol, multicast", "bit", _TXTIME)
+N_ADD_UNI = _define(
+    "N_add_uni", "bits added to a unicast frame (SERVICE, tail)", "bit", _TXTIME, zero=True
+)
+N_ADD_MULTI = _define(
+    "N_add_multi", "bits added to a multicast frame (SERVICE, tail)", "bit", _TXTIME, zero=True
+)
+T_GRID_UNI = _define("t_grid_uni", "what a unicast frame is rounded up to", "s", _TXTIME)
+T_GRID_MULTI = _define("t_grid_multi", "what a multicast frame is rounded up to", "s", _TXTIME)
+K_UNI = _define("k_uni", "symbol time as a part of t_grid_uni", "1", _TXTIME)
+K_MULTI = _define("k_multi", "symbol time as a part of t_grid_multi", "1", _TXTIME)
+
+N_AGG = _define("n_agg", "most frames in an A-MPDU", "1", "IEEE Std 802.11-2020, 10.25")
+A_MOST = _define("A_most", "longest A-MPDU", "B", "IEEE Std 802.11-2020, 9.7 and 10.12")
+O_AGG = _define(
+    "O_agg", "fixed airtime of an A-MPDU", "s", "IEEE Std 802.11-2020, 9.3.1.8", zero=True
 )
 
 U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100 %)", "1", "paper, Sec. IV-C")

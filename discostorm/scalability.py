@@ -11,9 +11,17 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
-from discostorm.fleet import Fleet, HostGroup
+from discostorm.fleet import (
+    COUNTS,
+    SWARM,
+    Count,
+    Fleet,
+    HostGroup,
+    is_symbolic,
+    symbolic_group,
+)
 from discostorm.messages import Protocol
-from discostorm.wifi import PAPER, Wifi
+from discostorm.wifi import PAPER, Model, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -23,18 +31,37 @@ def as_fleet(
     hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
 ) -> Fleet:
     """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
+    given = {"processes": processes, "endpoints": endpoints}
     if isinstance(hosts, Fleet):
-        if processes is not None or endpoints is not None:
-            raise TypeError("processes and endpoints must be left out when hosts is a Fleet")
-        return hosts
-    if processes is None or endpoints is None:
-        raise TypeError("processes and endpoints must be given unless hosts is a Fleet")
-    return Fleet.swarm(hosts, processes, endpoints)
+        for name, value in given.items():
+            if value is not None:
+                raise TypeError(f"{name} must be left out when hosts is a Fleet; got {value!r}")
+        fleet = hosts
+    else:
+        for name, value in given.items():
+            if value is None:
+                raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
+        fleet = Fleet.swarm(hosts, processes, endpoints)
+    for name, count in _named_counts(fleet):
+        _reject_symbols(name, count)
+    return fleet
+
+
+def _named_counts(fleet: Fleet) -> list[tuple[str, Count]]:
+    return list(zip(COUNTS * len(fleet.groups), fleet.counts(), strict=True))
+
+
+def _reject_symbols(name: str, count: Count) -> None:
+    if is_symbolic(count):
+        raise TypeError(
+            f"{name} must be a number here, not an expression; got {count}. "
+            "In symbols: Protocol.utilization"
+        )
 
 
 @cache
-def _utilization(protocol: Protocol, phase: str | None, groups: int) -> sp.Expr:
-    return protocol.utilization(phase, Fleet.symbolic(groups))
+def _utilization(protocol: Protocol, phase: str | None, groups: int, model: Model) -> sp.Expr:
+    return protocol.utilization(phase, Fleet.symbolic(groups), model)
 
 
 def utilization(
@@ -78,7 +105,7 @@ def utilization(
         If an argument is NaN, infinite or out of range, the shapes do not broadcast, or
         the protocol has no such phase.
     TypeError
-        If an argument is not made of real numbers.
+        If an argument is not made of real numbers, or `protocol` or `wifi` is not one.
 
     References
     ----------
@@ -92,15 +119,17 @@ def utilization(
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
     """
+    _checks.instance("protocol", protocol, Protocol)
+    _checks.instance("wifi", wifi, Wifi)
+    protocol.of_phase(phase)  # raises if there is none
     fleet = as_fleet(hosts, processes, endpoints)
-    expression = _utilization(protocol, phase, len(fleet.groups))
+    expression = _utilization(protocol, phase, len(fleet.groups), wifi.model)
     counts = zip(Fleet.symbolic(len(fleet.groups)).counts(), fleet.counts(), strict=True)
     return evaluate(expression, dict(counts) | protocol.values() | wifi.values())
 
 
-@cache
-def saturation(protocol: Protocol) -> sp.Expr:
-    r"""Return the N_H at which utilization reaches U_limit, in symbols.
+def solve_hosts(utilization: sp.Expr) -> sp.Expr:
+    r"""Return the N_H at which a utilization, given in symbols, reaches U_limit.
 
     Utilization is quadratic in :math:`x = N_H - 1`: :math:`a x^2 + b x + c = U_{limit}`,
     with a, b and c at least 0. Its root is written as
@@ -110,10 +139,25 @@ def saturation(protocol: Protocol) -> sp.Expr:
     which is the usual formula, in the form that does not cancel in floating point.
     """
     more = sp.Symbol("x", positive=True)
-    quadratic = sp.Poly(protocol.utilization().subs(nt.N_H, 1 + more), more)
-    a, b, c = (quadratic.coeff_monomial(more**degree) for degree in (2, 1, 0))
+    quadratic = utilization.subs(nt.N_H, 1 + more)
+    # By derivatives: to collect the powers would expand a sum over all pairs of groups.
+    a, b, c = (
+        quadratic.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
+    )
     rest = nt.U_LIMIT - c
     return 1 + 2 * rest / (b + sp.sqrt(b**2 + 4 * a * rest))
+
+
+@cache
+def saturation(protocol: Protocol, model: Model = "linear", groups_beside: int = 0) -> sp.Expr:
+    """Return the N_H at which utilization reaches U_limit, in symbols; see `solve_hosts`.
+
+    With `groups_beside`, N_H like hosts share the channel with that many groups of
+    other hosts (N_H1, N_P1, N_E1 and so on).
+    """
+    beside = (symbolic_group(index) for index in range(1, groups_beside + 1))
+    fleet = Fleet((*SWARM.groups, *beside))
+    return solve_hosts(protocol.utilization(fleet=fleet, model=model))
 
 
 def saturation_hosts(
@@ -122,10 +166,11 @@ def saturation_hosts(
     endpoints: ArrayLike,
     wifi: Wifi = PAPER,
     limit: ArrayLike = 1.0,
+    beside: Fleet | None = None,
 ) -> Value:
-    """Return the number of hosts at which utilization reaches a limit.
+    """Return the number of like hosts at which utilization reaches a limit.
 
-    The largest swarm that stays below the limit has one host less than this, rounded up.
+    The largest number that stays below the limit is one less than this, rounded up.
 
     Parameters
     ----------
@@ -138,7 +183,10 @@ def saturation_hosts(
     wifi : Wifi, optional
         The channel; the paper's if left out.
     limit : array_like, optional
-        Utilization to reach [1], at least that of a single host.
+        Utilization to reach [1], at least that of a single such host.
+    beside : Fleet, optional
+        Other hosts that share the channel, such as an operator's laptop; they are not
+        counted in the result. None if left out.
 
     Returns
     -------
@@ -150,7 +198,7 @@ def saturation_hosts(
     ValueError
         If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
     TypeError
-        If an argument is not made of real numbers.
+        If an argument is not made of real numbers, or `protocol` or `wifi` is not one.
 
     References
     ----------
@@ -161,21 +209,38 @@ def saturation_hosts(
     >>> import discostorm as ds
     >>> round(ds.saturation_hosts(ds.DDS, processes=2, endpoints=10), 4)
     7.1554
+
+    How many of them beside a laptop that runs one process of 90 endpoints:
+
+    >>> laptop = ds.Fleet.swarm(hosts=1, processes=1, endpoints=90)
+    >>> round(ds.saturation_hosts(ds.DDS, processes=2, endpoints=10, beside=laptop), 4)
+    5.3365
     """
-    swarm = HostGroup(1, processes, endpoints)
-    given = {
-        nt.N_P: swarm.processes,
-        nt.N_E: swarm.endpoints,
-        nt.U_LIMIT: _checks.numbers("limit", limit, 0, above=True),
-    }
-    hosts = evaluate(saturation(protocol), given | protocol.values() | wifi.values())
-    if not np.all(np.greater_equal(hosts, 1)):
-        one = utilization(protocol, 1, processes, endpoints, wifi)
+    _checks.instance("protocol", protocol, Protocol)
+    _checks.instance("wifi", wifi, Wifi)
+    host = HostGroup(1, processes, endpoints)
+    if beside is not None:
+        _checks.instance("beside", beside, Fleet)
+    others = beside.groups if beside else ()
+    single = utilization(protocol, Fleet((host, *others)), wifi=wifi)
+    most = _checks.numbers("limit", limit, 0, above=True)
+    shapes = {"processes": processes, "endpoints": endpoints}
+    _checks.shape(**(shapes if beside is None else {"utilization": single}), limit=most)
+    enough = np.greater_equal(most, single)
+    if not enough.all():
+        pairs = np.broadcast_arrays(most, single)
+        low, needed = (float(values[~enough].item(0)) for values in pairs)
         raise ValueError(
-            f"limit must be at least the utilization of a single host, {np.max(one):g}; "
-            f"got {np.min(limit):g}"
+            f"limit must be at least the utilization of a single host"
+            f"{' beside the fleet' if beside else ''}, {needed!r}; got {low!r}"
         )
-    return hosts
+    given = {nt.N_P: host.processes, nt.N_E: host.endpoints, nt.U_LIMIT: most}
+    for index, group in enumerate(others, start=1):
+        given |= zip(symbolic_group(index).counts(), group.counts(), strict=True)
+    closed_form = saturation(protocol, wifi.model, len(others))
+    hosts = evaluate(closed_form, given | protocol.values() | wifi.values())
+    # At the least limit allowed, rounding could give a little less than one host.
+    return max(hosts, 1.0) if isinstance(hosts, float) else np.maximum(hosts, 1.0)
 
 
 def breakdown(
@@ -203,7 +268,7 @@ def breakdown(
     ValueError
         If an argument is NaN, infinite or out of range.
     TypeError
-        If an argument is not one real number.
+        If an argument is not one real number, or `protocol` or `wifi` is not one.
 
     References
     ----------
@@ -218,8 +283,10 @@ def breakdown(
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
+    _checks.instance("protocol", protocol, Protocol)
+    _checks.instance("wifi", wifi, Wifi)
     fleet = as_fleet(hosts, processes, endpoints)
-    for name, value in zip(("hosts", "processes", "endpoints") * len(fleet.groups), fleet.counts()):
+    for name, value in _named_counts(fleet):
         _checks.number(name, value, 0)
     values = protocol.values() | wifi.values()
     rows = []
@@ -232,8 +299,8 @@ def breakdown(
                 "cast": message.cast,
                 "frame_bytes": message.frame_bytes,
                 "uplink_messages": load,
-                "uplink_s": load * evaluate(message.airtime_up(), values),
-                "downlink_s": load * evaluate(message.airtime_down(), values),
+                "uplink_s": load * evaluate(message.airtime_up(wifi.model), values),
+                "downlink_s": load * evaluate(message.airtime_down(wifi.model), values),
             }
         )
     return pd.DataFrame(rows).set_index("message")

@@ -1,15 +1,70 @@
 """What the air costs: rates, per-frame overhead, airtime of one frame (paper, Sec. IV)."""
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any, Literal
 
 import sympy as sp
 
-from discostorm import _checks, notation as nt
+from discostorm import _checks, aggregation as agg, notation as nt
 
 Cast = Literal["multicast", "unicast"]
 
+#: How a frame becomes airtime: equation (11) of the paper, the standard's rounding to whole
+#: symbols, or this and aggregation.
+Model = Literal["linear", "padded", "aggregated"]
+
 BITS_PER_BYTE = 8
+
+#: All durations of the standard are multiples of this [s]; counted in it they are exact.
+TICK = 1e-7
+
+
+@dataclass(frozen=True)
+class Padding:
+    """How a frame fills whole symbols.
+
+    Parameters
+    ----------
+    bits : int
+        Data bits in a symbol [bit], N_DBPS of the standard.
+    symbol : float
+        Duration of a symbol with its guard interval [s], a multiple of 1e-7.
+    grid : float
+        What the duration of the data is rounded up to [s], a multiple of 1e-7: the
+        symbol, or 4e-6 in HT-mixed and VHT PPDUs.
+    added : int, optional
+        Bits sent beside the frame [bit]: 16 of the SERVICE field and a tail of 6.
+
+    Raises
+    ------
+    ValueError
+        If a number is out of range, not whole, or not such a multiple.
+
+    References
+    ----------
+    IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
+    """
+
+    bits: int
+    symbol: float
+    grid: float
+    added: int = 22
+
+    def __post_init__(self) -> None:
+        for name, low in (("bits", 1), ("added", 0)):
+            if _checks.number(name, getattr(self, name), low) % 1:
+                raise ValueError(f"{name} must be a whole number; got {getattr(self, name)!r}")
+        for name in ("symbol", "grid"):
+            ticks = _checks.number(name, getattr(self, name), TICK) / TICK
+            if abs(ticks - round(ticks)) > 1e-6:
+                raise ValueError(f"{name} must be a multiple of 1e-7; got {getattr(self, name)!r}")
+
+    @property
+    def per_grid(self) -> float:
+        """Duration of a symbol as a part of the grid [1]."""
+        # Through whole ticks: 3.6e-6 / 4e-6 itself need not be the float next to 0.9.
+        return round(self.symbol / TICK) / round(self.grid / TICK)
 
 
 @dataclass(frozen=True)
@@ -23,10 +78,14 @@ class Link:
     overhead : float
         Airtime that each frame costs whatever its length [s], at least 0: waiting,
         preamble, acknowledgement.
+    padding : Padding, optional
+        How a frame fills whole symbols; if left out, its length divided by the rate is
+        its airtime, as in the paper.
     """
 
     rate: float
     overhead: float
+    padding: Padding | None = None
 
     def __post_init__(self) -> None:
         _checks.number("rate", self.rate, 0, above=True)
@@ -45,20 +104,70 @@ class Wifi:
         Frames to one receiver; also every frame from a host up to the access point.
     multicast : Link
         Multicast frames from the access point down to all hosts.
+    aggregation : Aggregation, optional
+        If given, frames to one receiver share exchanges: all that go up to the access
+        point, and down the unicast ones. Needs links with padding.
+    made_from : tuple of (str, object), optional
+        The arguments of `wifi_preset` that gave it; empty for a channel of your own. Two
+        channels are equal whatever they were made from.
+
+    Raises
+    ------
+    ValueError
+        If one link has padding and the other has none, or there is aggregation without.
     """
 
     name: str
     unicast: Link
     multicast: Link
+    aggregation: agg.Aggregation | None = None
+    made_from: tuple[tuple[str, Any], ...] = field(default=(), compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        _checks.instance("unicast", self.unicast, Link)
+        _checks.instance("multicast", self.multicast, Link)
+        if (self.unicast.padding is None) != (self.multicast.padding is None):
+            raise ValueError(
+                "unicast and multicast must both have padding or both have none; got "
+                f"unicast.padding={self.unicast.padding}, "
+                f"multicast.padding={self.multicast.padding}"
+            )
+        if self.aggregation is not None and self.unicast.padding is None:
+            raise ValueError("aggregation must be None unless the links have padding")
+
+    @property
+    def model(self) -> Model:
+        """How a frame becomes airtime on this channel."""
+        if self.aggregation is not None:
+            return "aggregated"
+        return "linear" if self.unicast.padding is None else "padded"
 
     def values(self) -> dict[sp.Symbol, float]:
         """Return the value of each symbol of the notation that this channel sets."""
-        return {
+        values: dict[sp.Symbol, float] = {
             nt.R_UNI: self.unicast.rate,
             nt.O_UNI: self.unicast.overhead,
             nt.R_MULTI: self.multicast.rate,
             nt.O_MULTI: self.multicast.overhead,
         }
+        for link, symbols in ((self.unicast, UNICAST), (self.multicast, MULTICAST)):
+            if link.padding is not None:
+                padding = link.padding
+                given = (padding.bits, padding.added, padding.per_grid, padding.grid)
+                values |= dict(zip(symbols, map(float, given), strict=True))
+        if self.aggregation is not None:
+            values |= {
+                nt.N_AGG: float(self.aggregation.mpdus),
+                nt.A_MOST: float(self.aggregation.most_bytes),
+                nt.O_AGG: self.aggregation.overhead,
+            }
+        return values
+
+
+#: Bits per symbol, added bits, symbol as a part of the grid, grid: as `data_time` takes them.
+UNICAST = (nt.N_DBPS_UNI, nt.N_ADD_UNI, nt.K_UNI, nt.T_GRID_UNI)
+#: The same of multicast frames.
+MULTICAST = (nt.N_DBPS_MULTI, nt.N_ADD_MULTI, nt.K_MULTI, nt.T_GRID_MULTI)
 
 
 #: The paper's channel: IEEE 802.11n, 2x2 MIMO, MCS 7 a stream (paper, Sec. IV-A and IV-B).
@@ -77,13 +186,62 @@ def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
     return BITS_PER_BYTE * frame_bytes / rate + overhead
 
 
-def uplink_airtime(frame_bytes: sp.Expr) -> sp.Expr:
+def data_time(
+    octets: sp.Expr, bits: sp.Expr, added: sp.Expr, per_grid: sp.Expr, grid: sp.Expr
+) -> sp.Expr:
+    r"""Return the duration of the data part of a PPDU, in the unit of ``grid``.
+
+    .. math:: G \left\lceil k \left\lceil\frac{N_{add} + 8 S}{N_{DBPS}}\right\rceil\right\rceil
+
+    Parameters
+    ----------
+    octets : sympy.Expr
+        Length of the frame or of the A-MPDU [B].
+    bits, added, per_grid, grid : sympy.Expr
+        As `Padding` has them. The bits per symbol stay a symbol: sympy would split the
+        fraction of a number, and floating point then gets some lengths wrong.
+
+    References
+    ----------
+    IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
+    """
+    symbols = sp.ceiling((added + BITS_PER_BYTE * octets) / bits)
+    return grid * sp.ceiling(per_grid * symbols)
+
+
+def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
+    r"""Return the airtime of one frame among its like in a full A-MPDU [s].
+
+    .. math:: \mathcal{T} = \frac{1}{n}\left(O_{agg} + \mathcal{D}(n A)\right)
+
+    with n frames in subframes of A octets, see `aggregation`, and the duration of their
+    data :math:`\mathcal{D}`, see `data_time`.
+    """
+    frames = agg.mpdus(frame_bytes)
+    octets = frames * agg.subframe_bytes(frame_bytes)
+    return (nt.O_AGG + data_time(octets, *UNICAST)) / frames
+
+
+def _unicast_airtime(frame_bytes: sp.Expr, model: Model) -> sp.Expr:
+    if model == "aggregated":
+        return aggregated_airtime(frame_bytes)
+    if model == "padded":
+        return nt.O_UNI + data_time(frame_bytes, *UNICAST)
+    return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
+
+
+@cache
+def uplink_airtime(frame_bytes: sp.Expr, model: Model = "linear") -> sp.Expr:
     """Return the airtime from a host to the access point: always unicast."""
-    return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
+    return _unicast_airtime(frame_bytes, model)
 
 
-def downlink_airtime(frame_bytes: sp.Expr, cast: Cast) -> sp.Expr:
+@cache
+def downlink_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model = "linear") -> sp.Expr:
     """Return the airtime from the access point to one host, or once to all of them."""
-    if cast == "multicast":
+    if cast == "unicast":
+        return _unicast_airtime(frame_bytes, model)
+    if model == "linear":
         return airtime(frame_bytes, nt.R_MULTI, nt.O_MULTI)
-    return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
+    # Nobody acknowledges a multicast frame, so it is never aggregated.
+    return nt.O_MULTI + data_time(frame_bytes, *MULTICAST)
