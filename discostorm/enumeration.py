@@ -1,0 +1,204 @@
+"""A second opinion on the message counts: name everybody, walk the protocol, count.
+
+Plain Python on purpose: it shares no code with the tables of messages or the fleets whose
+counts it confirms.
+"""
+
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+#: Receiver of a multicast message.
+EVERYONE = "everyone"
+
+_TOPICS = ("publications", "subscriptions")
+
+_PHASES = {
+    "SPDP": ("SPDP",),
+    "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),
+    "Scouting": ("Scout", "Hello"),
+    "Declaration": ("Declare", "KeepAlive"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Process:
+    """A process by its host and its number on it; both count from 1."""
+
+    host: int
+    number: int
+
+    def __str__(self) -> str:
+        return f"host {self.host} process {self.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    """An endpoint by its process and its number in it; the built-in topic that tells of it."""
+
+    process: Process
+    number: int
+    topic: str
+
+    def __str__(self) -> str:
+        return f"endpoint {self.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """A Zenoh session by the process that opened it."""
+
+    opener: Process
+
+    def __str__(self) -> str:
+        return f"session opened by {self.opener}"
+
+
+About: TypeAlias = Endpoint | Session | str
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """One message on one hop.
+
+    Parameters
+    ----------
+    sender : Process
+        Who made it.
+    receiver : Process or "everyone"
+        Who it is for.
+    kind : str
+        What it is called, such as SEDP.
+    about : Endpoint, Session or str
+        What it tells of: an endpoint, a session, a built-in topic, or the sender itself ("").
+    hop : {"up", "down"}
+        From the sender's host to the access point, or on from there.
+    """
+
+    sender: Process
+    receiver: Process | str
+    kind: str
+    about: About
+    hop: Literal["up", "down"]
+
+    @property
+    def phase(self) -> str:
+        """The discovery phase it belongs to."""
+        return next(phase for phase, kinds in _PHASES.items() if self.kind in kinds)
+
+
+# A message before it is on a hop: receiver, kind and what it tells of.
+_Message: TypeAlias = tuple[Process | str, str, About]
+_Hear: TypeAlias = Callable[[Process, Sequence[Endpoint], Sent], list[_Message]]
+
+
+def _hear_dds(_me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
+    """Return what a DDS process sends when it hears a message."""
+    other = heard.sender
+    answers: list[_Message] = []
+    if heard.kind == "SPDP":  # a new participant: tell it all, and ask what has arrived
+        for topic in _TOPICS:
+            answers += [(other, "SEDP", endpoint) for endpoint in mine if endpoint.topic == topic]
+            answers.append((other, "Heartbeat", topic))
+    elif heard.kind == "Heartbeat":
+        answers.append((other, "ACKNACK", heard.about))
+    return answers
+
+
+def _hear_zenoh(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
+    """Return what a Zenoh peer sends when it hears a message."""
+    other = heard.sender
+    answers: list[_Message] = []
+    if heard.kind == "Scout":
+        answers.append((other, "Hello", ""))
+    elif heard.kind == "Hello":  # found: open a session, declare all, keep it alive
+        answers += [(other, "Declare", endpoint) for endpoint in mine]
+        answers.append((other, "KeepAlive", Session(me)))
+    elif heard.kind == "KeepAlive" and heard.about != Session(me):  # its session: answer
+        answers.append((other, "KeepAlive", heard.about))
+    return answers
+
+
+#: For each protocol the message a process starts with, and how it reacts to what it hears.
+_PROTOCOLS: dict[str, tuple[str, _Hear]] = {
+    "DDS": ("SPDP", _hear_dds),
+    "Zenoh": ("Scout", _hear_zenoh),
+}
+
+
+def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
+    """Return all processes with their endpoints, alternately of one topic and the other."""
+    processes: dict[Process, list[Endpoint]] = {}
+    for host, counts in enumerate(hosts, start=1):
+        for number, count in enumerate(counts, start=1):
+            if type(count) is not int or count < 0:
+                raise ValueError(
+                    f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
+                    f"at least 0; got {count!r}"
+                )
+            process = Process(host, number)
+            processes[process] = [
+                Endpoint(process, index + 1, _TOPICS[index % 2]) for index in range(count)
+            ]
+    return processes
+
+
+def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
+    """Yield every message of the discovery among hosts, first up and then down.
+
+    All processes start at once. A message goes up to the access point, down again, and
+    those that hear it answer; messages inside a host do not use the air.
+
+    Parameters
+    ----------
+    protocol : {"DDS", "Zenoh"}
+        Whose messages to send, as the paper describes it (Sec. III-B and III-C).
+    hosts : sequence of sequences of int
+        For each host the number of endpoints [1] of each of its processes. The paper's
+        swarm is ``[[N_E] * N_P] * N_H``.
+
+    Yields
+    ------
+    Sent
+        One message on one hop. A multicast message goes down once, to everyone.
+
+    Raises
+    ------
+    ValueError
+        If there is no such protocol, or a count is not a whole number of at least 0.
+
+    Examples
+    --------
+    >>> for sent in walk("Zenoh", [[0], [0]]):
+    ...     if sent.hop == "up":
+    ...         print(f"{sent.kind} from {sent.sender} to {sent.receiver}")
+    Scout from host 1 process 1 to everyone
+    Scout from host 2 process 1 to everyone
+    Hello from host 2 process 1 to host 1 process 1
+    Hello from host 1 process 1 to host 2 process 1
+    KeepAlive from host 1 process 1 to host 2 process 1
+    KeepAlive from host 2 process 1 to host 1 process 1
+    KeepAlive from host 2 process 1 to host 1 process 1
+    KeepAlive from host 1 process 1 to host 2 process 1
+    """
+    if protocol not in _PROTOCOLS:
+        known = " or ".join(repr(name) for name in _PROTOCOLS)
+        raise ValueError(f"protocol must be {known}; got {protocol!r}")
+    first, hear = _PROTOCOLS[protocol]
+    processes = _named(hosts)
+    waiting: deque[tuple[Process, _Message]] = deque(
+        (process, (EVERYONE, first, "")) for process in processes
+    )
+    while waiting:
+        sender, (receiver, kind, about) = waiting.popleft()
+        yield Sent(sender, receiver, kind, about, "up")
+        down = Sent(sender, receiver, kind, about, "down")
+        yield down
+        if isinstance(receiver, Process):
+            hearing = [receiver]
+        else:
+            hearing = [process for process in processes if process.host != sender.host]
+        for process in hearing:
+            answers = hear(process, processes[process], down)
+            waiting.extend((process, answer) for answer in answers)
