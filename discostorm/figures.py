@@ -1,27 +1,33 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them.
 
 ``python -m discostorm.figures FOLDER`` writes all of them as SVG, PDF and PNG, with CSV.
+More drawings serve any protocol: `airtime`, of one frame of each message, `bars`, of what
+each message adds to utilization, and `remedies`, of what a plan would change.
 """
 
+import argparse
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import as_file, files
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, PercentFormatter
+from matplotlib.patches import Patch
+from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
+from discostorm._numeric import evaluate
 from discostorm.dds import DDS
 from discostorm.messages import Protocol
 from discostorm.scalability import saturation_hosts, utilization
+from discostorm.wifi import PAPER, Wifi
 from discostorm.zenoh import ZENOH
 
 PROTOCOLS = (DDS, ZENOH)
@@ -35,6 +41,19 @@ STYLES = {
     "SEDP": "--",
     "Declaration": "--",
 }
+#: One shade of the protocol's colour a message; what tells of endpoints has the colour itself.
+MESSAGE_COLORS = {
+    "SPDP": "#08306B",
+    "SEDP": COLORS["DDS"],
+    "Heartbeat": "#6BAED6",
+    "ACKNACK": "#C6DBEF",
+    "Scout": "#662506",
+    "Hello": "#FDAE6B",
+    "Declare": COLORS["Zenoh"],
+    "KeepAlive": "#FDE0C5",
+}
+#: Inches: at this width the letters are still legible when a phone scales the figure down.
+WIDTH = 5.6
 
 # The paper's parameters of each figure: Fig. 2, 3 and 4 captions and Sec. IV-C.
 FIG2_PROCESSES, FIG2_ENDPOINTS = 2, 10
@@ -52,9 +71,9 @@ def style() -> Iterator[None]:
         yield
 
 
-def steps(first: int, last: int) -> NDArray[np.float64]:
-    """Return first to last in steps of a tenth: whole numbers, and smooth curves between."""
-    return np.arange(10 * first, 10 * last + 1) / 10
+def steps(first: int, last: int, per_one: int = 10) -> NDArray[np.float64]:
+    """Return first to last with every whole number, and steps between for a smooth curve."""
+    return np.arange(per_one * first, per_one * last + 1) / per_one
 
 
 def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) -> pd.DataFrame:
@@ -107,51 +126,69 @@ def fig3_data() -> pd.DataFrame:
 
 def fig4_data() -> pd.DataFrame:
     """Return the data of Fig. 4: utilization of the Nav2 scenario against hosts."""
-    return phases_data(steps(1, 5), FIG4_PROCESSES, FIG4_ENDPOINTS)
+    return phases_data(steps(1, 5, per_one=50), FIG4_PROCESSES, FIG4_ENDPOINTS)
 
 
 def _percent(axis: Axes, most: float) -> None:
     axis.axhline(1, color="black", linewidth=1)
     axis.set_ylim(0, most)
     axis.yaxis.set_major_formatter(PercentFormatter(1))
-    axis.set_ylabel("channel utilization")
+    axis.set_ylabel("channel utilization [%]")
 
 
 def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) -> None:
-    """Draw each phase and the total against hosts, and mark the saturation points."""
-    for (protocol, phase), rows in data.groupby(["protocol", "phase"], sort=False):
-        axis.plot(
-            rows["hosts"],
-            rows["utilization"],
-            STYLES[phase],
-            color=COLORS[protocol],
-            marker="." if phase == "total" else None,
-            markevery=10,
-            label=f"{protocol} {phase}",
-        )
+    """Draw each phase and the total against hosts, and mark the saturation points.
+
+    The total is a broad pale line, so that a phase which is nearly all of it stays visible
+    on top; a dot marks each whole number of hosts.
+    """
     for protocol in PROTOCOLS:
+        color = COLORS[protocol.name]
+        rows = data[data["protocol"] == protocol.name]
+        total = rows[rows["phase"] == "total"]
+        whole = total[total["hosts"] % 1 == 0]
+        axis.plot(
+            total["hosts"],
+            total["utilization"],
+            STYLES["total"],
+            color=color,
+            alpha=0.35,
+            linewidth=4,
+            label=f"{protocol.name} total",
+        )
+        for phase in protocol.phases:
+            part = rows[rows["phase"] == phase]
+            axis.plot(
+                part["hosts"],
+                part["utilization"],
+                STYLES[phase],
+                color=color,
+                label=f"{protocol.name} {phase}",
+            )
+        axis.plot(whole["hosts"], whole["utilization"], "o", color=color, markersize=4)
         hosts = saturation_hosts(protocol, processes, endpoints)
         axis.plot(
             hosts,
             1,
-            "o",
-            color=COLORS[protocol.name],
+            "D",
+            color=color,
             markeredgecolor="white",
             markersize=8,
             zorder=3,
             label=f"{protocol.name} saturates at {hosts:.2f}",
         )
     axis.set_xlim(data["hosts"].min(), data["hosts"].max())
+    axis.xaxis.set_major_locator(MultipleLocator(1))
     axis.set_xlabel("hosts $N_H$ [1]")
 
 
 def fig2() -> Figure:
     """Draw Fig. 2: utilization against hosts (N_P = 2, N_E = 10)."""
     with style():
-        figure, axis = plt.subplots()
+        figure = Figure(figsize=(WIDTH, 4.2))
+        axis = figure.subplots()
         _phases(axis, fig2_data(), FIG2_PROCESSES, FIG2_ENDPOINTS)
         _percent(axis, 2)
-        axis.xaxis.set_major_locator(MaxNLocator(integer=True))
         axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
         axis.legend(loc="upper left")
     return figure
@@ -160,52 +197,58 @@ def fig2() -> Figure:
 def fig3() -> Figure:
     """Draw Fig. 3: utilization against processes and endpoints (N_H = 3).
 
-    Above the paper's surfaces with the line of 40 endpoints on a host, below the same
-    line on its own.
+    Above the paper's surfaces with the line of 40 endpoints on a host and, dashed, the
+    height of 100 %; below the same line on its own.
     """
     data = fig3_data()
-    lines = dict([*data[data["part"] == "trajectory"].groupby("protocol")])
-    surfaces = dict([*data[data["part"] == "surface"].groupby("protocol")])
+    of = {
+        part: {protocol.name: rows[rows["protocol"] == protocol.name] for protocol in PROTOCOLS}
+        for part, rows in data.groupby("part")
+    }
     with style():
-        figure = plt.figure(figsize=(6.4, 6.2))
-        above, below = figure.subfigures(2, 1, height_ratios=[1, 1])
-        for column, protocol in enumerate(PROTOCOLS, start=1):
-            name = protocol.name
-            axis = above.add_subplot(1, 2, column, projection="3d", computed_zorder=False)
-            grid = surfaces[name].pivot_table(
-                index="endpoints", columns="processes", values="utilization"
+        figure = Figure(figsize=(WIDTH, 5.8))
+        # Placed by hand: the layout engine leaves a third of the room around a cube empty.
+        figure.set_layout_engine("none")
+        for left, (name, surface) in zip((0.0, 0.5), of["surface"].items(), strict=True):
+            axis = figure.add_axes(
+                (left + 0.012, 0.48, 0.48, 0.52), projection="3d", computed_zorder=False
             )
-            axis.plot_surface(
-                *np.meshgrid(grid.columns, grid.index),
-                100 * grid.to_numpy(),
-                color=COLORS[name],
-                alpha=0.55,
-                linewidth=0.2,
-                edgecolor="white",
-                rcount=21,
-                ccount=10,
-            )
-            line = lines[name]
-            axis.plot(line["processes"], line["endpoints"], 100 * line["utilization"], "k")
-            axis.view_init(elev=24, azim=-125)
-            axis.set_title(name, y=0.94)
-            axis.set_xlabel("processes $N_P$ [1]", labelpad=-4)
-            axis.set_ylabel("endpoints $N_E$ [1]", labelpad=-4)
-            axis.set_zlabel("utilization [%]", labelpad=-1)
-            axis.tick_params(pad=-2, labelsize=8)
-            axis.yaxis.set_major_locator(MaxNLocator(4))
-            axis.set_box_aspect((1, 1, 0.85), zoom=0.86)
-        axis = below.subplots()
-        for name, line in lines.items():
+            _surface(axis, surface, of["trajectory"][name], COLORS[name])
+            axis.set_title(name, y=0.95)
+        axis = figure.add_axes((0.13, 0.09, 0.85, 0.36))
+        for name, line in of["trajectory"].items():
             axis.plot(line["processes"], line["utilization"], color=COLORS[name], label=name)
             whole = line[line["processes"].isin(whole_divisions())]
             axis.plot(whole["processes"], whole["utilization"], "o", color=COLORS[name])
         _percent(axis, 2)
+        axis.xaxis.set_major_locator(MultipleLocator(1))
         axis.set_xlabel(
             f"processes on a host $N_P$ [1], with $N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
         )
         axis.legend(loc="upper left")
     return figure
+
+
+def _surface(axis: Any, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
+    """Draw one surface of Fig. 3 on a 3-D axis, with the trajectory on it."""
+    grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
+    x, y = np.meshgrid(grid.columns, grid.index)
+    percent = 100 * grid.to_numpy()
+    axis.plot_surface(
+        x, y, percent, color=color, alpha=0.55, linewidth=0.2, edgecolor="white", rcount=21
+    )
+    axis.contour(x, y, percent, levels=[100], colors="black", linestyles="--", linewidths=1)
+    axis.plot(line["processes"], line["endpoints"], 100 * line["utilization"], "k", linewidth=2)
+    axis.view_init(elev=24, azim=-125)
+    axis.set_xlabel("processes $N_P$ [1]", labelpad=-7)
+    axis.set_ylabel("endpoints $N_E$ [1]", labelpad=-7)
+    axis.set_zlabel("utilization [%]", labelpad=-5)
+    axis.set_zlim(0, 1200)
+    axis.tick_params(pad=-3, labelsize=8)
+    for direction, step in ((axis.xaxis, 3), (axis.yaxis, 10), (axis.zaxis, 300)):
+        direction.set_major_locator(MultipleLocator(step, 1 if step == 3 else 0))
+        direction.label.set_size(9)
+    axis.set_box_aspect((1, 1, 0.95), zoom=0.93)
 
 
 def whole_divisions() -> list[int]:
@@ -219,19 +262,165 @@ def fig4() -> Figure:
     Below, on a logarithmic scale, the phases that the linear scale cannot show.
     """
     with style():
-        figure, (above, below) = plt.subplots(2, 1, figsize=(6.4, 6.4), sharex=True)
+        figure = Figure(figsize=(WIDTH, 6.4))
+        above, below = figure.subplots(2, 1, sharex=True)
         data = fig4_data()
         for axis in (above, below):
             _phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS)
         _percent(above, 4)
         _percent(below, 4)
-        below.set_yscale("log")
+        # With one host nothing but the first phase is sent, and zero has no logarithm.
+        below.set_yscale("log", nonpositive="mask")
         below.set_ylim(1e-3, 10)
         below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
         above.set_xlabel("")
-        below.xaxis.set_major_locator(MaxNLocator(integer=True))
         above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
         above.legend(loc="upper left")
+    return figure
+
+
+def airtime_data(protocols: Sequence[Protocol] = PROTOCOLS, wifi: Wifi = PAPER) -> pd.DataFrame:
+    """Return what one frame of each message costs, up and down: overhead and bits [s].
+
+    A row a message and direction, with columns protocol, message, direction, overhead_s
+    (independent of the length of the frame) and bits_s (proportional to it).
+    """
+    rows = []
+    for protocol in protocols:
+        values = protocol.values() | wifi.values()
+        for message in protocol.messages:
+            down = wifi.multicast if message.cast == "multicast" else wifi.unicast
+            for direction, link, expression in (
+                ("up", wifi.unicast, message.airtime_up()),
+                ("down", down, message.airtime_down()),
+            ):
+                rows.append(
+                    {
+                        "protocol": protocol.name,
+                        "message": message.name,
+                        "direction": direction,
+                        "overhead_s": link.overhead,
+                        "bits_s": evaluate(expression, values) - link.overhead,
+                    }
+                )
+    return pd.DataFrame(rows)
+
+
+def airtime() -> Figure:
+    """Draw what one frame of each message costs, up and down, as overhead and bits."""
+    data = airtime_data()
+    with style():
+        figure = Figure(figsize=(WIDTH, 4.6))
+        axis = figure.subplots()
+        names = data["message"] + " " + data["direction"]
+        overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
+        colors = data["protocol"].map(COLORS)
+        axis.barh(names, overhead, color=colors, alpha=0.35)
+        axis.barh(names, bits, left=overhead, color=colors)
+        for row, micro in enumerate(overhead + bits):
+            axis.text(micro + 6, row, f"{micro:.0f}", va="center", fontsize=8)
+        axis.invert_yaxis()
+        axis.grid(visible=False, axis="y")
+        axis.set_xlim(0, 1.08 * (overhead + bits).max())
+        axis.set_xlabel("airtime of one frame [µs]")
+        axis.legend(
+            handles=[
+                Patch(color="gray", alpha=0.35, label="fixed overhead"),
+                Patch(color="gray", label="its bits"),
+            ],
+            loc="lower right",
+        )
+        axis.set_ylabel("message and direction")
+    return figure
+
+
+def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
+    """Return the data of `bars`: a row a swarm and message, from the left of a bar to its right.
+
+    The column ``utilization``, or ``share``, is as long as the message's part of the bar.
+    """
+    parts = {
+        swarm: messages["uplink_s"] + messages["downlink_s"] for swarm, messages in swarms.items()
+    }
+    if share:
+        parts = {swarm: part / part.sum() for swarm, part in parts.items()}
+    data = pd.concat(parts, names=["swarm", "message"])
+    return data.rename("share" if share else "utilization").reset_index()
+
+
+def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
+    """Draw what each message adds to utilization: one stacked bar a swarm.
+
+    Parameters
+    ----------
+    swarms : mapping of str to pandas.DataFrame
+        A label and what `discostorm.breakdown` returns, a bar each, from the top down.
+    share : bool, optional
+        Whether to draw the share in the total instead of utilization.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    with style():
+        figure = Figure(figsize=(WIDTH, 1.6 + 0.36 * len(swarms)))
+        axis = figure.subplots()
+        data = bars_data(swarms, share=share)
+        for label in swarms:
+            part = data[data["swarm"] == label]
+            lengths = part.set_index("message").iloc[:, -1]
+            starts = lengths.cumsum() - lengths
+            for name in lengths.index:
+                axis.barh(label, lengths[name], left=starts[name], color=MESSAGE_COLORS.get(name))
+        known = dict.fromkeys(name for messages in swarms.values() for name in messages.index)
+        handles = [Patch(color=MESSAGE_COLORS.get(name), label=name) for name in known]
+        figure.legend(handles=handles, loc="outside upper center", ncols=4)
+        axis.invert_yaxis()
+        axis.grid(visible=False, axis="y")
+        axis.xaxis.set_major_formatter(PercentFormatter(1))
+        if share:
+            axis.set_xlim(0, 1)
+            axis.set_xlabel("share of the airtime [%]")
+        else:
+            axis.axvline(1, color="black", linewidth=1)
+            axis.set_xlabel("channel utilization [%]")
+        axis.set_ylabel("swarm")
+    return figure
+
+
+def remedies(bars: pd.DataFrame) -> Figure:
+    """Draw airtimes as bars from the top down, each below its name, with a line at 1 s.
+
+    Parameters
+    ----------
+    bars : pandas.DataFrame
+        One row a bar, with columns bar (its name), protocol, which gives its colour, and
+        airtime_s [s]; the first is what the others change.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    with style():
+        figure = Figure(figsize=(WIDTH, 0.8 + 0.42 * len(bars)))
+        axis = figure.subplots()
+        most = max(1.0, bars["airtime_s"].max())
+        columns = (bars[column] for column in ("bar", "protocol", "airtime_s"))
+        for place, (name, protocol, airtime) in enumerate(zip(*columns, strict=True)):
+            color = COLORS.get(protocol, "gray")
+            axis.barh(place, airtime, height=0.4, color=color, alpha=0.45 if place else 1)
+            white = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
+            axis.text(
+                0.005 * most, place - 0.42, name, va="center", fontsize=9, bbox=white, zorder=3
+            )
+            axis.text(airtime + 0.01 * most, place, f"{airtime:.3g} s", va="center", fontsize=9)
+        axis.axvline(1, color="black", linewidth=1, zorder=0.5)
+        axis.set_xlim(0, 1.14 * most)
+        axis.set_ylim(len(bars) - 0.6, -0.8)
+        axis.set_yticks([])
+        axis.set_ylabel("what is changed")
+        axis.grid(visible=False, axis="y")
+        axis.set_xlabel("airtime of discovery [s]; the line is one second")
     return figure
 
 
@@ -258,13 +447,18 @@ _METADATA: dict[str, dict[str, None]] = {
 }
 
 
-def save(figure: Figure, folder: Path, name: str) -> list[Path]:
-    """Write a figure as SVG, PDF and PNG, the same bytes every time; return the paths."""
-    paths = [folder / f"{name}.{kind}" for kind in _METADATA]
-    with style():
-        for path in paths:
-            figure.savefig(path, dpi=200, metadata=_METADATA[path.suffix[1:]])
-    return paths
+def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
+    """Write a figure as SVG, PDF and PNG, the same bytes every time; yield each path."""
+    for kind, metadata in _METADATA.items():
+        path = folder / f"{name}.{kind}"
+        with style():
+            figure.savefig(path, dpi=200, metadata=metadata)
+        yield path
+
+
+def files_of_all() -> int:
+    """Return how many files `save_all` writes."""
+    return len(FIGURES) * (len(_METADATA) + 1)
 
 
 def save_all(folder: Path) -> Iterator[Path]:
@@ -273,13 +467,29 @@ def save_all(folder: Path) -> Iterator[Path]:
     for name, paper in FIGURES.items():
         figure = paper.draw()
         yield from save(figure, folder, name)
-        plt.close(figure)
         path = folder / f"{name}.csv"
         paper.data().to_csv(path, index=False, lineterminator="\n")
         yield path
 
 
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run ``python -m discostorm.figures``; return the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m discostorm.figures",
+        description="Write Figs. 2-4 of the paper as SVG, PDF and PNG, and their data as CSV.",
+    )
+    parser.add_argument("folder", metavar="FOLDER", help="where to, made if missing")
+    given = parser.parse_args(arguments).folder
+    if not given:
+        parser.error("FOLDER must name a folder; got ''")
+    count = files_of_all()
+    try:
+        for number, path in enumerate(save_all(Path(given)), start=1):
+            print(f"[{number:2}/{count}] {path}", flush=True)  # noqa: T201
+    except OSError as error:
+        parser.error(f"FOLDER must be a folder to write to; got {given!r}: {error.strerror}")
+    return 0
+
+
 if __name__ == "__main__":
-    mpl.use("Agg")
-    for written in save_all(Path(sys.argv[1])):
-        print(written)  # noqa: T201
+    sys.exit(main())

@@ -1,16 +1,21 @@
-"""What the chapter notebooks share: looks, numbered equations, tables."""
+"""What the chapter notebooks share: looks, numbered equations, tables, data of figures."""
 
 import os
+import re
+import shlex
+from base64 import b64encode
 from collections.abc import Mapping
+from dataclasses import dataclass
 from importlib.resources import as_file, files
 
 import matplotlib.pyplot as plt
 import pandas as pd
 import sympy as sp
-from IPython.display import Markdown
+from IPython.display import SVG, Markdown
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm.messages import Protocol
+from discostorm.notation import NOTATION
 
 
 def setup() -> None:
@@ -19,7 +24,7 @@ def setup() -> None:
     os.environ["SOURCE_DATE_EPOCH"] = "0"
     with as_file(files("discostorm") / "data" / "discostorm.mplstyle") as path:
         plt.style.use(path)
-    set_matplotlib_formats("svg", "pdf", bbox_inches=None)
+    set_matplotlib_formats("svg", bbox_inches=None)
 
 
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
@@ -46,13 +51,77 @@ def table(frame: pd.DataFrame, formats: Mapping[str, str] | None = None) -> Mark
     for column, spec in (formats or {}).items():
         shown[column] = [format(value, spec) for value in frame[column]]
     index = frame.index.name is not None
-    numeric = [
-        pd.api.types.is_numeric_dtype(frame[column]) for column in frame.columns
-    ]
+    numeric = [pd.api.types.is_numeric_dtype(frame[column]) for column in frame.columns]
     alignment = ["left"] * index + ["right" if right else "left" for right in numeric]
-    return Markdown(
-        shown.to_markdown(index=index, colalign=alignment, disable_numparse=True)
-    )
+    return Markdown(shown.to_markdown(index=index, colalign=alignment, disable_numparse=True))
+
+
+@dataclass(frozen=True)
+class Download:
+    """A file that a page carries in itself: as HTML a link, as text the name of the file."""
+
+    name: str
+    content: str
+
+    def __repr__(self) -> str:
+        """Return what is shown where links are not."""
+        return f"Data of this figure: {self.name}, a link in the HTML edition."
+
+    def _repr_html_(self) -> str:
+        content = b64encode(self.content.encode()).decode()
+        return (
+            f'<a download="{self.name}" href="data:text/csv;charset=utf-8;base64,{content}">'
+            f"Data of this figure: {self.name}</a>"
+        )
+
+
+def download(frame: pd.DataFrame, name: str) -> Download:
+    """Offer the data of a figure as a CSV file, on the page itself: it works without a server.
+
+    Numbers have ten digits, so that a last bit, which differs between processors, is not seen.
+
+    Parameters
+    ----------
+    frame : pandas.DataFrame
+        What the figure shows; its index is in the file if it has a name.
+    name : str
+        Name of the figure, such as ``fig-hosts``: lower-case letters, digits and hyphens.
+
+    Returns
+    -------
+    Download
+        What Jupyter and the book show as a link.
+
+    Raises
+    ------
+    ValueError
+        If the name has other characters, or the table is empty.
+
+    Examples
+    --------
+    >>> link = download(pd.DataFrame({"hosts": [1, 2], "share": [1 / 3, 0.5]}), "fig-some")
+    >>> link
+    Data of this figure: fig-some.csv, a link in the HTML edition.
+    >>> print(link.content)
+    hosts,share
+    1,0.3333333333
+    2,0.5
+    <BLANKLINE>
+    """
+    if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name):
+        raise ValueError(
+            f"name must be made of lower-case letters, digits and hyphens; got {name!r}"
+        )
+    if frame.empty:
+        raise ValueError("frame must have rows and columns; got an empty one")
+    index = any(level is not None for level in frame.index.names)
+    content = frame.to_csv(index=index, float_format="%.10g", lineterminator="\n")
+    return Download(f"{name}.csv", content)
+
+
+def drawing(name: str) -> SVG:
+    """Show a drawing of the package, so that it is in the notebook wherever that goes."""
+    return SVG(data=(files("discostorm") / "data" / f"{name}.svg").read_text(encoding="utf-8"))
 
 
 def messages(protocol: Protocol) -> Markdown:
@@ -69,3 +138,57 @@ def messages(protocol: Protocol) -> Markdown:
             for message in protocol.messages
         )
     )
+
+
+def shell(*commands: str, lines: int | None = None) -> Markdown:
+    """Run commands ``discostorm ...`` and show each with all that it prints.
+
+    They run in this process, at a fixed width, so that the output is the same everywhere.
+    An exit code other than 0 is shown as well.
+
+    Parameters
+    ----------
+    *commands : str
+        As typed into a shell, without pipes.
+    lines : int, optional
+        Show so many lines of the output, and say how many more there were.
+    """
+    from click.testing import CliRunner
+
+    from discostorm.cli import main
+
+    shown = []
+    for command in commands:
+        program, *arguments = shlex.split(command)
+        if program != "discostorm":
+            raise ValueError(f"commands must start with discostorm; got {command!r}")
+        result = CliRunner(env={"COLUMNS": "79"}).invoke(main, arguments, prog_name=program)
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        printed = result.output.rstrip("\n").split("\n")
+        rest = len(printed) - (lines or len(printed))
+        shown += [f"$ {command}", *printed[:lines]]
+        shown += [f"... and {rest} more lines"] * (rest > 0)
+        shown += [f"[exit code {result.exit_code}]"] * (result.exit_code != 0) + [""]
+    return Markdown("\n".join(["```text", *shown[:-1], "```"]))
+
+
+def notation(*protocols: Protocol) -> Markdown:
+    """Show the notation, and after it the payload symbol of each message of the protocols."""
+    rows = [
+        (quantity.symbol, quantity.meaning, quantity.unit, quantity.source)
+        for quantity in NOTATION.values()
+    ]
+    rows += [
+        (
+            message.payload_symbol,
+            f"payload of one message {message.name} of {protocol.name}",
+            "B",
+            message.payload.source,
+        )
+        for protocol in protocols
+        for message in protocol.messages
+    ]
+    frame = pd.DataFrame(rows, columns=["symbol", "meaning", "unit", "source"])
+    frame["symbol"] = [f"${sp.latex(symbol)}$" for symbol in frame["symbol"]]
+    return table(frame)
