@@ -1,23 +1,52 @@
-"""Keep every page self-contained: drop scripts that the theme would load from elsewhere."""
+"""Keep every page self-contained: nothing is loaded from elsewhere, over http or file://.
 
+Folded cells are called by their visible text.
+"""
+
+import re
+from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
 
+# Written into the theme's template. From file:// browsers refuse them and log an error;
+# the icons themselves come from a script, and the style sheet loads a font where needed.
+_FONT_PRELOAD = re.compile(r'<link rel="preload" as="font"[^>]*>\n?')
 
-def _local_scripts_only(
+# Live code would need a server: its settings are left out together with its script.
+_LIVE_CODE = re.compile(
+    r'<script type="text/x-thebe-config">.*?</script>\s*<script>.*?</script>', re.S
+)
+
+
+# Of a folded cell; it would hide from a screen reader what the visible text says.
+_FOLD_LABEL = ' aria-label="Toggle hidden content"'
+
+
+def _is_local(file: Any) -> bool:
+    attributes = getattr(file, "attributes", {})
+    text = f"{getattr(file, 'filename', file)} {attributes.get('body', '')}"
+    return "://" not in text and "thebe" not in text
+
+
+def _local_files_only(
     app: Sphinx, pagename: str, templatename: str, context: dict[str, Any], doctree: Any
 ) -> None:
-    def is_local(script: Any) -> bool:
-        name = str(getattr(script, "filename", script) or "")
-        return "://" not in name and "thebe" not in name
+    for kind in ("script_files", "css_files"):
+        context[kind] = [file for file in context.get(kind, []) if _is_local(file)]
+    if "body" in context:
+        context["body"] = _LIVE_CODE.sub("", context["body"]).replace(_FOLD_LABEL, "")
 
-    context["script_files"] = [
-        script for script in context.get("script_files", []) if is_local(script)
-    ]
+
+def _drop_font_preloads(app: Sphinx, exception: Exception | None) -> None:
+    if exception is None and app.builder.format == "html":
+        for page in Path(app.outdir).rglob("*.html"):
+            text = page.read_text(encoding="utf-8")
+            page.write_text(_FONT_PRELOAD.sub("", text), encoding="utf-8")
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Connect to Sphinx; late, so that the scripts of all extensions are seen."""
-    app.connect("html-page-context", _local_scripts_only, priority=900)
+    """Connect to Sphinx; late, so that the files of all extensions are seen."""
+    app.connect("html-page-context", _local_files_only, priority=900)
+    app.connect("build-finished", _drop_font_preloads)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
