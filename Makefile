@@ -1,32 +1,60 @@
 # `make help` lists the targets. Set-up happens once, in .venv, from requirements.lock.
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
+# One target after the other, also with -j: the tests read the book that `make book` writes.
+.NOTPARALLEL:
+# Packages from elsewhere, as a sourced ROS 2 brings them, are not those of the lock.
+unexport PYTHONPATH PYTHONHOME
 SHELL := /bin/sh
-PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 OUT ?= build/figures
+BUILD = $(BIN)/jupyter-book build . -W --keep-going -n
+# The time of the commit instead of now: what is built twice comes out the same.
+EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@PYTHON="$(PYTHON)" sh scripts/setup.sh
 
-.PHONY: help book test figures notebooks lint bench serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
+	@$(BIN)/python scripts/run_notebooks.py --times _build/run_times.csv
 	@$(BIN)/jupyter-book build . -W --keep-going -n
+	@touch _build/.done
 	@echo; echo "The book is ready: open $(CURDIR)/_build/html/index.html"
 
 test: $(READY) ## run all tests, notebooks included
-	@$(BIN)/python scripts/run_tests.py
+	@$(BIN)/pytest -n 2 --dist loadfile --nbval
+
+pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
+	@sh scripts/check_latex.sh
+	@rm -rf _build/latex _build/.doctrees
+	@$(BUILD) --builder latex
+	@echo "Running LaTeX ..."
+	@cd _build/latex && SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 \
+		latexmk -xelatex -halt-on-error -interaction=nonstopmode -quiet discostorm.tex >latex.out 2>&1 \
+		|| { tail -n 40 latex.out; exit 1; }
+	@mkdir -p build && cp _build/latex/discostorm.pdf build/
+	@echo; echo "The PDF is ready: open $(CURDIR)/build/discostorm.pdf"
+
+release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks, figures and data
+	@rm -rf _build/html _build/.doctrees _build/run_times.csv build/release
+	@$(BUILD)
+	@$(BIN)/python -m discostorm.figures build/release/figures
+	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 	@$(BIN)/python -m discostorm.figures "$(OUT)"
+
+calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
+	@$(BIN)/python scripts/write_calculator.py
 
 notebooks: $(READY) ## execute every notebook in place
 	@$(BIN)/python scripts/run_notebooks.py
@@ -42,7 +70,7 @@ bench: $(READY) ## measure the speed that the README promises
 serve: book ## show the book at http://localhost:8000
 	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html
 
-lock: ## resolve the versions anew (needs uv)
+lock: $(READY) ## resolve the versions anew (needs uv)
 	uv pip compile pyproject.toml --group book --group dev --universal --fork-strategy fewest \
 		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
 	$(BIN)/python scripts/write_environment.py

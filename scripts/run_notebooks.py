@@ -1,5 +1,11 @@
-"""Execute every notebook in place; what an unchanged notebook holds comes out the same."""
+"""Execute notebooks in place; what an unchanged notebook holds comes out the same.
 
+All of notebooks/ if none is named. A notebook that fails is named with its cell and left
+as it was, and the exit status is 1.
+"""
+
+import argparse
+import csv
 import os
 import sys
 import time
@@ -8,6 +14,7 @@ from pathlib import Path
 
 import nbformat
 from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 
@@ -16,27 +23,67 @@ def run(path: Path) -> float:
     """Execute one notebook and write it back; return the seconds it took."""
     start = time.perf_counter()
     notebook = nbformat.read(path, as_version=4)
-    NotebookClient(
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.update(execution_count=None, outputs=[])
+    client = NotebookClient(
         notebook,
         timeout=120,
         kernel_name="python3",
         record_timing=False,
+        # Under load, what one cell prints arrives in pieces: one output however it came.
+        coalesce_streams=True,
         resources={"metadata": {"path": str(path.parent)}},
-    ).execute()
+        # Of the kernel's own log only errors: it warns on every start that it uses TCP.
+        extra_arguments=["--IPKernelApp.log_level=ERROR"],
+    )
+    try:
+        client.execute()
+    except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
+        # Cells run in order: the last one that was counted is the one that failed.
+        last = max(
+            index for index, cell in enumerate(notebook.cells) if cell.get("execution_count")
+        )
+        raise RuntimeError(f"{path.name}, cell {last + 1}:\n{error}") from error
     # The kernel reports its own Python version, which would differ from reader to reader.
     notebook.metadata["language_info"] = {"name": "python"}
     nbformat.write(notebook, path)
     return time.perf_counter() - start
 
 
-def main(names: list[str]) -> None:
-    """Run the named notebooks, or all of them."""
-    paths = [Path(name).resolve() for name in names] or sorted(NOTEBOOKS.glob("*.ipynb"))
+def main(arguments: list[str]) -> int:
+    """Run the named notebooks, or all of them; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
+    parser.add_argument("--times", type=Path, help="CSV file to write the run times to")
+    options = parser.parse_args(arguments)
+    paths = [path.resolve() for path in options.notebooks] or sorted(NOTEBOOKS.glob("*.ipynb"))
+    missing = [path for path in paths if not path.is_file()]
+    if missing or not paths:
+        print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
+        return 2
+    seconds: dict[str, float] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
-            print(f"[{done}/{len(jobs)}] {jobs[job].name} {job.result():.1f} s", flush=True)
+            name = jobs[job].name
+            start = f"[{done}/{len(jobs)}] {name}"
+            error = job.exception()
+            if error is None:
+                seconds[name] = job.result()
+                print(f"{start} {seconds[name]:.1f} s", flush=True)
+            else:
+                print(f"{start} FAILED", flush=True)
+                print(f"{error}\n", file=sys.stderr, flush=True)
+    if options.times:
+        options.times.parent.mkdir(parents=True, exist_ok=True)
+        with options.times.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([("notebook", "seconds"), *sorted(seconds.items())])
+    failed = len(jobs) - len(seconds)
+    if failed:
+        print(f"{failed} of {len(jobs)} notebooks failed", file=sys.stderr)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    sys.exit(main(sys.argv[1:]))

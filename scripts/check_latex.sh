@@ -1,0 +1,20 @@
+#!/bin/sh
+# Say what to install if something that `make pdf` needs is missing.
+set -eu
+
+missing=
+for program in latexmk xelatex rsvg-convert; do
+    command -v "$program" >/dev/null 2>&1 || missing="$missing $program"
+done
+if [ -z "$missing" ]; then
+    for file in fncychap.sty tabulary.sty capt-of.sty needspace.sty; do
+        kpsewhich "$file" >/dev/null 2>&1 || missing="$missing $file"
+    done
+    fc-list 2>/dev/null | grep -q FreeSerif.otf || missing="$missing FreeSerif.otf"
+fi
+if [ -n "$missing" ]; then
+    echo "discostorm: make pdf needs LaTeX; missing here:$missing" >&2
+    echo "On Debian: apt-get install latexmk texlive-xetex texlive-latex-recommended" \
+        "texlive-latex-extra texlive-fonts-recommended tex-gyre fonts-freefont-otf librsvg2-bin" >&2
+    exit 1
+fi

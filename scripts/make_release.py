@@ -1,0 +1,94 @@
+"""Pack what was built into one archive: the same bytes whenever the same commit is packed."""
+
+import argparse
+import hashlib
+import json
+import shutil
+import time
+import zipfile
+from email.message import Message
+from importlib.metadata import metadata
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+#: Where things come from, and where they are in the archive.
+CONTENTS = {
+    "_build/html": "html",
+    "build/discostorm.pdf": "discostorm.pdf",
+    "build/release/figures": "figures",
+    "notebooks": "notebooks",
+    "discostorm/data": "data",
+    "requirements.lock": "requirements.lock",
+    "environment.yml": "environment.yml",
+    "CITATION.cff": "CITATION.cff",
+    "CHANGELOG.md": "CHANGELOG.md",
+    "README.md": "README.md",
+    "LICENSE": "LICENSE",
+    "LICENSE-CC-BY-4.0.txt": "LICENSE-CC-BY-4.0.txt",
+}
+#: Leftovers of tools.
+LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__"}
+
+
+def codemeta() -> str:
+    """Return the metadata of the software in CodeMeta's form, from those of the package."""
+    package = metadata("discostorm")
+    assert isinstance(package, Message)
+    described = {
+        "@context": "https://w3id.org/codemeta/3.0",
+        "@type": "SoftwareSourceCode",
+        "name": package["Name"],
+        "version": package["Version"],
+        "description": package["Summary"],
+        "license": f"https://spdx.org/licenses/{package['License-Expression']}",
+        "programmingLanguage": "Python",
+        "runtimePlatform": f"Python {package['Requires-Python']}",
+        "keywords": package["Keywords"].split(","),
+        "softwareRequirements": package.get_all("Requires-Dist"),
+    }
+    return json.dumps(described, indent=2, ensure_ascii=False) + "\n"
+
+
+def collect() -> dict[str, bytes]:
+    """Return name in the archive and content of every file, checksums last."""
+    found: dict[str, bytes] = {}
+    for source, target in CONTENTS.items():
+        path = ROOT / source
+        if not path.exists():
+            raise SystemExit(f"make_release: {source} is missing: run `make release`")
+        for file in [path] if path.is_file() else sorted(path.rglob("*")):
+            if file.is_file() and not LEFT_OUT & set(file.parts):
+                name = (Path(target) / file.relative_to(path)).as_posix()
+                found[name.removesuffix("/.")] = file.read_bytes()
+    found["codemeta.json"] = codemeta().encode()
+    sums = (f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in sorted(found.items()))
+    return dict(sorted(found.items())) | {"SHA256SUMS": "".join(sums).encode()}
+
+
+def pack(path: Path, contents: dict[str, bytes], epoch: int) -> None:
+    """Write a zip archive in which every file has the given time."""
+    # A zip archive knows no time before 1980.
+    date = time.gmtime(max(epoch, 315_532_800))[:6]
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in contents.items():
+            info = zipfile.ZipInfo(f"{path.stem}/{name}", date)
+            info.external_attr = 0o644 << 16
+            info.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(info, data)
+
+
+def main() -> None:
+    """Pack the release into build/."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--epoch", type=int, default=0, help="time of the commit [s]")
+    epoch = parser.parse_args().epoch
+    path = ROOT / "build" / f"discostorm-{metadata('discostorm')['Version']}.zip"
+    contents = collect()
+    pack(path, contents, epoch)
+    shutil.rmtree(ROOT / "build" / "release")
+    print(f"\nThe release is ready: {path} ({len(contents)} files)")
+    print(f"sha256 {hashlib.sha256(path.read_bytes()).hexdigest()}")
+
+
+if __name__ == "__main__":
+    main()

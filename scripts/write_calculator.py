@@ -1,0 +1,241 @@
+"""Write the model of the calculator, book/_static/calculator/model.js, from the package.
+
+Every formula is an expression of the package, printed by sympy as JavaScript; what the
+formulas are fed with (sizes, channels, ranges, first values) is written beside them as data.
+"""
+
+import json
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import get_args
+
+import sympy as sp
+
+import discostorm as ds
+from discostorm import _checks, figures, notation as nt, timeline
+from discostorm._numeric import share
+from discostorm.fleet import LEAST
+from discostorm.messages import Protocol
+from discostorm.scalability import saturation
+from discostorm.timeline import Product
+from discostorm.wifi import Model, Wifi
+
+TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
+
+#: Another version of sympy may order the same sums otherwise.
+HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
+
+#: Which products run a protocol, with their default periods.
+PRODUCTS = {
+    ds.DDS: (timeline.FAST_DDS, timeline.CYCLONE_DDS),
+    ds.ZENOH: (timeline.ZENOH_PEER,),
+}
+
+#: Channels of the standard on which frames to one receiver share exchanges.
+AGGREGATED = (
+    ds.wifi_preset("802.11n", streams=2, mpdus=64),
+    ds.wifi_preset("802.11ac", streams=2, width=80e6, mpdus=64),
+    ds.wifi_preset("802.11ax", streams=2, width=80e6, mpdus=64),
+)
+
+#: Where the calculator starts: the largest swarm of Fig. 2 that has room, on the paper's channel.
+START = {
+    "hosts": 7,
+    "processes": figures.FIG2_PROCESSES,
+    "endpoints": figures.FIG2_ENDPOINTS,
+}
+
+#: The largest whole number of hosts below saturation.
+N_SAT = sp.Symbol("N_sat", positive=True)
+LARGEST = sp.ceiling(N_SAT) - 1
+
+Code = str | dict[str, "Code"] | list["Code"]
+
+
+def data(value: object) -> str:
+    """Return a value as JavaScript."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def function(expression: sp.Expr) -> str:
+    """Return an expression as a JavaScript function of an object that holds its symbols."""
+    names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
+    shared, rest = share(sp.sympify(expression))
+    lines = [f"const {symbol} = {sp.jscode(part)};" for symbol, part in shared]
+    return " ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"])
+
+
+def values(given: Iterable[tuple[sp.Symbol, float]]) -> str:
+    """Return the values of symbols as data."""
+    return data({symbol.name: float(value) for symbol, value in given})
+
+
+def channel(wifi: Wifi) -> Code:
+    """Return the data of a Wi-Fi channel."""
+    return {
+        "name": data(wifi.name),
+        "model": data(wifi.model),
+        "values": values(wifi.values().items()),
+    }
+
+
+def field(
+    name: str,
+    label: str,
+    symbol: sp.Symbol,
+    start: float,
+    allowed: tuple[float, float, bool],
+    unit: str = "",
+    scale: float = 1,
+) -> Code:
+    """Return the data of an input field: what it asks for and which numbers are allowed."""
+    low, high, above = allowed
+    words = _checks.wanted(low, high, above).replace("a finite number", "a number")
+    return {
+        "name": data(name),
+        "label": data(label),
+        "symbol": data(symbol.name),
+        "unit": data(unit),
+        "scale": data(scale),  # from the unit of the field to SI
+        "start": data(f"{start:.12g}"),
+        "low": data(low),
+        "high": data(high) if high < sp.oo else "Infinity",
+        "above": data(above),
+        "allowed": data(words.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
+    }
+
+
+def fields() -> Code:
+    """Return the data of all input fields; the ranges are those of the package."""
+    counts: Sequence[tuple[str, str, sp.Symbol]] = (
+        ("hosts", "Hosts", nt.N_H),
+        ("processes", "Processes on each host", nt.N_P),
+        ("endpoints", "Endpoints of each process", nt.N_E),
+    )
+    links = (
+        ("unicast", "unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
+        ("multicast", "multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
+    )
+    swarm: list[Code] = [
+        field(name, label, symbol, START[name], (LEAST[name], _checks.MOST, False))
+        for name, label, symbol in counts
+    ]
+    own: list[Code] = []
+    for name, cast, link, rate, overhead in links:
+        own.append(
+            field(
+                f"{name}_rate",
+                f"Rate, {cast}",
+                rate,
+                link.rate / 1e6,
+                (0, float("inf"), True),
+                "Mbit/s",
+                1e6,
+            )
+        )
+        own.append(
+            field(
+                f"{name}_overhead",
+                f"Overhead of a frame, {cast}",
+                overhead,
+                link.overhead * 1e6,
+                (0, float("inf"), False),
+                "µs",
+                1e-6,
+            )
+        )
+    return {"swarm": swarm, "own": own}
+
+
+def product(own: Product, model: Model) -> Code:
+    """Return the burst and the traffic that stays of a product."""
+    return {
+        "burst": function(own.burst().utilization(model=model)),
+        "steady": function(own.steady().utilization(model=model)),
+    }
+
+
+def outlooks(own: Product) -> Code:
+    """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
+    *words, never = timeline.OUTLOOKS
+    limits = (data(timeline.PAPER_WINDOW), data(own.lease), "Infinity")
+    return {
+        "lease": data(own.lease),
+        "until": [[limit, data(word)] for limit, word in zip(limits, words, strict=True)],
+        "never": data(never),
+    }
+
+
+def formulas(protocol: Protocol, model: Model) -> Code:
+    """Return the functions of a protocol on one kind of channel."""
+    costs: dict[str, Code] = {}
+    for message in protocol.messages:
+        up = message.load() * message.airtime_up(model)
+        down = message.load() * message.airtime_down(model)
+        costs[message.name] = {
+            "up": function(up),
+            "down": function(down),
+            "both": function(up + down),
+        }
+    return {
+        "utilization": function(protocol.utilization(model=model)),
+        "saturation": function(saturation(protocol, model)),
+        "costs": costs,
+        "products": {own.name: product(own, model) for own in PRODUCTS[protocol]},
+    }
+
+
+def about(protocol: Protocol) -> Code:
+    """Return all that the calculator knows of a protocol."""
+    known = dict(protocol.values())
+    for own in PRODUCTS[protocol]:
+        known |= own.burst().values() | own.steady().values()
+    messages: list[Code] = [
+        {
+            "name": data(message.name),
+            "phase": data(message.phase),
+            "cast": data(message.cast),
+            "load": function(message.load()),
+        }
+        for message in protocol.messages
+    ]
+    return {
+        "color": data(figures.COLORS[protocol.name]),
+        "values": values(known.items()),
+        "messages": messages,
+        "outlooks": {own.name: outlooks(own) for own in PRODUCTS[protocol]},
+        "models": {model: formulas(protocol, model) for model in get_args(Model)},
+    }
+
+
+def model() -> Code:
+    """Return all that the calculator reads."""
+    return {
+        "fields": fields(),
+        "channels": [channel(wifi) for wifi in (ds.PAPER, *ds.WIFI.values(), *AGGREGATED)],
+        "limit": values([(nt.U_LIMIT, 1.0)]),
+        "largest": function(LARGEST),
+        "drain": function(timeline.DRAIN),
+        "protocols": {protocol.name: about(protocol) for protocol in PRODUCTS},
+    }
+
+
+def written(code: Code, indent: str = "") -> str:
+    """Return nested code as JavaScript, one entry a line."""
+    inner = indent + "  "
+    if isinstance(code, dict):
+        entries = [f"{inner}{data(key)}: {written(part, inner)},\n" for key, part in code.items()]
+        return "{\n" + "".join(entries) + indent + "}"
+    if isinstance(code, list):
+        entries = [f"{inner}{written(part, inner)},\n" for part in code]
+        return "[\n" + "".join(entries) + indent + "]"
+    return code
+
+
+def javascript() -> str:
+    """Return the text of model.js."""
+    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = {written(model())};\n"
+
+
+if __name__ == "__main__":
+    TARGET.write_text(javascript(), encoding="utf-8")
