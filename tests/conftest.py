@@ -1,0 +1,95 @@
+"""What all tests share: examples that are the same in every run, the built book, a browser."""
+
+from __future__ import annotations
+
+import fcntl
+import functools
+import os
+import shutil
+import subprocess
+import threading
+from collections.abc import Iterator
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import settings
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+settings.register_profile("same", derandomize=True, database=None, deadline=None)
+settings.load_profile("same")
+
+ROOT = Path(__file__).parents[1]
+HTML = ROOT / "_build" / "html"
+TOC = ROOT / "_toc.yml"
+
+
+def newest(paths: Iterator[Path]) -> float:
+    """Return when the last of the files was changed."""
+    return max(path.stat().st_mtime for path in paths if path.is_file())
+
+
+def sources() -> Iterator[Path]:
+    """Yield all that the book is made from."""
+    yield from (ROOT / name for name in ("_config.yml", "_toc.yml", "CITATION.cff", "Makefile"))
+    yield from (ROOT / "notebooks").glob("*.ipynb")
+    for folder in ("book", "discostorm"):
+        yield from (p for p in (ROOT / folder).rglob("*.*") if "__pycache__" not in p.parts)
+
+
+@pytest.fixture(scope="module")
+def book(browser: Browser) -> Path:  # noqa: ARG001 - without a browser there is no need to build
+    """Return the folder of the built book; build it unless it is newer than its sources."""
+    done = ROOT / "_build" / ".done"
+    with TOC.open() as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # not twice at a time, whoever else runs tests
+        if not done.exists() or done.stat().st_mtime < newest(sources()):
+            env = {k: v for k, v in os.environ.items() if k not in {"MAKEFLAGS", "MAKELEVEL"}}
+            made = subprocess.run(
+                ["make", "book"], cwd=ROOT, env=env, capture_output=True, text=True, check=False
+            )
+            assert made.returncode == 0, f"make book failed:\n{made.stdout}{made.stderr}"
+    return HTML
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Return a headless Chromium, the same for all tests."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    found = next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        message = "no Chromium here; on Debian: apt-get install chromium"
+        if os.environ.get("DISCOSTORM_REQUIRE_BROWSER") == "1":
+            pytest.fail(message)
+        pytest.skip(message)
+    from playwright.sync_api import sync_playwright  # here, as most tests need no browser
+
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(
+            executable_path=found,
+            # As root there is no sandbox, in a container little shared memory; nothing calls home.
+            args=["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking"],
+        )
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="module")
+def server(book: Path) -> Iterator[str]:
+    """Serve the book on this machine; return its address."""
+
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+            pass
+
+    with ThreadingHTTPServer(
+        ("127.0.0.1", 0), functools.partial(Quiet, directory=str(book))
+    ) as http:
+        thread = threading.Thread(target=http.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{http.server_port}/"
+        http.shutdown()
+        thread.join()

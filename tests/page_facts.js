@@ -1,0 +1,98 @@
+// What a browser test needs to know of the page that is shown.
+async () => {
+  if (document.readyState !== "complete") await new Promise((done) => addEventListener("load", done));
+  await window.MathJax?.startup?.promise;
+  // Let the page react to what it was told last, such as its new size, to the end of what moves.
+  for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
+  const moving = document.getAnimations().filter((a) => Number.isFinite(a.effect.getComputedTiming().endTime));
+  const waited = new Promise((done) => setTimeout(done, 1000)); // a paused one would never end
+  await Promise.race([waited, Promise.allSettled(moving.map((animation) => animation.finished))]);
+
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const name = (element) =>
+    element.outerHTML.slice(0, 100) + " ... " + element.textContent.trim().slice(0, 40);
+  const shown = (element) => element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
+
+  // Colors, as a canvas paints them one over the other on white.
+  const paint = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const painted = new Map();
+  const pixel = (colors) => {
+    const key = colors.join();
+    if (!painted.has(key)) {
+      for (const color of ["white", ...colors]) {
+        paint.fillStyle = color;
+        paint.fillRect(0, 0, 1, 1);
+      }
+      painted.set(key, [...paint.getImageData(0, 0, 1, 1).data].slice(0, 3));
+    }
+    return painted.get(key);
+  };
+  const luminance = (rgb) => {
+    const [r, g, b] = rgb.map((v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const contrast = (a, b) => {
+    const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (light + 0.05) / (dark + 0.05);
+  };
+  const backgrounds = (element) => {
+    const colors = [];
+    for (let e = element; e; e = e.parentElement) colors.unshift(getComputedStyle(e).backgroundColor);
+    return colors;
+  };
+
+  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const texts = new Set();
+  while (walk.nextNode()) {
+    const parent = walk.currentNode.parentElement;
+    const skip = parent.closest("script, style, noscript, svg, mjx-container, .headerlink, .skip-link");
+    if (walk.currentNode.data.trim() && !skip && shown(parent)) texts.add(parent);
+  }
+  const faint = [];
+  for (const element of texts) {
+    const style = getComputedStyle(element);
+    const size = parseFloat(style.fontSize);
+    // WCAG 2.1, 1.4.3, level AA.
+    const enough = size >= 24 || (size >= 18.66 && style.fontWeight >= 700) ? 3 : 4.5;
+    const under = backgrounds(element);
+    const found = contrast(pixel([...under, style.color]), pixel(under));
+    if (found < enough) faint.push(`${found.toFixed(2)} ${name(element)}`);
+  }
+
+  const formulas = all(".bd-article .math");
+  const article = all(".bd-article");
+  const prose = article.map((element) => {
+    const copy = element.cloneNode(true);
+    copy.querySelectorAll("pre, code, script, style, mjx-container").forEach((e) => e.remove());
+    return copy.textContent;
+  });
+  const tooWide = all(".bd-article *").filter(
+    (e) => e.clientWidth > 1 && e.scrollWidth > e.clientWidth + 1 && !e.closest("svg, mjx-container") && shown(e),
+  );
+  const overflow = (element) => getComputedStyle(element).overflowX;
+  const images = [...document.images].filter(shown);
+  return {
+    theme: document.documentElement.dataset.theme,
+    width: document.documentElement.scrollWidth,
+    texts: texts.size,
+    faint,
+    formulas: formulas.length,
+    broken_formulas: formulas
+      .filter((e) => !(e.querySelector("mjx-container svg")?.getBoundingClientRect().width > 0))
+      // An error in a formula, and a command that is not known, which MathJax shows in red.
+      .concat(all("mjx-container [data-mml-node=merror], mjx-container [fill=red]"))
+      .map(name),
+    raw_tex: prose.flatMap((text) => text.match(/\$\$|\\\(|\\\[|\\[a-z]+\{.{0,40}/gi) ?? []),
+    figures: all("figure").filter((e) => e.querySelector("img, svg")).map((e) => e.id),
+    images_not_loaded: images.filter((e) => !e.naturalWidth).map(name),
+    // Where no text is given, Sphinx puts the name of the file.
+    images_without_alt: images.filter((e) => !e.alt.trim() || /\.(svg|png|jpe?g)$/.test(e.alt)).map((e) => e.src),
+    images_on_dark: images
+      .filter((e) => e.closest(".bd-article") && luminance(pixel([...backgrounds(e)])) < 0.9)
+      .map((e) => e.src),
+    clipped: tooWide.filter((e) => ["hidden", "clip"].includes(overflow(e))).map(name),
+    code_that_scrolls: tooWide.filter((e) => e.matches("pre")).map(name),
+    not_focusable: tooWide.filter((e) => ["auto", "scroll"].includes(overflow(e)) && e.tabIndex < 0).map(name),
+    links: all("a[href]").map((e) => e.href).filter((url) => url.startsWith(location.origin === "null" ? "file:" : location.origin)),
+  };
+};

@@ -1,0 +1,43 @@
+"""The paper's equations once more, exactly and by hand, as a second opinion for the tests.
+
+Nothing here is taken from the package, on purpose.
+"""
+
+from fractions import Fraction
+
+R_UNI = Fraction("144.4e6")
+R_MULTI = Fraction("6e6")
+O_UNI = Fraction("180e-6")
+O_MULTI = Fraction("120e-6")
+
+
+def unicast(frame: int) -> Fraction:
+    """Return the airtime of a unicast frame, up and down: equation (11), twice."""
+    return 2 * (8 * frame / R_UNI + O_UNI)
+
+
+def multicast(frame: int) -> Fraction:
+    """Return the airtime of a multicast frame: unicast up, multicast down."""
+    return 8 * frame / R_UNI + O_UNI + 8 * frame / R_MULTI + O_MULTI
+
+
+def utilization(
+    protocol: str, h: int | Fraction, p: int | Fraction, e: int | Fraction
+) -> dict[str, Fraction]:
+    """Return the utilization of each phase: equation (12) with (2), (5), (7) and (10)."""
+    h, p, e = Fraction(h), Fraction(p), Fraction(e)
+    pairs = h * (h - 1) * p**2
+    if protocol == "DDS":
+        return {
+            "SPDP": h * p * multicast(414),
+            "SEDP": pairs * (e * unicast(464) + 2 * unicast(116) + 2 * unicast(114)),
+        }
+    return {
+        "Scouting": h * p * multicast(80) + pairs * unicast(144),
+        "Declaration": pairs * (e * unicast(176) + 2 * unicast(84)),
+    }
+
+
+def total(protocol: str, h: int | Fraction, p: int | Fraction, e: int | Fraction) -> float:
+    """Return the utilization of all phases, rounded once."""
+    return float(sum(utilization(protocol, h, p, e).values()))

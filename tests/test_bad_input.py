@@ -1,0 +1,315 @@
+"""Bad input fails at once; the error names the parameter, what came and what is allowed."""
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import discostorm as ds
+from discostorm.messages import PROCESS
+from discostorm.notation import N_H, N_P
+
+PAYLOAD = ds.Payload(350, 300, 400, "here")
+
+SWARM: dict[str, Any] = {"hosts": 7, "processes": 2, "endpoints": 10}
+LOW = {"hosts": 1, "processes": 1, "endpoints": 0}
+
+NOT_FINITE = [(float("nan"), "nan"), (float("inf"), "inf"), (-float("inf"), "-inf")]
+NOT_REAL: list[Any] = [
+    "7",
+    b"7",
+    None,
+    True,
+    7 + 0j,
+    {},
+    object,
+    np.datetime64("2020-01-01"),
+    [1, "2"],
+    [None],
+]
+
+
+def fails(kind: type[Exception], text: str, call: Callable[..., object], **given: Any) -> None:
+    with pytest.raises(kind, match=re.escape(text)):
+        call(**given)
+
+
+def utilization(**given: Any) -> object:
+    return ds.utilization(**{"protocol": ds.DDS, **SWARM, **given})
+
+
+def breakdown(**given: Any) -> object:
+    return ds.breakdown(**{"protocol": ds.DDS, **SWARM, **given})
+
+
+def saturation_hosts(**given: Any) -> object:
+    swarm = {name: SWARM[name] for name in ("processes", "endpoints")}
+    return ds.saturation_hosts(**{"protocol": ds.DDS, **swarm, **given})
+
+
+def taking(name: str) -> list[Callable[..., object]]:
+    """Return the functions that have a parameter of that name."""
+    both: list[Callable[..., object]] = [utilization, breakdown]
+    return both if name == "hosts" else [*both, saturation_hosts]
+
+
+each_count = pytest.mark.parametrize(
+    ("call", "name"),
+    [(call, name) for name in SWARM for call in taking(name)],
+    ids=lambda value: getattr(value, "__name__", value),
+)
+
+
+@each_count
+def test_counts_out_of_range(call: Callable[..., object], name: str) -> None:
+    low = LOW[name]
+    allowed = f"{name} must be a finite number of at least {low} and at most 1e+09; got "
+    for value, shown in [
+        (low - 1, f"{low - 1}.0"),
+        (-1, "-1.0"),
+        (low - 1e-9, repr(low - 1e-9)),
+        (10**9 + 1, "1000000001.0"),
+        (10**400, "1000000000000000"),
+        *NOT_FINITE,
+    ]:
+        fails(ValueError, allowed + shown, call, **{name: value})
+
+
+@each_count
+@pytest.mark.parametrize("value", NOT_REAL, ids=repr)
+def test_counts_that_are_no_numbers(call: Callable[..., object], name: str, value: object) -> None:
+    if value is None and call is not saturation_hosts and name != "hosts":
+        text = f"{name} must be given unless hosts is a Fleet; got None"
+    else:
+        text = f"{name} must be a finite number of at least {LOW[name]} and at most 1e+09"
+    fails(TypeError, text, call, **{name: value})
+
+
+@pytest.mark.parametrize("name", SWARM)
+def test_one_bad_element_of_an_array(name: str) -> None:
+    for bad, shown in [(-1, "-1.0"), *NOT_FINITE]:
+        fails(ValueError, f"{name} must be a finite number", utilization, **{name: [5, bad, 6]})
+        fails(ValueError, f"got {shown}", utilization, **{name: np.array([5, bad, 6])})
+
+
+@each_count
+def test_ragged_lists(call: Callable[..., object], name: str) -> None:
+    fails(ValueError, f"{name} must be a finite number", call, **{name: [[1, 2], [3]]})
+    fails(ValueError, "or an array of them; got [[1, 2], [3]]", call, **{name: [[1, 2], [3]]})
+
+
+def test_shapes_that_do_not_broadcast() -> None:
+    text = "the arguments must have shapes that broadcast to one; got "
+    fails(
+        ValueError,
+        f"{text}hosts (2,), endpoints (3,)",
+        utilization,
+        hosts=[1, 2],
+        endpoints=[1, 2, 3],
+    )
+    fails(
+        ValueError,
+        f"{text}processes (2,), limit (3,)",
+        saturation_hosts,
+        processes=[1, 2],
+        limit=[1, 2, 3],
+    )
+    x, y = sp.symbols("x y")
+    fails(ValueError, f"{text}x (2,), y (3,)", ds.lambdify([x, y], x), x=[1, 2], y=[1, 2, 3])
+
+
+def test_arrays_where_one_number_is_needed() -> None:
+    fails(
+        TypeError, "hosts must be one number, not an array; got array([1., 2.])",
+        breakdown, hosts=[1, 2],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("call", [utilization, breakdown, saturation_hosts])
+def test_protocol_and_wifi_of_another_kind(call: Callable[..., object]) -> None:
+    fails(TypeError, "protocol must be a Protocol; got 'DDS'", call, protocol="DDS")
+    fails(TypeError, "protocol must be a Protocol; got None", call, protocol=None)
+    fails(TypeError, "wifi must be a Wifi; got 6000000.0", call, wifi=6e6)
+    fails(TypeError, "wifi must be a Wifi; got None", call, wifi=None)
+
+
+@pytest.mark.parametrize("phase", ["Scouting", "spdp", "", 3, ["SPDP"]])
+def test_unknown_phase(phase: Any) -> None:
+    text = f"phase must be 'SPDP' or 'SEDP' for DDS, or None; got {phase!r}"
+    fails(ValueError, text, utilization, phase=phase)
+    fails(ValueError, text, ds.DDS.load, phase=phase)
+    fails(ValueError, text, ds.DDS.utilization, phase=phase)
+
+
+def test_limit() -> None:
+    allowed = "limit must be a finite number above 0"
+    for value, shown in [(0, "0.0"), (-1, "-1.0"), *NOT_FINITE]:
+        fails(ValueError, f"{allowed}; got {shown}", saturation_hosts, limit=value)
+    fails(TypeError, f"{allowed}, or an array of them; got 'all'", saturation_hosts, limit="all")
+
+
+def test_limit_that_one_host_exceeds() -> None:
+    single = ds.utilization(ds.DDS, 1, 2, 10)
+    text = f"limit must be at least the utilization of a single host, {single!r}; got 0.001"
+    fails(ValueError, text, saturation_hosts, limit=0.001)
+    fails(ValueError, text, saturation_hosts, limit=[1, 0.001, 0.5])
+
+
+# Fleets
+
+
+def test_fleet_and_counts_exclude_each_other() -> None:
+    fleet = ds.Fleet.swarm(7, 2, 10)
+    fails(
+        TypeError,
+        "processes must be left out when hosts is a Fleet; got 2",
+        ds.utilization,
+        protocol=ds.DDS,
+        hosts=fleet,
+        processes=2,
+    )
+
+
+@pytest.mark.parametrize("name", SWARM)
+def test_host_group(name: str) -> None:
+    allowed = f"{name} must be a finite number of at least {LOW[name]} and at most 1e+09"
+    fails(ValueError, f"{allowed}; got nan", ds.HostGroup, **{**SWARM, name: float("nan")})
+    fails(ValueError, f"{allowed}; got -1.0", ds.HostGroup, **{**SWARM, name: sp.Integer(-1)})
+    fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: "many"})
+    fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: sp.nan})
+
+
+def test_symbols_where_numbers_are_needed() -> None:
+    text = "hosts must be a number here, not an expression; got N_H"
+    fails(TypeError, text, utilization, hosts=N_H)
+    fails(TypeError, text, breakdown, hosts=N_H)
+    fails(
+        TypeError,
+        "processes must be a number here, not an expression; got N_P",
+        saturation_hosts,
+        processes=N_P,
+    )
+
+
+def test_fleet() -> None:
+    group = ds.HostGroup(7, 2, 10)
+    fails(ValueError, "groups must hold at least one HostGroup; got none", ds.Fleet, groups=())
+    fails(TypeError, "groups must be a tuple of HostGroup; got HostGroup(", ds.Fleet, groups=group)
+    fails(TypeError, "groups[1] must be a HostGroup; got 3", ds.Fleet, groups=(group, 3))
+    assert ds.Fleet([group]).groups == (group,)  # type: ignore[arg-type]
+    fails(
+        ValueError,
+        "shapes that broadcast to one; got groups[0].hosts (2,), groups[1].endpoints (3,)",
+        ds.Fleet,
+        groups=(ds.HostGroup([1, 2], 1, 1), ds.HostGroup(1, 1, [1, 2, 3])),
+    )
+
+
+# Tables of one's own
+
+
+def test_payload() -> None:
+    def payload(**given: Any) -> object:
+        fields: dict[str, Any] = {"nominal": 350, "low": 300, "high": 400, "source": "here"}
+        return ds.Payload(**fields | given)
+
+    fails(ValueError, "low must be a finite number of at least 0; got -1.0", payload, low=-1)
+    fails(
+        ValueError,
+        "nominal must be a finite number of at least 300 and at most 400; got 401.0",
+        payload,
+        nominal=401,
+    )
+    fails(ValueError, "high must be a finite number of at least 300; got inf", payload, high=np.inf)
+    fails(TypeError, "low must be a finite number of at least 0", payload, low="little")
+
+
+def message(**given: Any) -> ds.Message:
+    fields: dict[str, Any] = {
+        "name": "SPDP",
+        "phase": "SPDP",
+        "cast": "multicast",
+        "transport": "UDP",
+        "payload": PAYLOAD,
+        "unit": PROCESS,
+        "per_unit": 1,
+    }
+    return ds.Message(**fields | given)
+
+
+def test_message() -> None:
+    fails(
+        ValueError, "cast must be 'multicast' or 'unicast'; got 'broadcast'", message,
+        cast="broadcast",
+    )  # fmt: skip
+    fails(ValueError, "transport must be 'UDP' or 'TCP'; got 'QUIC'", message, transport="QUIC")
+    fails(TypeError, "payload must be a Payload; got 350", message, payload=350)
+    fails(TypeError, "unit must be a Unit; got 'process'", message, unit="process")
+    fails(ValueError, "per_unit must be a finite number above 0; got 0.0", message, per_unit=0)
+
+
+def test_protocol() -> None:
+    def protocol(messages: Any) -> object:
+        return ds.Protocol("mine", messages)
+
+    fails(ValueError, "messages must hold at least one Message; got none", protocol, messages=())
+    fails(TypeError, "messages must be a tuple of Message; got 'SPDP'", protocol, messages="SPDP")
+    fails(TypeError, "messages[0] must be a Message; got 'SPDP'", protocol, messages=["SPDP"])
+    twice = (message(), message(phase="again"))
+    fails(
+        ValueError, "messages must have names that differ; got SPDP, SPDP", protocol, messages=twice
+    )
+
+
+# The channel
+
+
+@pytest.mark.parametrize(("name", "low"), [("rate", "above 0"), ("overhead", "of at least 0")])
+def test_link(name: str, low: str) -> None:
+    def link(**given: Any) -> object:
+        return ds.Link(**{"rate": 6e6, "overhead": 120e-6} | given)
+
+    for value, shown in [(-1, "-1.0"), *NOT_FINITE]:
+        text = f"{name} must be a finite number {low}; got {shown}"
+        fails(ValueError, text, link, **{name: value})
+    fails(TypeError, f"{name} must be a finite number {low}", link, **{name: "fast"})
+    fails(TypeError, f"{name} must be one number, not an array; got [1, 2]", link, **{name: [1, 2]})
+
+
+def test_rate_zero() -> None:
+    fails(ValueError, "rate must be a finite number above 0; got 0.0", ds.Link, rate=0, overhead=0)
+
+
+def test_wifi() -> None:
+    link = ds.Link(6e6, 120e-6)
+    fails(
+        TypeError, "multicast must be a Link; got 6000000.0",
+        ds.Wifi, name="mine", unicast=link, multicast=6e6,
+    )  # fmt: skip
+
+
+# Functions made of expressions
+
+
+def test_lambdify() -> None:
+    x, y = sp.symbols("x y")
+
+    def lambdify(symbols: Any, expression: Any) -> object:
+        return ds.lambdify(symbols, expression)
+
+    fails(
+        ValueError, "symbols must list all that expression contains; y is missing",
+        lambdify, symbols=[x], expression=x * y,
+    )  # fmt: skip
+    fails(TypeError, "symbols[0] must be a Symbol; got 'x'", lambdify, symbols=["x"], expression=x)
+    fails(TypeError, "expression must be an Expr; got 'x'", lambdify, symbols=[x], expression="x")
+    function = ds.lambdify([x, y], x)
+    fails(TypeError, "the function takes x, y; got x", function, x=1)
+    fails(TypeError, "the function takes x, y; got x, z", function, x=1, z=2)
+    fails(ValueError, "y must be a finite number; got nan", function, x=1, y=float("nan"))
+    fails(
+        TypeError, "y must be a finite number, or an array of them; got '1'", function, x=1, y="1"
+    )

@@ -1,0 +1,210 @@
+"""Every page of the book as a browser shows it: over http and straight from the file system.
+
+Each page is visited once each way; what was seen there is what the tests look at.
+"""
+
+import functools
+import json
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pytest
+import yaml
+from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
+
+ROOT = Path(__file__).parents[1]
+TOC = ROOT / "_toc.yml"
+
+PHONE: ViewportSize = {"width": 390, "height": 800}
+DESKTOP: ViewportSize = {"width": 1280, "height": 800}
+
+FACTS = (Path(__file__).parent / "page_facts.js").read_text(encoding="utf-8")
+
+
+def toc_files(part: Any) -> Iterator[str]:
+    """Yield the pages of the table of contents, without their suffix."""
+    if isinstance(part, list):
+        for item in part:
+            yield from toc_files(item)
+    elif isinstance(part, dict):
+        yield from (part[key] for key in ("root", "file") if key in part)
+        yield from toc_files([part[key] for key in part.keys() & {"parts", "chapters", "sections"}])
+
+
+PAGES = sorted(toc_files(yaml.safe_load(TOC.read_text(encoding="utf-8"))))
+
+
+@dataclass
+class Visit:
+    """What was seen on a page."""
+
+    base: str
+    requests: list[str] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)
+    phone: dict[str, Any] = field(default_factory=dict)  # in light mode
+    desktop: dict[str, Any] = field(default_factory=dict)  # in dark mode
+
+
+def listen(tab: Page, visit: Visit) -> None:
+    """Write down what a tab requests and what goes wrong there."""
+    tab.on("request", lambda request: visit.requests.append(request.url))
+    tab.on("requestfailed", lambda request: visit.errors.append(f"failed: {request.url}"))
+    tab.on("pageerror", lambda error: visit.errors.append(f"uncaught: {error}"))
+    tab.on(
+        "response",
+        lambda answer: (
+            visit.errors.append(f"{answer.status}: {answer.url}") if answer.status >= 400 else None
+        ),
+    )
+    tab.on(
+        "console",
+        lambda line: visit.errors.append(f"console: {line.text}") if line.type == "error" else None,
+    )
+
+
+def look(context: BrowserContext, base: str, address: str) -> Visit:
+    """Visit a page as on a phone in light mode, then as on a desktop in dark mode."""
+    visit = Visit(base)
+    with context.new_page() as tab:
+        listen(tab, visit)
+        tab.goto(base + address)
+        visit.phone = tab.evaluate(FACTS)
+        tab.emulate_media(color_scheme="dark")
+        tab.set_viewport_size(DESKTOP)
+        tab.wait_for_function(f"innerWidth === {DESKTOP['width']}")
+        visit.desktop = tab.evaluate(FACTS)
+    return visit
+
+
+Visitor = Callable[[str, str], Visit]
+
+
+@pytest.fixture(scope="module")
+def visitor(browser: Browser, book: Path, server: str) -> Iterator[Visitor]:
+    """Return a function that visits a page by http or file, once."""
+    bases = {"http": server, "file": book.as_uri() + "/"}
+    with browser.new_context(
+        viewport=PHONE,
+        color_scheme="light",
+        reduced_motion="reduce",  # else colors are caught halfway from light to dark
+    ) as context:
+        yield functools.cache(lambda page, by: look(context, bases[by], f"{page}.html"))
+
+
+@pytest.fixture
+def visit(visitor: Visitor, page: str, by: str) -> Visit:
+    return visitor(page, by)
+
+
+every_page = pytest.mark.parametrize("page", [*PAGES, "search"])
+both_ways = pytest.mark.parametrize("by", ["http", "file"])
+
+
+@every_page
+@both_ways
+def test_nothing_is_requested_from_elsewhere(visit: Visit) -> None:
+    elsewhere = [url for url in visit.requests if not url.startswith((visit.base, "data:"))]
+    assert not elsewhere
+    assert len(visit.requests) > 10  # else nobody listened
+
+
+@every_page
+@both_ways
+def test_nothing_goes_wrong(visit: Visit) -> None:
+    assert not visit.errors
+
+
+def source(page: str) -> tuple[str, set[str]]:
+    """Return the prose of a page as written and the names of the figures it should show."""
+    notebook = ROOT / f"{page}.ipynb"
+    if not notebook.exists():
+        text = (ROOT / f"{page}.md").read_text(encoding="utf-8")
+        return text, set(re.findall(r"name: (fig-[\w-]+)", text))
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    prose = "\n".join("".join(c["source"]) for c in cells if c["cell_type"] == "markdown")
+    figures = (cell["metadata"].get("mystnb", {}).get("figure", {}).get("name") for cell in cells)
+    return prose, set(filter(None, figures)) | set(re.findall(r"name: (fig-[\w-]+)", prose))
+
+
+@pytest.mark.parametrize("page", PAGES)
+@both_ways
+def test_mathematics_is_rendered(visit: Visit, page: str) -> None:
+    prose, _ = source(page)
+    if re.search(r"\$\S[^$`]*\$", prose):
+        assert visit.phone["formulas"] > 0
+    assert not visit.phone["broken_formulas"]
+    assert not visit.phone["raw_tex"]
+
+
+@pytest.mark.parametrize("page", PAGES)
+@both_ways
+def test_figures_are_there_and_described(visit: Visit, page: str) -> None:
+    _, expected = source(page)
+    assert expected <= set(visit.phone["figures"])
+    assert not visit.phone["images_not_loaded"]
+    assert not visit.phone["images_without_alt"]
+
+
+@every_page
+@both_ways
+def test_the_page_fits_a_phone(visit: Visit) -> None:
+    assert visit.phone["width"] == PHONE["width"]
+    assert not visit.phone["clipped"]
+    assert not visit.phone["not_focusable"]
+
+
+@every_page
+@both_ways
+def test_the_page_fits_a_desktop(visit: Visit) -> None:
+    assert visit.desktop["width"] == DESKTOP["width"]
+    assert not visit.desktop["clipped"]
+    assert not visit.desktop["code_that_scrolls"]
+
+
+@every_page
+@both_ways
+def test_light_and_dark_are_legible(visit: Visit) -> None:
+    assert (visit.phone["theme"], visit.desktop["theme"]) == ("light", "dark")
+    assert visit.phone["texts"] > 5
+    assert not visit.phone["faint"]
+    assert not visit.desktop["faint"]
+    assert not visit.desktop["images_on_dark"]
+
+
+@every_page
+def test_links_within_the_book_lead_somewhere(visitor: Visitor, page: str, book: Path) -> None:
+    visit = visitor(page, "file")
+    paths = {unquote(urlsplit(link).path) for link in visit.phone["links"]}
+    assert paths
+    assert not [path for path in paths if not Path(path).is_file()]
+    assert not [path for path in paths if not Path(path).is_relative_to(book)]
+
+
+@both_ways
+def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str) -> None:
+    with browser.new_context() as context:
+        tab = context.new_page()
+        tab.goto((server if by == "http" else book.as_uri() + "/") + "index.html")
+        tab.wait_for_url("**/book/index.html")
+
+
+@both_ways
+def test_search_finds(browser: Browser, book: Path, server: str, by: str) -> None:
+    visit = Visit(server if by == "http" else book.as_uri() + "/")
+    with browser.new_context() as context:
+        tab = context.new_page()
+        listen(tab, visit)
+        tab.goto(visit.base + "search.html?q=airtime")
+        tab.locator("#search-results li").first.wait_for()
+        tab.wait_for_load_state("networkidle")
+    assert not visit.errors
+
+
+def test_every_page_is_in_the_contents(book: Path) -> None:
+    built = {path.relative_to(book).with_suffix("").as_posix() for path in book.rglob("*.html")}
+    built = {page for page in built if not page.startswith("_static")}
+    assert built == {*PAGES, "search", "index"}

@@ -1,0 +1,332 @@
+"""The command line: what it prints can be read back, and what is wrong is answered in words."""
+
+import csv
+import io
+import json
+import math
+import os
+import shlex
+import subprocess
+import sys
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+
+import discostorm as ds
+from discostorm import notebook
+from discostorm.claims import ledger
+from discostorm.cli import LINK_OPTIONS, main
+
+NAV2 = (files("discostorm") / "data" / "nav2_laptop.toml").read_text(encoding="utf-8")
+
+SWARM = "--hosts 7 --processes 2 --endpoints 10"
+
+
+def run(*arguments: str) -> Result:
+    words = [word for argument in arguments for word in argument.split("|")]
+    return CliRunner(env={"COLUMNS": "79"}).invoke(main, words, prog_name="discostorm")
+
+
+def swarm(command: str, *more: str) -> Result:
+    return run(command, SWARM.replace(" ", "|"), *more)
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    return tmp_path
+
+
+def read_json(result: Result) -> Any:
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout)
+
+
+def read_csv(result: Result) -> list[dict[str, str]]:
+    assert result.exit_code == 0, result.output
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def test_utilization_for_people() -> None:
+    result = swarm("utilization")
+    assert result.exit_code == 0
+    heading, rule, dds, zenoh = result.output.splitlines()
+    assert heading.split() == [
+        "protocol", "hosts", "processes", "endpoints", "utilization", "fits",
+    ]  # fmt: skip
+    assert set(rule) == {"-"}
+    assert dds.split() == ["DDS", "7", "2", "10", "95.4%", "yes"]
+    assert zenoh.split() == ["Zenoh", "7", "2", "10", "83.1%", "yes"]
+
+
+def test_utilization_for_machines() -> None:
+    arguments = ("utilization", "--hosts|3,9", "--processes|2", "--endpoints|10")
+    rows = read_json(run(*arguments, "--json"))
+    assert [(row["protocol"], row["hosts"]) for row in rows] == [
+        ("DDS", 3), ("DDS", 9), ("Zenoh", 3), ("Zenoh", 9),
+    ]  # fmt: skip
+    protocols = {"DDS": ds.DDS, "Zenoh": ds.ZENOH}
+    for row in rows:
+        expected = ds.utilization(protocols[row["protocol"]], row["hosts"], 2, 10)
+        assert row["utilization"] == expected
+        assert row["fits"] is (expected < 1)
+    table = read_csv(run(*arguments, "--csv"))
+    assert [float(row["utilization"]) for row in table] == [row["utilization"] for row in rows]
+
+
+def test_utilization_of_a_fleet_file(folder: Path) -> None:
+    fleet = ds.Fleet.from_toml(folder / "fleet.toml")
+    (row,) = read_json(run("utilization", "--fleet|fleet.toml", "--protocol|zenoh", "--json"))
+    assert row["fleet"] == "fleet.toml"
+    assert row["utilization"] == ds.utilization(ds.ZENOH, fleet)
+
+
+def test_breakdown() -> None:
+    (first, *_), table = (
+        read_json(swarm("breakdown", "--protocol|dds", "--json")),
+        read_csv(swarm("breakdown", "--csv")),
+    )
+    expected = ds.breakdown(ds.DDS, 7, 2, 10)
+    assert first["message"] == "SPDP"
+    assert first["uplink_s"] == expected.loc["SPDP", "uplink_s"]
+    assert [row["message"] for row in table[:4]] == list(expected.index)
+    assert [float(row["downlink_s"]) for row in table[:4]] == expected["downlink_s"].tolist()
+    for protocol in ("DDS", "Zenoh"):
+        shares = [float(row["share"]) for row in table if row["protocol"] == protocol]
+        assert math.isclose(sum(shares), 1, rel_tol=1e-12)
+    human = swarm("breakdown").output
+    assert "frame [B]" in human
+    assert "1,680" in human
+    assert max(map(len, human.splitlines())) <= 79
+    assert run("breakdown", "--fleet|fleet.toml", "--csv").exit_code == 0
+
+
+def test_saturation() -> None:
+    arguments = ("saturation", "--processes|2", "--endpoints|10")
+    dds, zenoh = read_json(run(*arguments, "--json"))
+    assert dds["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10)
+    assert (dds["fit"], zenoh["fit"]) == (7, 7)
+    assert "7.16" in run(*arguments).output
+    (half,) = read_csv(run(*arguments, "--limit|0.5", "--protocol|dds", "--csv"))
+    assert float(half["hosts"]) == ds.saturation_hosts(ds.DDS, 2, 10, limit=0.5)
+    beside, _ = read_json(run(*arguments, "--beside|fleet.toml", "--limit|40", "--json"))
+    others = ds.Fleet.from_toml("fleet.toml")
+    assert beside["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10, limit=40, beside=others)
+
+
+def test_plan(folder: Path) -> None:
+    fleet = ds.Fleet.from_toml(folder / "fleet.toml")
+    expected = ds.plan(fleet, ds.ZENOH, nodes=[13, 2])
+    arguments = ("plan", "fleet.toml", "--protocol|zenoh", "--nodes|13,2")
+    assert run(*arguments).output == expected.advice() + "\n"
+    assert read_json(run(*arguments, "--json")) == expected.to_dict()
+    rows = read_csv(run(*arguments, "--csv"))
+    assert [row["remedy"] for row in rows] == list(expected.table().index)
+    assert [float(row["saved"]) for row in rows] == expected.table()["saved"].tolist()
+    assert run("plan", "fleet.toml").output == ds.plan(fleet).advice() + "\n"
+
+
+def test_figures_shows_progress_and_lists_what_it_wrote(folder: Path) -> None:
+    result = run("figures", "--out|deep/out", "--json")
+    paths = json.loads(result.stdout)
+    assert len(paths) == 12
+    assert {(folder / row["path"]).is_file() for row in paths} == {True}
+    assert result.stderr.splitlines()[0].startswith("[ 1/12] deep/out")
+    (folder / "file").write_text("")
+    wrong = run("figures", "--out|file")
+    assert wrong.exit_code == 2
+    assert "--out must be a folder to write to; got 'file'" in wrong.output
+
+
+def test_claims() -> None:
+    expected = ledger()
+    rows = read_csv(run("claims", "--csv"))
+    assert [int(row["id"]) for row in rows] == list(expected.index)
+    assert [row["verdict"] for row in rows] == list(expected["verdict"])
+    some = read_json(run("claims", "--verdict|contradicted", "--json"))
+    assert [row["id"] for row in some] == list(
+        expected.index[expected["verdict"] == "contradicted"]
+    )
+    human = run("claims", "--verdict|contradicted").output
+    counts = expected["verdict"].value_counts()
+    assert f"{len(expected)} claims: {counts['reproduced']} reproduced" in human
+    assert max(map(len, human.splitlines())) <= 79
+
+
+@pytest.mark.parametrize("name", ["paper", *ds.WIFI])
+def test_every_preset_can_be_chosen_and_is_listed(name: str) -> None:
+    rows = read_json(swarm("utilization", f"--wifi|{name}", "--protocol|dds", "--json"))
+    wifi = ds.PAPER if name == "paper" else ds.WIFI[name]
+    assert rows[0]["utilization"] == ds.utilization(ds.DDS, 7, 2, 10, wifi=wifi)
+    assert name in run("utilization", "--wifi|list").output.splitlines()
+
+
+def test_rates_and_overheads_replace_the_papers() -> None:
+    result = swarm(
+        "utilization",
+        "--unicast-rate|300|--unicast-overhead|150|--multicast-rate|12|--multicast-overhead|100",
+        "--protocol|dds",
+        "--json",
+    )
+    # Divided and multiplied in another order.
+    own = ds.Wifi("own", ds.Link(300e6, 150e-6), ds.Link(12e6, 100e-6))
+    expected = ds.utilization(ds.DDS, 7, 2, 10, wifi=own)
+    assert read_json(result)[0]["utilization"] == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("utilization|--hosts|7", "--processes, --endpoints must be given, or --fleet FILE"),
+        ("utilization|--hosts|a|--processes|1|--endpoints|1", "'--hosts': must be a number"),
+        (
+            "utilization|--hosts|0|--processes|1|--endpoints|1",
+            "hosts must be a finite number of at least 1 and at most 1e+09; got 0.0",
+        ),
+        ("utilization|--hosts|1|--processes|x|--endpoints|1", "'x' is not a valid float"),
+        ("utilization|--hosts|nan|--processes|1|--endpoints|1", "hosts must be"),
+        ("utilization|--fleet|fleet.toml|--hosts|3", "--fleet goes without --hosts"),
+        ("utilization|--fleet|none.toml", "none.toml: No such file or directory"),
+        ("utilization|--fleet|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
+        ("utilization|--fleet|fleet.toml|--wifi|wlan", "--wifi must be one of 'paper', '802.11a"),
+        (
+            "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--unicast-rate|5",
+            "--unicast-rate goes with --wifi paper alone; got --wifi '802.11a 20 MHz 1x1'",
+        ),
+        (
+            "utilization|--fleet|fleet.toml|--multicast-rate|0",
+            "multicast rate must be a finite number above 0; got 0.0",
+        ),
+        ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
+        ("saturation|--processes|2", "Missing option '--endpoints'"),
+        (
+            "saturation|--processes|2|--endpoints|10|--limit|0",
+            "limit must be a finite number above 0",
+        ),
+        ("plan", "Missing argument 'FLEET'"),
+        ("plan|none.toml", "none.toml: No such file or directory"),
+        ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
+        ("plan|fleet.toml|--nodes|8", "fleet.toml: nodes must be at most 7.5 for processes of 90"),
+        ("plan|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
+        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not one of 'dds', 'zenoh'"),
+        ("figures", "Missing option '--out'"),
+        ("figures|--out|", "--out must name a folder; got ''"),
+        ("figures|--out|out|--json|--csv", "--json and --csv exclude each other"),
+        ("claims|--verdict|wrong", "'wrong' is not one of"),
+        ("storm", "No such command 'storm'"),
+    ],
+)
+def test_wrong_input_ends_with_2_and_says_what_is_allowed(arguments: str, message: str) -> None:
+    result = run(arguments)
+    assert result.exit_code == 2, result.output
+    assert message in result.stderr
+    assert result.stdout == ""
+    assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("command", ["plan|bad.toml", "utilization|--fleet|bad.toml"])
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            "hosts = 10",
+            "hosts = -3",
+            "bad.toml: group 1 (robots): hosts must be a finite number of at least 1 and at "
+            "most 1e+09; got -3.0",
+        ),
+        ("endpoints = 90", "endpoints = 'x'", "group 2 (laptop): endpoints must be a finite"),
+        ("hosts = 1 ", "host = 1", "group 2 (laptop): key must be hosts or processes"),
+        ("[[groups]]", "[[groups", "bad.toml must be a TOML file"),
+    ],
+)
+def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
+    folder: Path, command: str, old: str, new: str, message: str
+) -> None:
+    content = NAV2.replace("hosts = 1\n", "hosts = 1 \n")
+    assert old in content
+    (folder / "bad.toml").write_text(content.replace(old, new), encoding="utf-8")
+    result = run(command)
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert result.stdout == ""
+
+
+def test_hosts_of_a_plan_must_be_whole(folder: Path) -> None:
+    (folder / "half.toml").write_text(NAV2.replace("= 10", "= 2.5"), encoding="utf-8")
+    result = run("plan", "half.toml")
+    assert result.exit_code == 2
+    assert "half.toml: hosts must be a whole number; got 2.5" in result.stderr
+
+
+def every_command() -> dict[str, click.Command]:
+    assert isinstance(main, click.Group)
+    return dict(main.commands)
+
+
+def test_there_are_six_commands() -> None:
+    assert sorted(every_command()) == [
+        "breakdown", "claims", "figures", "plan", "saturation", "utilization",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["", *sorted(every_command())])
+def test_help_has_examples_that_run(name: str, folder: Path) -> None:
+    result = run(*filter(None, [name]), "--help")
+    assert result.exit_code == 0
+    assert "Example" in result.output
+    text = result.output.replace("\\\n", "").replace("> claims.csv", "")
+    examples = [line for line in text.splitlines() if line.startswith("    discostorm ")]
+    assert examples
+    runner = CliRunner()
+    for example in examples:
+        done = runner.invoke(main, shlex.split(example)[1:])
+        assert done.exit_code == 0, f"{example}: {done.output}"
+    assert folder.is_dir()
+
+
+def test_help_describes_every_option() -> None:
+    for command in every_command().values():
+        for parameter in command.params:
+            if isinstance(parameter, click.Option):
+                assert parameter.help, f"{command.name} {parameter.name}"
+        names = {parameter.name for parameter in command.params}
+        assert {"as_json", "as_csv"} <= names
+        assert not names & set(LINK_OPTIONS) or set(LINK_OPTIONS) <= names
+
+
+@pytest.mark.parametrize(
+    "program",
+    [[str(Path(sys.executable).with_name("discostorm"))], [sys.executable, "-m", "discostorm"]],
+)
+def test_the_installed_script_and_the_module_are_the_same_command(program: list[str]) -> None:
+    env = os.environ | {"COLUMNS": "79"}
+    done = subprocess.run(
+        [*program, "utilization", *SWARM.split(), "--csv"],
+        text=True, capture_output=True, check=False, env=env,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == swarm("utilization", "--csv").stdout
+    wrong = subprocess.run(
+        [*program, "plan", "x.toml"], text=True, capture_output=True, check=False
+    )
+    assert wrong.returncode == 2
+    assert wrong.stderr == "Error: x.toml: No such file or directory\n"
+
+
+def test_version() -> None:
+    assert run("--version").output == f"discostorm {ds.__version__}\n"
+
+
+def test_the_books_shell_shows_command_output_and_exit_code() -> None:
+    command = f"discostorm utilization {SWARM} --protocol dds"
+    shown = notebook.shell(command, "discostorm plan x.toml").data
+    assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
+    assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")
+    assert "more lines" in notebook.shell("discostorm --help", lines=1).data
+    with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
+        notebook.shell("ls")

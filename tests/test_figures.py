@@ -1,0 +1,232 @@
+"""Figs. 2-4: their data against formulas written here, their drawing, their command."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import pytest
+from matplotlib.category import StrCategoryConverter
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from numpy.typing import NDArray
+
+import discostorm as ds
+from discostorm import figures
+
+DRAWINGS: dict[str, Callable[[], Figure]] = {
+    **{name: paper.draw for name, paper in figures.FIGURES.items()},
+    "airtime": figures.airtime,
+    "bars": lambda: figures.bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}),
+    "shares": lambda: figures.bars({"Zenoh": ds.breakdown(ds.ZENOH, 7, 2, 10)}, share=True),
+}
+FILES = {f"{name}.{kind}" for name in figures.FIGURES for kind in ("svg", "pdf", "png", "csv")}
+
+
+def frame(size: int) -> float:
+    """Seconds of a unicast frame of so many bytes, up and down, with the paper's numbers."""
+    return 2 * (8 * size / 144.4e6 + 180e-6)
+
+
+def cast(size: int) -> float:
+    """Seconds of a multicast frame: up as unicast, down once at the basic rate."""
+    return frame(size) / 2 + 8 * size / 6e6 + 120e-6
+
+
+def by_hand(
+    protocol: str,
+    phase: str,
+    h: NDArray[np.float64],
+    p: NDArray[np.float64],
+    e: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    pairs = h * (h - 1) * p**2
+    phases = {
+        "DDS": {
+            "SPDP": h * p * cast(414),
+            "SEDP": pairs * (e * frame(464) + 2 * frame(116) + 2 * frame(114)),
+        },
+        "Zenoh": {
+            "Scouting": h * p * cast(80) + pairs * frame(144),
+            "Declaration": pairs * (e * frame(176) + 2 * frame(84)),
+        },
+    }[protocol]
+    return phases[phase] if phase != "total" else np.sum([*phases.values()], axis=0)
+
+
+@pytest.mark.parametrize(
+    ("data", "hosts", "processes", "endpoints"),
+    [(figures.fig2_data, 12, 2, 10), (figures.fig4_data, 5, 1, 678)],
+    ids=["fig2", "fig4"],
+)
+def test_data_against_hosts_is_the_formula(
+    data: Callable[[], pd.DataFrame], hosts: int, processes: int, endpoints: int
+) -> None:
+    rows = data()
+    assert {*zip(rows["protocol"], rows["phase"], strict=True)} == {
+        ("DDS", "SPDP"),
+        ("DDS", "SEDP"),
+        ("DDS", "total"),
+        ("Zenoh", "Scouting"),
+        ("Zenoh", "Declaration"),
+        ("Zenoh", "total"),
+    }
+    for (protocol, phase), part in rows.groupby(["protocol", "phase"]):
+        h = part["hosts"].to_numpy()
+        assert {*range(1, hosts + 1)} <= {*h}  # whole numbers are met exactly
+        assert h.min() == 1
+        assert h.max() == hosts
+        hand = by_hand(str(protocol), str(phase), h, np.array(processes), np.array(endpoints))
+        # Sums of a few float64 products: some rounding steps of 2e-16.
+        np.testing.assert_allclose(part["utilization"], hand, rtol=1e-13)
+
+
+def test_data_of_fig3_is_the_formula() -> None:
+    rows = figures.fig3_data()
+    for protocol, part in rows.groupby("protocol"):
+        hand = by_hand(
+            str(protocol),
+            "total",
+            np.array(3.0),
+            part["processes"].to_numpy(),
+            part["endpoints"].to_numpy(),
+        )
+        np.testing.assert_allclose(part["utilization"], hand, rtol=1e-13)
+
+
+def test_trajectory_of_fig3_keeps_the_endpoints_of_a_host() -> None:
+    rows = figures.fig3_data()
+    line = rows[rows["part"] == "trajectory"]
+    np.testing.assert_allclose(line["processes"] * line["endpoints"], 40, rtol=1e-15)
+    for ends in ((1, 40), (8, 5)):
+        found = line[(line["processes"] == ends[0]) & (line["endpoints"] == ends[1])]
+        assert [*found["protocol"]] == ["DDS", "Zenoh"]
+    assert figures.whole_divisions() == [1, 2, 4, 5, 8, 10]
+
+
+def test_surface_of_fig3_is_a_full_grid() -> None:
+    rows = figures.fig3_data()
+    surface = rows[rows["part"] == "surface"]
+    for _, part in surface.groupby("protocol"):
+        assert len(part) == part["processes"].nunique() * part["endpoints"].nunique()
+
+
+def test_airtime_of_frames() -> None:
+    data = figures.airtime_data().set_index(["message", "direction"])
+    whole = data["overhead_s"] + data["bits_s"]
+    assert len(whole) == 16
+    assert whole["SPDP", "up"] + whole["SPDP", "down"] == pytest.approx(cast(414), rel=1e-13)
+    assert whole["Declare", "up"] == pytest.approx(frame(176) / 2, rel=1e-13)
+    assert data.loc[("Scout", "down"), "overhead_s"] == 120e-6
+    assert data.loc[("Scout", "up"), "overhead_s"] == 180e-6
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_every_axis_has_a_label_with_its_unit(name: str) -> None:
+    for axes in DRAWINGS[name]().axes:
+        place = axes.get_subplotspec()
+        for name_of_axis, axis in axes._axis_map.items():
+            if name_of_axis == "x" and place and not place.is_last_row():
+                continue  # axes above each other share the label of the last
+            label = axis.label.get_text()
+            assert label
+            categories = isinstance(axis.get_converter(), StrCategoryConverter)
+            assert categories or "[" in label, label
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_nothing_is_drawn_outside_the_figure(name: str) -> None:
+    figure: Figure = DRAWINGS[name]()
+    figure.draw_without_rendering()
+    box = figure.get_tightbbox()
+    width, height = figure.get_size_inches()
+    # A hundredth of an inch is below what is seen.
+    assert box.x0 > -0.01
+    assert box.y0 > -0.01
+    assert box.x1 < width + 0.01
+    assert box.y1 < height + 0.01
+
+
+def test_saturation_is_marked_where_the_total_meets_the_limit() -> None:
+    (axes,) = figures.fig2().axes
+    marks = {
+        str(line.get_label()): np.ravel(line.get_xydata())
+        for line in axes.lines
+        if "saturates" in str(line.get_label())
+    }
+    assert [*marks] == ["DDS saturates at 7.16", "Zenoh saturates at 7.63"]
+    for label, (hosts, height) in marks.items():
+        assert height == 1
+        total = by_hand(label.split()[0], "total", hosts, np.array(2), np.array(10))
+        assert total == pytest.approx(1, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_drawing_leaves_no_figure_open(name: str) -> None:
+    # An open one would be shown a second time below a notebook cell.
+    DRAWINGS[name]()
+    assert plt.get_fignums() == []
+
+
+def test_shares_fill_the_bar() -> None:
+    axes = figures.bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}, share=True).axes[0]
+    assert sum(
+        bar.get_width() for bar in axes.patches if isinstance(bar, Rectangle)
+    ) == pytest.approx(1, rel=1e-12)
+
+
+def test_bars_of_an_unknown_message_are_drawn() -> None:
+    table = ds.breakdown(ds.DDS, 7, 2, 10).rename(index={"SEDP": "Something else"})
+    assert len(figures.bars({"own": table}).axes[0].patches) == 4
+
+
+def test_command_writes_the_same_bytes_twice_and_shows_progress(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folders = [tmp_path / "made if missing" / "a", tmp_path / "b"]
+    for folder in folders:
+        assert figures.main([str(folder)]) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert len(lines) == len(FILES)
+        assert lines[0] == f"[ 1/{len(FILES)}] {folder / 'fig2.svg'}"
+        assert lines[-1] == f"[{len(FILES)}/{len(FILES)}] {folder / 'fig4.csv'}"
+        assert {path.name for path in folder.iterdir()} == FILES
+    for name in FILES:
+        first, second = ((folder / name).read_bytes() for folder in folders)
+        assert first == second, name
+        assert str(Path.cwd()).encode() not in first, name
+
+
+@pytest.mark.parametrize("name", figures.FIGURES)
+def test_csv_holds_the_data_exactly(name: str, tmp_path: Path) -> None:
+    data = figures.FIGURES[name].data()
+    data.to_csv(tmp_path / "data.csv", index=False, lineterminator="\n")
+    read = pd.read_csv(tmp_path / "data.csv")
+    # Whole numbers come back as integers; the values are the same to the last bit.
+    pd.testing.assert_frame_equal(
+        read.astype({column: data[column].dtype for column in data}), data, check_exact=True
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "required: FOLDER"),
+        (["one", "two"], "unrecognized arguments: two"),
+        (["--fast", "one"], "unrecognized arguments: --fast"),
+        ([""], "FOLDER must name a folder; got ''"),
+        ([__file__], f"FOLDER must be a folder to write to; got {__file__!r}: File exists"),
+        ([f"{__file__}/below"], "FOLDER must be a folder to write to"),
+    ],
+)
+def test_bad_usage_says_what_is_wrong(
+    arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as stop:
+        figures.main(arguments)
+    assert stop.value.code == 2
+    output = capsys.readouterr()
+    assert message in output.err
+    assert "usage: python -m discostorm.figures" in output.err
+    assert output.out == ""

@@ -1,0 +1,379 @@
+"""The planner: every gain is computed a second time, from hosts and frames written out."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from hypothesis import given, settings, strategies as st
+from matplotlib.figure import Figure
+
+import discostorm as ds
+from discostorm.messages import read_data
+from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
+from discostorm.presets import variant
+
+#: Hosts, each a list with the endpoints of each of its processes.
+Hosts = Sequence[Sequence[float]]
+
+PAPER = {"unicast": (144.4e6, 180e-6), "multicast": (6e6, 120e-6)}
+
+#: Neither text nor a fleet.
+WRONG: Any = 5
+
+robots = ds.HostGroup(10, 1, 678, name="robots")
+laptop = ds.HostGroup(1, 1, 90, name="laptop")
+NAV2 = ds.Fleet((robots, laptop))
+FIG3 = ds.Fleet.swarm(3, 8, 5)
+
+
+def written_out(fleet: ds.Fleet) -> Hosts:
+    return [
+        [group.endpoints] * int(group.processes)
+        for group in fleet.groups
+        for _ in range(int(group.hosts))
+    ]
+
+
+def by_hand(
+    hosts: Hosts, protocol: str = "DDS", links: dict[str, tuple[float, float]] = PAPER
+) -> float:
+    """Airtime, from who tells whom, with the frames as Table II prints them."""
+
+    def frame(octets: int, cast: str) -> float:
+        rate, overhead = links[cast]
+        return 8 * octets / rate + overhead
+
+    def relayed(octets: int) -> float:
+        return 2 * frame(octets, "unicast")
+
+    multicast = 414 if protocol == "DDS" else 80
+    endpoint = relayed(464) if protocol == "DDS" else relayed(176)
+    pair = (
+        2 * relayed(116) + 2 * relayed(114) if protocol == "DDS" else relayed(144) + 2 * relayed(84)
+    )
+    total = 0.0
+    for here, own in enumerate(hosts):
+        for endpoints in own:
+            total += frame(multicast, "unicast") + frame(multicast, "multicast")
+            for there, others in enumerate(hosts):
+                if here != there:
+                    total += len(others) * (pair + endpoints * endpoint)
+    return total
+
+
+def remedy(plan: ds.Plan, kind: str, index: int = 0) -> ds.Remedy:
+    return [found for found in plan.remedies if found.kind == kind][index]
+
+
+def approx(value: Any) -> Any:
+    # Sums of up to a few thousand terms in another order.
+    return pytest.approx(value, rel=1e-10)
+
+
+def test_the_swarm_of_fig_3_by_hand() -> None:
+    plan = ds.plan(FIG3, ds.DDS)
+    assert plan.utilization == approx(by_hand([[5] * 8] * 3))
+    composed = remedy(plan, "processes")
+    assert composed.utilization == approx(by_hand([[40]] * 3))
+    assert composed == plan.remedies[0]
+    assert composed.sentence() == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)"
+    assert remedy(plan, "middleware").utilization == approx(by_hand([[5] * 8] * 3, "Zenoh"))
+    faster = PAPER | {"multicast": (24e6, 120e-6)}
+    assert remedy(plan, "multicast rate").utilization == approx(
+        by_hand([[5] * 8] * 3, links=faster)
+    )
+    for radio in (found for found in plan.remedies if found.kind == "radio"):
+        links = PAPER | {"unicast": (radio.wifi.unicast.rate, 180e-6)}
+        assert radio.utilization == approx(by_hand([[5] * 8] * 3, links=links))
+    rates = {round(r.wifi.unicast.rate / 1e6) for r in plan.remedies if r.kind == "radio"}
+    assert rates == {300, 867, 2402}
+
+
+@pytest.mark.parametrize("protocol", [ds.DDS, ds.ZENOH], ids=lambda protocol: protocol.name)
+def test_ten_nav2_robots_and_a_laptop_by_hand(protocol: ds.Protocol) -> None:
+    plan = ds.plan(NAV2, protocol, nodes=[13, 2])
+    name = protocol.name
+    assert plan.utilization == approx(by_hand([[678]] * 10 + [[90]], name))
+    fewer = by_hand([[678 - 13 * 12]] * 10 + [[90 - 2 * 12]], name)
+    assert remedy(plan, "endpoints").utilization == approx(fewer)
+    # Dealt out in turn: the laptop is the eleventh host.
+    halves = [by_hand([[678]] * 5 + [[90]], name), by_hand([[678]] * 5, name)]
+    thirds = [
+        by_hand([[678]] * 4, name),
+        by_hand([[678]] * 3 + [[90]], name),
+        by_hand([[678]] * 3, name),
+    ]
+    for parts in (halves, thirds):
+        channels, domains = (
+            next(r for r in plan.remedies if r.kind == kind and len(r.fleets) == len(parts))
+            for kind in ("channels", "domains")
+        )
+        assert channels.utilization == approx(max(parts))
+        assert domains.utilization == approx(sum(parts))
+    assert not [found for found in plan.remedies if found.kind == "processes"]
+
+
+fleets = st.lists(
+    st.tuples(st.integers(1, 4), st.integers(1, 3), st.integers(0, 30)), min_size=1, max_size=3
+)
+
+
+@given(fleets, st.sampled_from([ds.DDS, ds.ZENOH]))
+@settings(max_examples=30, deadline=None)
+def test_every_gain_of_a_random_fleet_is_that_of_its_changed_fleets(
+    counts: list[tuple[int, int, int]], protocol: ds.Protocol
+) -> None:
+    fleet = ds.Fleet(tuple(ds.HostGroup(*group) for group in counts))
+    plan = ds.plan(fleet, protocol)
+    assert plan.utilization == approx(by_hand(written_out(fleet), protocol.name))
+    for found in plan.remedies:
+        links = {
+            "unicast": (found.wifi.unicast.rate, found.wifi.unicast.overhead),
+            "multicast": (found.wifi.multicast.rate, found.wifi.multicast.overhead),
+        }
+        parts = [by_hand(written_out(f), found.protocol.name, links) for f in found.fleets]
+        expected = max(parts) if found.kind == "channels" else sum(parts)
+        assert found.utilization == approx(expected)
+        assert found.saved == pytest.approx(1 - expected / plan.utilization, abs=1e-10)
+    saved = [found.saved for found in plan.remedies]
+    assert saved == sorted(saved, reverse=True)
+    by_endpoints = [sum(sum(host) for host in written_out(f)) for f in (fleet,)]
+    composed = [found for found in plan.remedies if found.kind == "processes"]
+    assert bool(composed) == any(processes > 1 for _, processes, _ in counts)
+    for found in composed:
+        assert [sum(sum(host) for host in written_out(f)) for f in found.fleets] == by_endpoints
+        assert all(len(host) == 1 for host in written_out(found.fleets[0]))
+
+
+@given(fleets, st.integers(1, 4))
+@settings(max_examples=40, deadline=None)
+def test_a_split_fleet_has_the_same_hosts_in_parts_that_differ_by_one_at_most(
+    counts: list[tuple[int, int, int]], parts: int
+) -> None:
+    fleet = ds.Fleet(tuple(ds.HostGroup(*group) for group in counts))
+    hosts = written_out(fleet)
+    if len(hosts) < parts:
+        with pytest.raises(ValueError, match=r"parts must be .* at most"):
+            split(fleet, parts)
+        return
+    pieces = [written_out(piece) for piece in split(fleet, parts)]
+    dealt = [list(host) for piece in pieces for host in piece]
+    assert sorted(dealt) == sorted(map(list, hosts))
+    sizes = [len(piece) for piece in pieces]
+    assert max(sizes) - min(sizes) <= 1
+
+
+def test_shares_are_parts_of_the_whole() -> None:
+    plan = ds.plan(NAV2, ds.DDS)
+    for kind in ("message", "phase"):
+        shares = plan.of_kind(kind)
+        assert sum(share.airtime for share in shares) == approx(plan.utilization)
+        assert sum(share.share for share in shares) == approx(1)
+        assert [s.share for s in shares] == sorted((s.share for s in shares), reverse=True)
+    assert plan.of_kind("message")[0].name == "SEDP"
+    groups = {share.name: share.airtime for share in plan.of_kind("group")}
+    whole = by_hand([[678]] * 10 + [[90]])
+    assert groups["laptop"] == approx(whole - by_hand([[678]] * 10))
+    assert groups["robots"] == approx(whole - by_hand([[90]]))
+    (alone,) = ds.plan(FIG3).of_kind("group")
+    assert (alone.name, alone.share) == ("group 1", 1)
+
+
+def test_two_groups_of_the_same_hosts_are_two_groups() -> None:
+    group = ds.HostGroup(2, 1, 10)
+    shares = ds.plan(ds.Fleet((group, group))).of_kind("group")
+    expected = by_hand([[10]] * 4) - by_hand([[10]] * 2)
+    assert [share.airtime for share in shares] == [approx(expected)] * 2
+
+
+def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None:
+    base = ds.WIFI["802.11n 20 MHz 2x2"]
+    plan = ds.plan(NAV2, ds.DDS, base)
+    expected = {
+        "multicast rate": ds.wifi_preset("802.11n", streams=2, multicast_rate=MULTICAST_RATE),
+        "aggregation": ds.wifi_preset("802.11n", streams=2, mpdus=MPDUS),
+    }
+    for kind, wifi in expected.items():
+        found = remedy(plan, kind)
+        assert found.wifi == wifi
+        assert found.utilization == approx(float(ds.utilization(ds.DDS, NAV2, wifi=wifi)))
+    names = {found.wifi.name for found in plan.remedies if found.kind == "radio"}
+    assert names == {"802.11n 40 MHz 2x2", "802.11ac 80 MHz 2x2", "802.11ax 160 MHz 2x2"}
+    for found in plan.remedies:
+        if found.kind == "radio":
+            assert found.wifi == ds.WIFI[found.wifi.name]
+    assert plan.left_out == ()
+
+
+def test_another_radio_keeps_what_was_chosen_beside_it() -> None:
+    base = ds.wifi_preset("802.11n", streams=2, multicast_rate=12e6, aifsn=3, mpdus=16)
+    radios = [found.wifi for found in ds.plan(NAV2, ds.DDS, base).remedies if found.kind == "radio"]
+    assert len(radios) == 3
+    for wifi in radios:
+        made = dict(wifi.made_from)
+        assert (made["multicast_rate"], made["aifsn"], made["mpdus"]) == (12e6, 3, 16)
+    # 1 Mbit/s is of the 2.4 GHz band alone.
+    slow = ds.wifi_preset("802.11n", band=2.4e9, multicast_rate=1e6)
+    assert {f.kind for f in ds.plan(NAV2, ds.DDS, slow).remedies} >= {"radio", "multicast rate"}
+
+
+def test_what_cannot_be_changed_is_named() -> None:
+    old = ds.plan(NAV2, ds.DDS, ds.WIFI["802.11a 20 MHz 1x1"])
+    assert old.left_out[0].startswith("aggregation: mpdus must be a whole number")
+    preset = ds.WIFI["802.11n 20 MHz 2x2"]
+    own = replace(preset, unicast=replace(preset.unicast, overhead=1e-4))
+    reasons = ds.plan(NAV2, ds.DDS, own).left_out
+    assert reasons == (
+        "multicast rate: known only of channels made by wifi_preset",
+        "aggregation: known only of channels made by wifi_preset",
+    )
+    few = ds.plan(FIG3).left_out
+    assert any("not every part would have two hosts" in reason for reason in few)
+    assert any(reason.startswith("parameter services: no process") for reason in few)
+    best = ds.wifi_preset("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64)
+    kinds = {found.kind for found in ds.plan(NAV2, ds.DDS, best).remedies}
+    assert kinds == {"endpoints", "channels", "domains", "middleware"}
+
+
+def test_a_variant_is_what_the_changed_arguments_give() -> None:
+    base = ds.wifi_preset("802.11ac", width=40e6, streams=2, aifsn=3, name="mine")
+    assert variant(base, mpdus=8) == ds.wifi_preset(
+        "802.11ac", width=40e6, streams=2, aifsn=3, mpdus=8
+    )
+    assert variant(ds.PAPER, mpdus=8) is None
+    assert variant(replace(base, multicast=ds.PAPER.multicast, unicast=ds.PAPER.unicast)) is None
+    # What a channel was made from is not a part of what it is.
+    assert replace(base, made_from=()) == base
+    with pytest.raises(ValueError, match="mpdus must be"):
+        variant(base, mpdus=1000)
+
+
+def test_nodes_of_the_parameter_services() -> None:
+    assert parameter_service_endpoints() == 12
+    by_default = remedy(ds.plan(NAV2), "endpoints")
+    assert [group.endpoints for group in by_default.fleets[0].groups] == [666, 78]
+    assert by_default.what == "leaving out the parameter services of 1 node a process (assumed)"
+    one_for_all = remedy(ds.plan(NAV2, nodes=7), "endpoints")
+    assert [group.endpoints for group in one_for_all.fleets[0].groups] == [594, 6]
+    assert not [r for r in ds.plan(NAV2, nodes=0).remedies if r.kind == "endpoints"]
+    nav2 = sum(int(row["how_many"]) for row in read_data("nav2_nodes.csv"))
+    assert nav2 * 12 < robots.endpoints
+
+
+def test_a_table_of_ones_own_may_switch_to_both() -> None:
+    own = ds.Protocol("own", ds.DDS.messages[:2])
+    plan = ds.plan(FIG3, own)
+    assert [r.protocol.name for r in plan.remedies if r.kind == "middleware"] == ["Zenoh", "DDS"]
+    assert "adds" in remedy(plan, "middleware", 1).sentence()
+    assert isinstance(plan.picture(), Figure)
+
+
+def test_advice_says_time_beside_one_second_and_the_gains() -> None:
+    text = ds.plan(FIG3, ds.DDS).advice()
+    flat = " ".join(text.split())
+    assert "3 hosts with 24 processes takes 1.38 s of airtime on paper (802.11n)" in flat
+    assert "A second has 1 s: that is 138% of it, so it does not fit." in flat
+    assert "1. Composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%); that fits." in flat
+    assert "(802.11n 40 MHz 2x2: 300 instead of 144 Mbit/s) cuts 4%, to 1.32 s." in flat
+    assert max(map(len, text.splitlines())) <= 79
+    assert str(ds.plan(FIG3, ds.DDS)) == text
+    small = ds.plan(ds.Fleet.swarm(2, 1, 5)).advice()
+    assert "so it fits" in small
+    assert " ms of airtime" in small
+    assert "that fits" not in small
+    groups = ds.plan(NAV2, ds.ZENOH).advice()
+    assert "- The group laptop takes part in 11%." in groups
+    assert "The message that takes most is Declare: nearly all." in groups
+    assert "changes less than 0.5%." in groups
+    assert "Switching to DDS adds 9%: 26.2 s becomes 28.4 s." in groups
+    one = ds.plan(ds.Fleet.swarm(1, 1, 10)).advice()
+    assert "1 host with 1 process takes" in one
+    named = ds.Fleet((replace(robots, processes=2), laptop))
+    assert "Composing 2 processes of robots into 1" in ds.plan(named).advice()
+    several = ds.Fleet((replace(robots, processes=2), replace(laptop, processes=3)))
+    assert "Composing the processes of each host into 1" in ds.plan(several).advice()
+
+
+def test_table_and_json_hold_the_same_numbers() -> None:
+    plan = ds.plan(NAV2, ds.ZENOH, nodes=[13, 2])
+    table = plan.table()
+    read = json.loads(plan.to_json())
+    assert read == plan.to_dict()
+    assert read["airtime_s"] == read["utilization"] == plan.utilization
+    assert read["fits"] is False
+    assert [group["name"] for group in read["fleet"]] == ["robots", "laptop"]
+    assert read["fleet"][0]["endpoints"] == 678
+    assert list(table.index) == [entry["what"] for entry in read["remedies"]]
+    assert table["airtime_s"].tolist() == [entry["airtime_s"] for entry in read["remedies"]]
+    assert table["saved"].tolist() == [entry["saved"] for entry in read["remedies"]]
+    assert table["fits"].tolist() == [r.utilization < 1 for r in plan.remedies]
+    for entry, found in zip(read["remedies"], plan.remedies, strict=True):
+        assert entry["price"] == found.price
+        assert len(entry["fleets"]) == len(found.fleets)
+    shares = plan.shares_table()
+    assert shares["share"].tolist() == [entry["share"] for entry in read["shares"]]
+
+
+def test_the_picture_has_a_bar_and_a_name_for_each_remedy() -> None:
+    plan = ds.plan(FIG3)
+    figure = plan.picture()
+    (axis,) = figure.axes
+    widths = [patch.get_width() for patch in axis.patches]  # type: ignore[attr-defined]
+    assert widths == approx([plan.utilization, *(r.utilization for r in plan.remedies)])
+    texts = [text.get_text() for text in axis.texts]
+    assert "as it is" in texts
+    assert {found.what for found in plan.remedies} <= set(texts)
+    assert "[s]" in axis.get_xlabel()
+
+
+def test_planning_on_with_what_a_remedy_holds() -> None:
+    first = ds.plan(FIG3, ds.DDS).remedies[0]
+    (fleet,) = first.fleets
+    again = ds.plan(fleet, first.protocol, first.wifi)
+    assert again.utilization == first.utilization
+    assert not [found for found in again.remedies if found.kind == "processes"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ((WRONG,), TypeError, "fleet must be a Fleet; got 5"),
+        ((FIG3, WRONG), TypeError, "protocol must be a Protocol; got 5"),
+        ((FIG3, ds.DDS, WRONG), TypeError, "wifi must be a Wifi; got 5"),
+        ((ds.Fleet.swarm(2.5, 1, 1),), ValueError, "hosts must be a whole number; got 2.5"),
+        ((ds.Fleet.swarm([1, 2], 1, 1),), TypeError, "hosts must be one number, not an array"),
+        ((ds.Fleet.symbolic(1),), TypeError, "hosts must be a number here, not an expression"),
+    ],
+)
+def test_wrong_arguments_are_named(
+    arguments: tuple[Any, ...], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        ds.plan(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("nodes", "message"),
+    [
+        (-1, "nodes must be a finite number of at least 0, or an array of them|nodes .* got -1"),
+        ([1, 2, 3], "nodes must be one number, or one for each of 2 groups; got"),
+        (8, "nodes must be at most 7.5 for processes of 90 endpoints, .* have 12; got 8"),
+        (float("nan"), "nodes must be .*; got nan"),
+    ],
+)
+def test_wrong_nodes_are_named(nodes: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        ds.plan(NAV2, nodes=nodes)
+
+
+def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
+    code = (
+        "import sys, discostorm;"
+        "print([m for m in ('pandas', 'matplotlib', 'click') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
+    assert done.stdout == "[]\n"

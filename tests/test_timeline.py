@@ -1,0 +1,322 @@
+"""Bursts, periods and leases: against counting by hand, a queue, and the source code's numbers."""
+
+import csv
+import math
+from collections.abc import Callable
+from importlib.resources import files
+from itertools import pairwise
+from typing import cast
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import discostorm as ds
+from discostorm import timeline
+from discostorm.messages import PROCESS, Message, Payload
+from discostorm.timeline import (
+    CYCLONE_DDS,
+    FAST_DDS,
+    FAST_DDS_MULTICAST,
+    ONCE,
+    PRODUCTS,
+    ZENOH_PEER,
+    Product,
+    Schedule,
+)
+
+ALL = (*PRODUCTS, FAST_DDS_MULTICAST)
+Swarm = tuple[int, int, int]
+SWARMS: list[Swarm] = [(3, 2, 10), (7, 2, 10), (12, 2, 10), (30, 2, 10), (4, 1, 678), (2, 5, 0)]
+
+
+def instants(product: str, name: str, until: float) -> list[float]:
+    """Return when a message is sent, written down by hand from the products' documentation."""
+    second = [float(n) for n in range(int(until) + 1)]
+    known: dict[tuple[str, str], list[float]] = {
+        ("Fast DDS", "SPDP"): [0, 0.1, 0.2, 0.3, 0.4] + [0.5 + 3 * n for n in second],
+        ("Fast DDS", "UnicastSPDP"): [0, 0.1, 0.2, 0.3, 0.4] + [0.5 + 3 * n for n in second],
+        ("Cyclone DDS", "SPDP"): [0] + [0.1 + 8 * n for n in second],
+        ("Cyclone DDS", "DirectedSPDP"): [0, 1, 2, 3],
+        ("Cyclone DDS", "Liveliness"): [8 * n for n in second],
+        ("Cyclone DDS", "LivelinessACK"): [8 * n for n in second],
+        ("Zenoh", "Scout"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh", "Hello"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh", "KeepAlive"): [2.5 * (n + 1) for n in second],
+    }
+    return known.get((product, name), [0])
+
+
+def frame_seconds(payload: float, header: int, multicast: bool) -> float:
+    """Return the airtime of one message, up and down, from the paper's numbers."""
+    up = 8 * (payload + header) / 144.4e6 + 180e-6
+    return up + (8 * (payload + header) / 6e6 + 120e-6 if multicast else up)
+
+
+def events(
+    product: str, hosts: int, processes: int, endpoints: int, until: float
+) -> list[tuple[float, float]]:
+    """Return (instant, airtime) of all that is sent; shares no code with the package."""
+    everyone = hosts * processes
+    pairs = everyone * (everyone - processes)
+    sizes = {
+        "SPDP": (350, 64, everyone),
+        "UnicastSPDP": (350, 64, pairs),
+        "DirectedSPDP": (350, 64, pairs),
+        "SEDP": (400, 64, pairs * endpoints),
+        "Heartbeat": (52, 64, pairs * 2),
+        "ACKNACK": (50, 64, pairs * 2),
+        "Liveliness": (116, 64, pairs),
+        "LivelinessACK": (50, 64, pairs),
+        "Scout": (16, 64, everyone),
+        "Hello": (80, 64, pairs),
+        "Declare": (100, 76, pairs * endpoints),
+        "KeepAlive": (8, 76, pairs),
+    }
+    names = {
+        "Fast DDS": ["SPDP", "UnicastSPDP", "SEDP", "Heartbeat", "ACKNACK"],
+        "Cyclone DDS": [
+            *["SPDP", "DirectedSPDP", "SEDP", "Heartbeat", "ACKNACK"],
+            *["Liveliness", "LivelinessACK"],
+        ],
+        "Zenoh": ["Scout", "Hello", "Declare", "KeepAlive"],
+    }[product]
+    return sorted(
+        (time, sizes[name][2] * frame_seconds(*sizes[name][:2], name in ("SPDP", "Scout")))
+        for name in names
+        for time in instants(product, name, until)
+        if time <= until + 1e-9
+    )
+
+
+@pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
+@pytest.mark.parametrize("swarm", SWARMS)
+def test_demand_is_the_sum_of_all_that_is_sent(product: Product, swarm: Swarm) -> None:
+    times = [0, 0.05, 0.1, 0.3, 0.5, 1, 2.5, 3.49, 3.5, 8, 8.1, 15, 23, 60]
+    expected = [sum(cost for _, cost in events(product.name, *swarm, time)) for time in times]
+    # Both add up a few dozen terms in float64, in another order.
+    np.testing.assert_allclose(timeline.demand(product, times, *swarm), expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
+@pytest.mark.parametrize("swarm", SWARMS)
+def test_first_idle_is_that_of_a_queue_served_without_a_gap(product: Product, swarm: Swarm) -> None:
+    free = 0.0
+    for time, cost in events(product.name, *swarm, 200):
+        if time > free + 1e-12:
+            break
+        free += cost
+    assert timeline.first_idle(product, *swarm) == pytest.approx(free, rel=1e-9)
+
+
+@pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
+@pytest.mark.parametrize("swarm", SWARMS)
+def test_drain_time_is_a_bound_and_met_by_the_line_it_comes_from(
+    product: Product, swarm: Swarm
+) -> None:
+    bound = timeline.drain_time(product, *swarm)
+    burst = ds.utilization(product.burst(), *swarm)
+    steady = ds.utilization(product.steady(), *swarm)
+    assert burst + steady * bound == pytest.approx(bound, rel=1e-12)
+    assert timeline.first_idle(product, *swarm) <= bound * (1 + 1e-12)
+    # The line of burst and steady traffic is above the steps everywhere.
+    times = np.linspace(0, 100, 4001)
+    steps = timeline.demand(product, times, *swarm)
+    assert np.all(steps <= (burst + steady * times) * (1 + 1e-9))
+
+
+@pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
+@pytest.mark.parametrize("window", [1, 3, 10, 20, 1e4])
+def test_critical_swarm_needs_just_the_window(product: Product, window: float) -> None:
+    hosts = timeline.critical_hosts(product, 2, 10, window)
+    assert timeline.drain_time(product, hosts, 2, 10) == pytest.approx(window, rel=1e-9)
+    assert ds.utilization(product.over(window), hosts, 2, 10) == pytest.approx(1, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ds.WIFI)
+def test_critical_swarm_on_any_channel(name: str) -> None:
+    wifi = ds.WIFI[name]
+    for product in PRODUCTS:
+        hosts = timeline.critical_hosts(product, 2, 10, product.lease, wifi)
+        lasts = timeline.drain_time(product, hosts, 2, 10, wifi)
+        assert lasts == pytest.approx(product.lease, rel=1e-9)
+
+
+def test_windows_may_be_an_array() -> None:
+    hosts = timeline.critical_hosts(CYCLONE_DDS, 2, 10, [1, 10, np.inf])
+    each = [timeline.critical_hosts(CYCLONE_DDS, 2, 10, window) for window in (1, 10, np.inf)]
+    np.testing.assert_array_equal(hosts, each)
+
+
+@pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
+def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Product) -> None:
+    most = float(timeline.critical_hosts(product, 2, 10))
+    below, above = math.floor(most), math.ceil(most)
+    assert ds.utilization(product.steady(), below, 2, 10) < 1
+    assert ds.utilization(product.steady(), above, 2, 10) > 1
+    np.testing.assert_array_equal(
+        np.isinf(timeline.drain_time(product, [below, above], 2, 10)), [False, True]
+    )
+    assert timeline.first_idle(product, above, 2, 10) == np.inf
+    assert timeline.outlook(product, below, 2, 10) == "leases at risk"
+    assert timeline.outlook(product, above, 2, 10) == "never recovers"
+
+
+@pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
+def test_outlook_changes_at_the_paper_second_and_at_the_lease(product: Product) -> None:
+    for window, before, after in [
+        (1, "within a second", "starts slowly"),
+        (product.lease, "starts slowly", "leases at risk"),
+    ]:
+        hosts = float(timeline.critical_hosts(product, 2, 10, window))
+        assert timeline.outlook(product, hosts * 0.999, 2, 10) == before
+        assert timeline.outlook(product, hosts * 1.001, 2, 10) == after
+
+
+def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
+    age = Schedule((0,), 1e15)
+    rows = tuple(timeline.Timed(message, age) for message in ds.DDS.messages)
+    paper = Product("paper", 20, rows)
+    assert sp.simplify(paper.burst().utilization() - ds.DDS.utilization()) == 0
+    # What stays is about 1e-15 of the channel.
+    assert timeline.drain_time(paper, 7, 2, 10) == pytest.approx(
+        ds.utilization(ds.DDS, 7, 2, 10), rel=1e-12
+    )
+    assert timeline.critical_hosts(paper, 2, 10, window=1) == pytest.approx(
+        ds.saturation_hosts(ds.DDS, 2, 10), rel=1e-12
+    )
+
+
+def test_extra_and_rate_of_schedules_worked_out_by_hand() -> None:
+    fast, cyclone, scout = (
+        product.rows[0].schedule for product in (FAST_DDS, CYCLONE_DDS, ZENOH_PEER)
+    )
+    assert fast.extra == pytest.approx(6 - 0.5 / 3)
+    assert fast.per_second == pytest.approx(1 / 3)
+    assert cyclone.extra == pytest.approx(2 - 0.1 / 8)
+    assert scout.starts == (0, 1, 3, 7)
+    assert scout.extra == pytest.approx(4 - 7 / 8)
+    keep_alive = ZENOH_PEER.rows[-1].schedule
+    assert (keep_alive.extra, keep_alive.period) == (0, 2.5)
+    assert (ONCE.extra, ONCE.per_second) == (1, 0)
+
+
+@pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
+def test_sent_counts_the_times(product: Product) -> None:
+    for row in product.rows:
+        times = row.schedule.times(50)
+        assert all(a <= b for a, b in pairwise(times))
+        # At its own instants a message counts as sent, whatever the rounding.
+        np.testing.assert_array_equal(row.schedule.sent(times), np.arange(1, len(times) + 1))
+
+
+def test_sent_keeps_the_shape() -> None:
+    assert isinstance(ONCE.sent(3), float)
+    assert np.shape(ONCE.sent([[0, 1], [2, 3]])) == (2, 2)
+    assert isinstance(timeline.drain_time(FAST_DDS, 3, 2, 10), float)
+    assert np.shape(timeline.drain_time(FAST_DDS, [[3], [4]], [1, 2], 10)) == (2, 2)
+
+
+def test_leases_and_periods_are_those_of_the_data_file() -> None:
+    assert [product.lease for product in PRODUCTS] == [20, 10, 10]
+    assert [
+        sorted({row.schedule.period for row in product.rows} - {np.inf}) for product in PRODUCTS
+    ] == [[3], [8], [2.5, 8]]
+
+
+def test_every_default_names_where_it_comes_from() -> None:
+    path = files("discostorm") / "data" / "middleware_defaults.csv"
+    rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
+    assert len({(row["product"], row["quantity"]) for row in rows}) == len(rows) > 20
+    for row in rows:
+        assert all(row.values()), row
+        assert float(row["value"]) > 0
+        assert row["unit"] in ("s", "1", "B")
+        if row["source"].startswith("https"):
+            assert len(row["commit"]) == 40
+            for part in ("repository", "commit", "path"):
+                assert row[part] in row["source"]
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "text"),
+    [
+        (lambda: Schedule(()), ValueError, "starts must hold at least one time"),
+        (lambda: Schedule((-1,)), ValueError, "starts must be a finite number of at least 0"),
+        (lambda: Schedule((0, 2, 1)), ValueError, r"starts must be times in order.*got \(0, 2, 1"),
+        (lambda: Schedule((0, 9), 8), ValueError, "no further apart than the period of 8 s"),
+        (lambda: Schedule((0,), 0), ValueError, "period must be a finite number above 0.*got 0"),
+        (lambda: Schedule((0,), math.nan), ValueError, "period must be.*got nan"),
+        (lambda: ONCE.sent(-1), ValueError, "time must be a finite number of at least 0; got -1"),
+        (lambda: Product("x", 0, ()), ValueError, "lease must be a finite number above 0; got 0"),
+        (lambda: Product("x", 1, ()), ValueError, "rows must hold at least one Timed"),
+        (
+            lambda: Product("x", 1, FAST_DDS.rows[2:]),
+            ValueError,
+            "rows must hold a message that is sent with a finite period; got none",
+        ),
+        (lambda: FAST_DDS.over(0), ValueError, "window must be a finite number above 0; got 0"),
+        (
+            lambda: FAST_DDS.over(cast(float, "1")),
+            TypeError,
+            "window must be a finite number above 0.*'1'",
+        ),
+        (lambda: timeline.defaults("OpenDDS"), ValueError, "product must be 'Fast DDS' or.*Open"),
+        (
+            lambda: timeline.drain_time(FAST_DDS, 0, 2, 10),
+            ValueError,
+            "hosts must be a finite number of at least 1 and at most 1e[+]09; got 0",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, math.nan, 1),
+            ValueError,
+            "endpoints must be.*got nan",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, 0),
+            ValueError,
+            "window must be a finite number above 0.*got 0",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, [1, 1e-3]),
+            ValueError,
+            "window must be at least as long as the start of a single host, 0.0.*got 0.001",
+        ),
+        (
+            lambda: timeline.first_idle(FAST_DDS, cast(float, [3, 4]), 2, 10),
+            TypeError,
+            "hosts must be one number, not an array",
+        ),
+        (
+            lambda: timeline.outlook(FAST_DDS, 3, -2, 10),
+            ValueError,
+            "processes must be a finite number of at least 0.*-2",
+        ),
+        (
+            lambda: timeline.demand(FAST_DDS, [1, 2, 3], [3, 4], 2, 10),
+            ValueError,
+            r"broadcast.*time \(3,\), hosts \(2,\)",
+        ),
+    ],
+)
+def test_errors_name_parameter_value_and_range(
+    call: Callable[[], object], error: type[Exception], text: str
+) -> None:
+    with pytest.raises(error, match=text):
+        call()
+
+
+@pytest.mark.parametrize(
+    ("steady", "time"), [(0, 2), (sp.S.Half, 4), (1, sp.oo), (sp.Rational(3, 2), sp.oo)]
+)
+def test_drain_time_in_symbols(steady: sp.Expr, time: sp.Expr) -> None:
+    assert timeline.DRAIN.subs({timeline.BURST: 2, timeline.STEADY: steady}) == time
+
+
+def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:
+    # A frame of 1024 bits at 2048 bit/s, up and down: exactly a second in every second.
+    message = Message("m", "p", "multicast", "UDP", Payload(64, 64, 64, "made up"), PROCESS, 1)
+    product = timeline.Product("made up", 1, (timeline.Timed(message, Schedule((0,), 1)),))
+    wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
+    assert timeline.drain_time(product, 1, 1, 0, wifi) == math.inf
+    assert timeline.drain_time(product, [1, 1], 1, 0, wifi).tolist() == [math.inf, math.inf]
