@@ -7,6 +7,7 @@ from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.resources import as_file, files
+from textwrap import wrap
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -144,7 +145,8 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
     """Run commands ``discostorm ...`` and show each with all that it prints.
 
     They run in this process, at a fixed width, so that the output is the same everywhere.
-    An exit code other than 0 is shown as well.
+    Lines beyond this width are broken, as a terminal does. An exit code other than 0 is
+    shown as well.
 
     Parameters
     ----------
@@ -157,12 +159,13 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
 
     from discostorm.cli import main
 
+    width = 79
     shown = []
     for command in commands:
         program, *arguments = shlex.split(command)
         if program != "discostorm":
             raise ValueError(f"commands must start with discostorm; got {command!r}")
-        result = CliRunner(env={"COLUMNS": "79"}).invoke(main, arguments, prog_name=program)
+        result = CliRunner(env={"COLUMNS": str(width)}).invoke(main, arguments, prog_name=program)
         if result.exception and not isinstance(result.exception, SystemExit):
             raise result.exception
         printed = result.output.rstrip("\n").split("\n")
@@ -170,7 +173,10 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
         shown += [f"$ {command}", *printed[:lines]]
         shown += [f"... and {rest} more lines"] * (rest > 0)
         shown += [f"[exit code {result.exit_code}]"] * (result.exit_code != 0) + [""]
-    return Markdown("\n".join(["```text", *shown[:-1], "```"]))
+    fitting = [
+        part for line in shown[:-1] for part in (wrap(line, width) if len(line) > width else [line])
+    ]
+    return Markdown("\n".join(["```text", *fitting, "```"]))
 
 
 def notation(*protocols: Protocol) -> Markdown:

@@ -327,6 +327,9 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
     shown = notebook.shell(command, "discostorm plan x.toml").data
     assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
     assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")
+    long = notebook.shell("discostorm utilization --hosts 0 --processes 1 --endpoints 1").data
+    assert "got 0.0" in " ".join(long.split())
+    assert max(map(len, long.splitlines())) <= 79
     assert "more lines" in notebook.shell("discostorm --help", lines=1).data
     with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
         notebook.shell("ls")
