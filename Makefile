@@ -31,7 +31,7 @@ book: $(READY) ## execute every notebook and build the HTML book
 	@echo; echo "The book is ready: open $(CURDIR)/_build/html/index.html"
 
 test: $(READY) ## run all tests, notebooks included
-	@$(BIN)/pytest -n 2 --dist loadfile --nbval
+	@$(BIN)/pytest -n 2 --nbval
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/check_latex.sh

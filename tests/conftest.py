@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -38,6 +40,20 @@ def sources() -> Iterator[Path]:
     yield from (ROOT / "notebooks").glob("*.ipynb")
     for folder in ("book", "discostorm"):
         yield from (p for p in (ROOT / folder).rglob("*.*") if "__pycache__" not in p.parts)
+
+
+class ByFileOrPage(LoadScopeScheduling):
+    """Keep the tests of a file in one process, and in test_browser.py those of a page."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        file, _, test = nodeid.partition("::")
+        if not file.endswith("test_browser.py"):
+            return file
+        return test.partition("[")[2].removeprefix("http-").removeprefix("file-")
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> ByFileOrPage:
+    return ByFileOrPage(config, log)
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,7 @@
 """Every page of the book as a browser shows it: over http and straight from the file system.
 
-Each page is visited once each way; what was seen there is what the tests look at.
+Each page is visited once each way; what was seen there is what the tests look at. Its tests
+run in one process, see conftest.py.
 """
 
 import functools
@@ -22,7 +23,21 @@ TOC = ROOT / "_toc.yml"
 PHONE: ViewportSize = {"width": 390, "height": 800}
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 
+#: Waits until a page has come to rest.
+REST = (Path(__file__).parent / "page_rest.js").read_text(encoding="utf-8")
+#: Returns what is to be seen on it.
 FACTS = (Path(__file__).parent / "page_facts.js").read_text(encoding="utf-8")
+
+#: axe-core by Deque Systems, MPL-2.0, as npm has it.
+AXE = (Path(__file__).parent / "vendor" / "axe-core-4.14.1.min.js").read_text(encoding="utf-8")
+#: What is serious or critical. Without preload it fetches nothing itself.
+BARRIERS = """(rules) => axe
+    .run(document, {resultTypes: ["violations"], preload: false, ...rules})
+    .then(({violations}) => violations
+        .filter(({impact}) => ["serious", "critical"].includes(impact))
+        .flatMap(({id, impact, nodes}) => nodes.map(({html, target, failureSummary}) =>
+            `${impact} ${id}: ${target.join(" ")} ${html.slice(0, 160)} ${failureSummary}`)))"""
+COLORS = {"runOnly": ["color-contrast", "link-in-text-block"]}
 
 
 def toc_files(part: Any) -> Iterator[str]:
@@ -47,6 +62,7 @@ class Visit:
     errors: list[str] = field(default_factory=list)
     phone: dict[str, Any] = field(default_factory=dict)  # in light mode
     desktop: dict[str, Any] = field(default_factory=dict)  # in dark mode
+    barriers: dict[str, list[str]] = field(default_factory=dict)  # by color scheme
 
 
 def listen(tab: Page, visit: Visit) -> None:
@@ -67,16 +83,31 @@ def listen(tab: Page, visit: Visit) -> None:
 
 
 def look(context: BrowserContext, base: str, address: str) -> Visit:
-    """Visit a page as on a phone in light mode, then as on a desktop in dark mode."""
+    """Visit a page as on a phone in light mode; if from a file, then as on a desktop in dark mode.
+
+    Once is enough for that, and for axe-core: how a page came does not change what it looks like.
+    """
     visit = Visit(base)
     with context.new_page() as tab:
         listen(tab, visit)
         tab.goto(base + address)
+        tab.evaluate(REST)
         visit.phone = tab.evaluate(FACTS)
+        if not base.startswith("file:"):
+            return visit
         tab.emulate_media(color_scheme="dark")
         tab.set_viewport_size(DESKTOP)
         tab.wait_for_function(f"innerWidth === {DESKTOP['width']}")
+        tab.evaluate(REST)
         visit.desktop = tab.evaluate(FACTS)
+        tab.evaluate(AXE)
+        tab.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true })")
+        # The other rules do not look at colors.
+        for theme, rules in {"dark": {}, "light": COLORS}.items():
+            tab.emulate_media(color_scheme=theme)
+            tab.wait_for_function(f"document.documentElement.dataset.theme === '{theme}'")
+            tab.evaluate(REST)
+            visit.barriers[theme] = tab.evaluate(BARRIERS, rules)
     return visit
 
 
@@ -158,21 +189,38 @@ def test_the_page_fits_a_phone(visit: Visit) -> None:
 
 
 @every_page
-@both_ways
-def test_the_page_fits_a_desktop(visit: Visit) -> None:
+def test_the_page_fits_a_desktop(visitor: Visitor, page: str) -> None:
+    visit = visitor(page, "file")
     assert visit.desktop["width"] == DESKTOP["width"]
     assert not visit.desktop["clipped"]
     assert not visit.desktop["code_that_scrolls"]
 
 
 @every_page
-@both_ways
-def test_light_and_dark_are_legible(visit: Visit) -> None:
+def test_light_and_dark_are_legible(visitor: Visitor, page: str) -> None:
+    visit = visitor(page, "file")
     assert (visit.phone["theme"], visit.desktop["theme"]) == ("light", "dark")
     assert visit.phone["texts"] > 5
     assert not visit.phone["faint"]
     assert not visit.desktop["faint"]
     assert not visit.desktop["images_on_dark"]
+
+
+@every_page
+def test_nothing_serious_keeps_anyone_out(visitor: Visitor, page: str) -> None:
+    assert visitor(page, "file").barriers == {"dark": [], "light": []}
+
+
+@pytest.mark.parametrize("rules", [{}, COLORS], ids=["all", "colors"])
+def test_a_barrier_is_found(browser: Browser, rules: dict[str, list[str]]) -> None:
+    faint = "<p style='color: #aaa; background: white'>faint</p>"
+    with browser.new_page() as tab:
+        tab.set_content(
+            f"<html lang='en'><title>x</title><main><h1>x</h1><button></button>{faint}</main>"
+        )
+        tab.evaluate(AXE)
+        found = [line.split(":")[0] for line in tab.evaluate(BARRIERS, rules)]
+    assert found == [*([] if rules else ["critical button-name"]), "serious color-contrast"]
 
 
 @every_page
