@@ -11,7 +11,7 @@ import threading
 from collections.abc import Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import pytest
 from hypothesis import settings
@@ -52,8 +52,16 @@ class ByFileOrPage(LoadScopeScheduling):
         return test.partition("[")[2].removeprefix("http-").removeprefix("file-")
 
 
+@pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> ByFileOrPage:
     return ByFileOrPage(config, log)
+
+
+def missing(message: str) -> NoReturn:
+    """Skip a test; fail where nothing may be skipped."""
+    if os.environ.get("DISCOSTORM_SKIP_NOTHING") == "1":
+        pytest.fail(message)
+    pytest.skip(message)
 
 
 @pytest.fixture(scope="module")
@@ -78,9 +86,7 @@ def browser() -> Iterator[Browser]:
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
         message = "no Chromium here; on Debian: apt-get install chromium"
-        if os.environ.get("DISCOSTORM_REQUIRE_BROWSER") == "1":
-            pytest.fail(message)
-        pytest.skip(message)
+        missing(message)
     from playwright.sync_api import sync_playwright  # here, as most tests need no browser
 
     with sync_playwright() as playwright:
