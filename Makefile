@@ -13,15 +13,18 @@ BUILD = $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
+# Makes the changes that `make mutation` tries; not in the lock, as nothing else needs it.
+COSMIC_RAY := cosmic-ray==8.7.0
+
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@PYTHON="$(PYTHON)" sh scripts/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench mutation test-oldest test-newest serve lock clean
 
 help: ## list what can be made
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
@@ -35,7 +38,7 @@ test: $(READY) ## run all tests, notebooks included
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/check_latex.sh
-	@rm -rf _build/latex _build/.doctrees
+	@rm -rf _build/latex _build/.doctrees _build/run_times.csv
 	@$(BUILD) --builder latex
 	@echo "Running LaTeX ..."
 	@cd _build/latex && SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 \
@@ -45,7 +48,7 @@ pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@echo; echo "The PDF is ready: open $(CURDIR)/build/discostorm.pdf"
 
 release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks, figures and data
-	@rm -rf _build/html _build/.doctrees _build/run_times.csv build/release
+	@rm -rf _build/html _build/.doctrees build/release
 	@$(BUILD)
 	@$(BIN)/python -m discostorm.figures build/release/figures
 	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
@@ -66,6 +69,16 @@ lint: $(READY) ## check style and types
 
 bench: $(READY) ## measure the speed that the README promises
 	@$(BIN)/python scripts/bench.py
+
+mutation: $(READY) ## see whether the tests notice small changes of the package (takes an hour)
+	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
+	@PYTHONPATH=build/mutation $(BIN)/python scripts/mutation.py
+
+test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
+	@$(BIN)/python scripts/test_versions.py oldest
+
+test-newest: $(READY) ## test the package with the newest versions of what it needs
+	@$(BIN)/python scripts/test_versions.py newest
 
 serve: book ## show the book at http://localhost:8000
 	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html

@@ -1,7 +1,13 @@
 #!/bin/sh
-# Say what to install if something that `make pdf` needs is missing.
+# Say what to install if something that `make pdf` needs is missing; --debian: all its packages.
 set -eu
 
+packages="latexmk texlive-xetex texlive-latex-recommended texlive-latex-extra"
+packages="$packages texlive-fonts-recommended tex-gyre fonts-freefont-otf librsvg2-bin"
+if [ "${1-}" = --debian ]; then
+    echo "$packages"
+    exit
+fi
 missing=
 for program in latexmk xelatex rsvg-convert; do
     command -v "$program" >/dev/null 2>&1 || missing="$missing $program"
@@ -14,7 +20,6 @@ if [ -z "$missing" ]; then
 fi
 if [ -n "$missing" ]; then
     echo "discostorm: make pdf needs LaTeX; missing here:$missing" >&2
-    echo "On Debian: apt-get install latexmk texlive-xetex texlive-latex-recommended" \
-        "texlive-latex-extra texlive-fonts-recommended tex-gyre fonts-freefont-otf librsvg2-bin" >&2
+    echo "On Debian: apt-get install $packages" >&2
     exit 1
 fi

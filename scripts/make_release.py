@@ -27,7 +27,7 @@ CONTENTS = {
     "LICENSE-CC-BY-4.0.txt": "LICENSE-CC-BY-4.0.txt",
 }
 #: Leftovers of tools.
-LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__"}
+LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
 
 
 def codemeta() -> str:

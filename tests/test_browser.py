@@ -17,6 +17,8 @@ import pytest
 import yaml
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
 
+pytestmark = pytest.mark.book
+
 ROOT = Path(__file__).parents[1]
 TOC = ROOT / "_toc.yml"
 

@@ -18,6 +18,8 @@ from playwright.sync_api import Browser, Page, expect
 import discostorm as ds
 from discostorm import timeline
 
+pytestmark = pytest.mark.book
+
 ROOT = Path(__file__).parents[1]
 DRIVER = (Path(__file__).parent / "calculator.js").read_text(encoding="utf-8")
 PROTOCOLS = {"DDS": ds.DDS, "Zenoh": ds.ZENOH}

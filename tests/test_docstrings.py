@@ -1,8 +1,11 @@
-"""The public docstrings tell all of: parameters with units, what is returned, what is raised."""
+"""What is public tells all of its parameters, units, results and errors, and does not change."""
 
+import importlib
 import inspect
+import pkgutil
 import re
 from collections.abc import Callable
+from dataclasses import is_dataclass
 
 import pytest
 
@@ -63,3 +66,17 @@ def test_what_is_public() -> None:
     assert len(ds.__all__) == len(set(ds.__all__))
     for name in ds.__all__:
         assert hasattr(ds, name)
+
+
+def test_every_dataclass_is_frozen() -> None:
+    modules = [
+        importlib.import_module(f"discostorm.{module.name}")
+        for module in pkgutil.iter_modules(ds.__path__)
+        if module.name != "__main__"
+    ]
+    classes = {
+        value for module in modules for value in vars(module).values() if is_dataclass(value)
+    }
+    classes = {value for value in classes if value.__module__.startswith("discostorm")}
+    assert len(classes) > 10
+    assert not [value for value in classes if not value.__dataclass_params__.frozen]

@@ -17,6 +17,8 @@ from playwright.sync_api import Browser
 
 from discostorm import figures, notebook
 
+pytestmark = pytest.mark.book
+
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 #: Pictures that show no data.

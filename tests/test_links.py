@@ -9,6 +9,8 @@ import pytest
 from bs4 import BeautifulSoup
 from test_browser import PAGES
 
+pytestmark = pytest.mark.book
+
 #: What leads elsewhere, and where that is written.
 LEADS = {"a": "href", "link": "href", "img": "src", "script": "src", "source": "src"}
 

@@ -12,6 +12,8 @@ from test_browser import PAGES, source
 
 import discostorm as ds
 
+pytestmark = pytest.mark.book
+
 ROOT = Path(__file__).parents[1]
 PDF = ROOT / "build" / "discostorm.pdf"
 #: Where LaTeX says which number and page a label got.

@@ -28,6 +28,7 @@ def test_example_of_the_readme_runs() -> None:
     assert failed == 0
 
 
+@pytest.mark.locked
 def test_figure_of_the_readme_is_fresh(tmp_path: Path) -> None:
     list(figures.save(figures.fig2(), tmp_path, "fig2"))
     fresh = (tmp_path / "fig2.svg").read_text(encoding="utf-8")

@@ -5,7 +5,10 @@ import sys
 from pathlib import Path
 
 import nbformat
+import pytest
 from nbformat import v4
+
+pytestmark = pytest.mark.book
 
 SCRIPT = Path(__file__).parents[1] / "scripts" / "run_notebooks.py"
 
