@@ -51,7 +51,10 @@ FIRST = {
     "wifi": ["wifi_standard", "model"],
 }
 #: Too slow to be run a thousand times, and others notice what they would.
-SLOW = "million_samples or loads_neither or same_bytes_twice or figures_shows or examples_that_run"
+SLOW = (
+    "million_samples or loads_neither or same_bytes_twice or figures_shows or examples_that_run"
+    " or installed_script"
+)
 OPERATORS = [
     "NumberReplacer",
     "ReplaceTrueWithFalse",
@@ -77,6 +80,8 @@ OPERATORS = [
         )
     ),
 ]
+#: Not changed, as nothing outside can differ: they guard or speed up the code itself.
+INNER = ("strict=True", "slots=True", "if TYPE_CHECKING", ", *, ")
 KILLED, SURVIVED = 1, 0
 SECONDS, BYTES = 120, 8 * 2**30
 
@@ -104,17 +109,19 @@ class Mutant:
     def lines(self) -> tuple[str, str]:
         """Return the lines that differ, before and after."""
         before = self.path.read_text(encoding="utf-8").splitlines()
-        after = self.source().splitlines()
-        diff = list(difflib.ndiff(before, after))
-        return tuple(  # type: ignore[return-value]
-            " ".join(line[2:].strip() for line in diff if line.startswith(sign)) for sign in "-+"
+        diff = list(difflib.unified_diff(before, self.source().splitlines(), n=0, lineterm=""))[2:]
+        old, new = (
+            " ".join(line[1:].strip() for line in diff if line.startswith(sign)) for sign in "-+"
         )
+        return old, new
 
-    def tests(self, stage: int) -> list[str]:
+    def tests(self, stage: int) -> list[Path]:
         """Return the files of tests for the first stage, or all others."""
         first = [f"test_{name}.py" for name in FIRST.get(self.module, [self.module])]
         first = [name for name in first if name in TESTS] or ["test_model.py"]
-        return first if stage == 1 else [name for name in TESTS if name not in first]
+        if stage == 1:
+            return [self.path, *(ROOT / "tests" / name for name in first)]  # its own examples, too
+        return [ROOT / "tests" / name for name in TESTS if name not in first]
 
 
 def mutants(modules: Sequence[str]) -> Iterator[Mutant]:
@@ -125,7 +132,10 @@ def mutants(modules: Sequence[str]) -> Iterator[Mutant]:
             counter = MutationVisitor(-1, get_operator(f"core/{operator}")())
             counter.walk(tree)
             for occurrence in range(counter._count):
-                yield Mutant(module, operator, occurrence)
+                mutant = Mutant(module, operator, occurrence)
+                before, after = mutant.lines()
+                if not any(word in before and word not in after for word in INNER):
+                    yield mutant
 
 
 class Loader(SourceFileLoader):
@@ -158,7 +168,7 @@ class Finder(MetaPathFinder):
         return spec_from_file_location(fullname, self.mutant.path, loader=loader)
 
 
-def test(mutant: Mutant | None, files: Sequence[str]) -> int:
+def test(mutant: Mutant | None, files: Sequence[Path]) -> int:
     """Run tests of a mutant, or of the package as it is; return their exit status."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
@@ -178,10 +188,10 @@ def test(mutant: Mutant | None, files: Sequence[str]) -> int:
         "-p",
         "no:nbval",
     ]
-    return pytest.main([*options, *(str(ROOT / "tests" / name) for name in files)])
+    return pytest.main([*options, *map(str, files)])
 
 
-def fork(mutant: Mutant | None, files: Sequence[str]) -> int:
+def fork(mutant: Mutant | None, files: Sequence[Path]) -> int:
     """Start a process that tests a mutant; return its number."""
     child = os.fork()
     if child == 0:
@@ -225,7 +235,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("modules", nargs="*", choices=[*modules, []], metavar="MODULE")
     modules = parser.parse_args().modules or modules
-    if os.waitpid(fork(None, TESTS), 0)[1]:
+    if os.waitpid(fork(None, [PACKAGE, *(ROOT / "tests" / name for name in TESTS)]), 0)[1]:
         sys.exit("mutation: the tests fail without any change; run `make test`")
     todo = list(mutants(modules))
     left = survivors(todo)

@@ -144,6 +144,11 @@ def test_unknown_phase(phase: Any) -> None:
     fails(ValueError, text, ds.DDS.utilization, phase=phase)
 
 
+def test_of_several_wrong_elements_the_first_is_named() -> None:
+    # Those at the ends of the range are right.
+    fails(ValueError, "got -2.0", utilization, **SWARM | {"hosts": [1, 1e9, -2, -3]})
+
+
 def test_limit() -> None:
     allowed = "limit must be a finite number above 0"
     for value, shown in [(0, "0.0"), (-1, "-1.0"), *NOT_FINITE]:
@@ -155,7 +160,7 @@ def test_limit_that_one_host_exceeds() -> None:
     single = ds.utilization(ds.DDS, 1, 2, 10)
     text = f"limit must be at least the utilization of a single host, {single!r}; got 0.001"
     fails(ValueError, text, saturation_hosts, limit=0.001)
-    fails(ValueError, text, saturation_hosts, limit=[1, 0.001, 0.5])
+    fails(ValueError, text, saturation_hosts, limit=[1, 0.001, 0.0005])
 
 
 # Fleets

@@ -138,3 +138,15 @@ def test_a_host_without_endpoints_is_still_found() -> None:
 def test_wrong_input_is_named(protocol: str, hosts: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         list(walk(protocol, hosts))
+
+
+def test_endpoints_alternate_between_topics_and_each_topic_ends_with_its_heartbeat() -> None:
+    first, second = Process(1, 1), Process(2, 1)
+    told = [
+        sent.about.topic if isinstance(sent.about, Endpoint) else f"end of {sent.about}"
+        for sent in walk(ds.DDS.name, [[3], [0]])
+        if (sent.sender, sent.receiver, sent.hop) == (first, second, "up")
+        and sent.kind in {"SEDP", "Heartbeat"}
+    ]
+    one, other = sorted({topic for topic in told if not topic.startswith("end")}, key=told.index)
+    assert told == [one, one, f"end of {one}", other, f"end of {other}"]

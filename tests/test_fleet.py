@@ -203,7 +203,7 @@ def test_repr_reads_well_and_makes_the_same_group() -> None:
         (lambda: ds.Fleet(()), ValueError, "groups must hold at least one HostGroup; got none"),
         (lambda: ds.Fleet((WRONG,)), TypeError, r"groups\[0\] must be a HostGroup; got 5"),
         (
-            lambda: ds.Fleet((ds.HostGroup(1, 1, 1, "a"), ds.HostGroup(2, 1, 1, "a"))),
+            lambda: ds.Fleet(tuple(ds.HostGroup(1, 1, 1, name) for name in "aabb")),
             ValueError,
             "groups must have names that differ; got 'a' twice",
         ),
@@ -305,3 +305,14 @@ def test_a_fleet_file_that_is_no_text_or_not_there_is_named(tmp_path: Path) -> N
         ds.Fleet.from_toml(path)
     with pytest.raises(FileNotFoundError, match=r"none\.toml"):
         ds.Fleet.from_toml(tmp_path / "none.toml")
+
+
+def test_of_many_counts_only_the_ends_are_shown() -> None:
+    six, seven = (repr(ds.HostGroup(np.arange(1.0, many + 1), 1, 1)) for many in (6, 7))
+    assert "hosts=[1., 2., 3., 4., 5., 6.]" in six
+    assert "hosts=[1., 2., ..., 6., 7.]" in seven
+
+
+def test_symbols_of_a_fleet_are_counts() -> None:
+    for group in ds.Fleet.symbolic(2).groups:
+        assert all(count.is_nonnegative for count in group.counts())

@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import ArrayLike
 
 import discostorm as ds
-from discostorm import _numeric
+from discostorm import _numeric, notation
 from discostorm.notation import N_E, N_H, N_P
 from discostorm.scalability import saturation
 
@@ -379,7 +379,12 @@ def test_pandas_series_are_taken_by_position() -> None:
 
 @pytest.mark.parametrize(
     "shape",
-    [(2 * _numeric._BLOCK + 3,), (_numeric._BLOCK // 2 + 1, 3), (3, _numeric._BLOCK + 1)],
+    [
+        (2 * _numeric._BLOCK + 3,),
+        (_numeric._BLOCK // 2 + 1, 3),
+        (3, _numeric._BLOCK + 1),
+        (2, _numeric._BLOCK + 1),
+    ],
 )
 def test_blocks_join_to_what_scalars_give(shape: tuple[int, ...]) -> None:
     hosts = np.linspace(1, 50, int(np.prod(shape))).reshape(shape)
@@ -414,3 +419,20 @@ def test_lambdified_symbolic_utilization_is_the_numeric_one(protocol: ds.Protoco
     np.testing.assert_allclose(
         function(hosts, 2, 10), ds.utilization(protocol, hosts, 2, 10), rtol=ROUNDING
     )
+
+
+def test_what_may_be_zero_is_not_taken_for_positive() -> None:
+    symbols = {value for value in vars(notation).values() if isinstance(value, sp.Symbol)}
+    assert len(symbols) > 20
+    assert all(symbol.is_nonnegative for symbol in symbols)
+    assert {symbol.name for symbol in symbols if not symbol.is_positive} == {
+        *("N_E", "O_uni", "O_multi", "O_agg", "N_add_uni", "N_add_multi"),
+    }
+
+
+def test_only_what_is_rounded_is_hidden() -> None:
+    whole = sp.ceiling(N_H / 3)
+    hidden, parts = _numeric.hide_rounded(N_H**2 + whole)
+    ((symbol, part),) = parts.items()
+    assert part == whole
+    assert hidden == N_H**2 + symbol

@@ -320,3 +320,34 @@ def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:
     wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
     assert timeline.drain_time(product, 1, 1, 0, wifi) == math.inf
     assert timeline.drain_time(product, [1, 1], 1, 0, wifi).tolist() == [math.inf, math.inf]
+
+
+@pytest.mark.parametrize(
+    ("schedule", "words"),
+    [
+        (Schedule((0.5,)), "once, at 0.5 s"),
+        (Schedule((0, 2)), "at 0 and 2 s"),
+        (Schedule((0, 1, 3)), "at 0, 1 and 3 s"),
+        (Schedule((0.5,), 8), "at 0.5 s, then every 8 s"),
+        (Schedule((0, 1, 3), 8), "at 0, 1 and 3 s, then every 8 s"),
+    ],
+)
+def test_a_schedule_in_words(schedule: Schedule, words: str) -> None:
+    assert str(schedule) == words
+
+
+@pytest.mark.parametrize(
+    ("until", "times"),
+    [
+        (0, [0]),
+        (0.5, [0]),
+        (3, [0, 1, 3]),
+        (10.9, [0, 1, 3]),
+        (11, [0, 1, 3, 11]),
+        (19, [0, 1, 3, 11, 19]),
+    ],
+)
+def test_times_up_to_a_moment(until: float, times: list[float]) -> None:
+    schedule = Schedule((0, 1, 3), 8)
+    assert schedule.times(until).tolist() == times
+    assert schedule.sent(until) == len(times)

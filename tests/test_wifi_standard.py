@@ -241,6 +241,10 @@ def test_text_is_refused() -> None:
         ds.wifi_preset("802.11n", mcs="7")  # type: ignore[arg-type]
 
 
+def test_padding_adds_service_field_and_tail() -> None:
+    assert ds.Padding(24, 4e-6, 4e-6).added == 16 + 6
+
+
 def test_a_channel_that_pads_only_one_link_is_refused() -> None:
     plain, full = ds.Link(6e6, 1e-4), ds.Link(6e6, 1e-4, ds.Padding(24, 4e-6, 4e-6))
     for pair in ((plain, full), (full, plain)):
@@ -307,3 +311,8 @@ def test_durations_are_exact_sums() -> None:
     # 185.5 us is not a sum of floats here: the nearest float to the exact number.
     overhead = ds.WIFI["802.11n 20 MHz 2x2"].unicast.overhead
     assert overhead == float(Fraction(1855, 10**7))
+
+
+def test_a_channel_is_shown_without_what_it_was_made_from() -> None:
+    assert ds.wifi_preset("802.11n").made_from
+    assert "made_from" not in repr(ds.wifi_preset("802.11n"))
