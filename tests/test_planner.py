@@ -377,3 +377,47 @@ def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -
     )
     done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
     assert done.stdout == "[]\n"
+
+
+def test_what_fits_is_said_alike_everywhere() -> None:
+    plan = ds.plan(FIG3)
+    taken = [found.utilization for found in plan.remedies]
+    assert 1 < plan.utilization < 2
+    assert any(value < 1 for value in taken)
+    assert any(1 < value < 2 for value in taken)
+    said = plan.to_dict()
+    assert said["fits"] is False
+    assert [entry["fits"] for entry in said["remedies"]] == [value < 1 for value in taken]
+    assert plan.table()["fits"].tolist() == [value < 1 for value in taken]
+    assert ds.plan(ds.Fleet.swarm(2, 1, 5)).to_dict()["fits"] is True
+
+
+def test_advice_names_what_takes_most_and_groups_only_if_there_are_several() -> None:
+    alone = ds.plan(FIG3).advice()
+    assert "The phase that takes most is SEDP:" in alone
+    assert "The message that takes most is SEDP:" in alone
+    assert "The group" not in alone
+    assert "The group robots takes part in" in ds.plan(NAV2).advice()
+    one = ds.Fleet((replace(robots, processes=8),))
+    assert "Composing 8 processes into 1" in ds.plan(one).advice()
+
+
+def test_json_is_indented_by_two() -> None:
+    assert ds.plan(FIG3).to_json().splitlines()[1].startswith('  "')
+
+
+def test_hosts_are_dealt_out_from_the_first_part() -> None:
+    assert [part.groups[0].hosts for part in split(ds.Fleet.swarm(3, 1, 1), 2)] == [2, 1]
+    with pytest.raises(ValueError, match=r"parts must be .* at least 1 .*; got 0"):
+        split(FIG3, 0)
+
+
+def test_every_part_of_a_split_has_two_hosts() -> None:
+    assert "splitting onto 2 channels" in {
+        r.what for r in ds.plan(ds.Fleet.swarm(4, 2, 5)).remedies
+    }
+    assert "splitting onto 2 channels" not in {r.what for r in ds.plan(FIG3).remedies}
+
+
+def test_what_is_proposed_for_the_radio() -> None:
+    assert (MULTICAST_RATE, MPDUS) == (24e6, 64)

@@ -351,3 +351,20 @@ def test_times_up_to_a_moment(until: float, times: list[float]) -> None:
     schedule = Schedule((0, 1, 3), 8)
     assert schedule.times(until).tolist() == times
     assert schedule.sent(until) == len(times)
+
+
+def test_starts_may_coincide_and_be_a_period_apart() -> None:
+    assert Schedule((0, 0, 8), 8).sent(8) == 3
+
+
+def test_fast_dds_by_multicast_alone_sends_what_the_paper_counts() -> None:
+    names = [row.message.name for row in timeline.FAST_DDS_MULTICAST.rows]
+    assert names == [message.name for message in ds.DDS.messages]
+
+
+def test_a_window_too_short_for_one_host_is_refused_with_what_it_takes() -> None:
+    alone = timeline.drain_time(timeline.FAST_DDS, 1, 2, 10)
+    with pytest.raises(ValueError, match=rf"single host, {alone:g} s; got {alone / 2:g}$"):
+        timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=alone / 2)
+    longer = timeline.drain_time(timeline.FAST_DDS, 1.5, 2, 10)
+    assert 1 < timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=longer) < 2
