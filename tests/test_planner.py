@@ -12,6 +12,7 @@ from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
+from discostorm import planner
 from discostorm.messages import read_data
 from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
 from discostorm.presets import variant
@@ -421,3 +422,52 @@ def test_every_part_of_a_split_has_two_hosts() -> None:
 
 def test_what_is_proposed_for_the_radio() -> None:
     assert (MULTICAST_RATE, MPDUS) == (24e6, 64)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (0.00123, "1.23 ms"),
+        (0.0456, "45.6 ms"),
+        (0.1, "0.10 s"),
+        (9.5, "9.50 s"),
+        (10, "10.0 s"),
+        (10.5, "10.5 s"),
+        (1234.5, "1,234.5 s"),
+    ],
+)
+def test_times_in_words(seconds: float, words: str) -> None:
+    assert planner._time(seconds) == words
+
+
+@pytest.mark.parametrize(
+    ("share", "words"), [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%")]
+)
+def test_parts_in_words(share: float, words: str) -> None:
+    assert planner._part(share) == words
+
+
+def test_each_kind_of_remedy_is_warned_of_once() -> None:
+    plan = ds.plan(FIG3)
+    prices = {found.kind for found in plan.remedies if found.price}
+    assert plan.advice().count("Mind: ") == len(prices)
+    assert len(prices) > 1
+
+
+def test_what_was_left_out_is_told() -> None:
+    plan = ds.plan(FIG3)
+    assert plan.left_out
+    _, told = plan.advice().split("Left out:")
+    assert told.count("\n- ") == len(plan.left_out)
+    assert "Left out" not in replace(plan, left_out=()).advice()
+
+
+def test_a_faster_multicast_rate_is_named_in_megabits() -> None:
+    (what,) = (found.what for found in ds.plan(FIG3).remedies if found.kind == "multicast rate")
+    assert "24 instead of 6 Mbit/s" in what
+
+
+def test_a_process_may_consist_of_parameter_services_alone() -> None:
+    fleet = ds.Fleet.swarm(3, 1, parameter_service_endpoints())
+    for plan in (ds.plan(fleet), ds.plan(fleet, nodes=1)):
+        assert any("the parameter services of 1 node" in found.what for found in plan.remedies)
