@@ -29,7 +29,7 @@ help: ## list what can be made
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
 	@$(BIN)/python scripts/run_notebooks.py --times _build/run_times.csv
-	@$(BIN)/jupyter-book build . -W --keep-going -n
+	@$(BUILD)
 	@touch _build/.done
 	@echo; echo "The book is ready: open $(CURDIR)/_build/html/index.html"
 
