@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[1]
 PDF = ROOT / "build" / "discostorm.pdf"
 #: Where LaTeX says which number and page a label got.
 LABELS = ROOT / "_build" / "latex" / "discostorm.aux"
-LABEL = re.compile(r"\\newlabel\{(\w+):([\w/]+):([\w-]+)\}\{\{(.*?)\}\{(\d+)\}")
+LABEL = re.compile(r"\\newlabel\{equation:([\w/]+):([\w-]+)\}\{\{(.*?)\}\{(\d+)\}")
 
 
 @pytest.fixture(scope="module")
@@ -35,10 +35,10 @@ def text(pdf: PdfReader) -> list[str]:
     return [page.extract_text() for page in pdf.pages]
 
 
-def labels(kind: str) -> dict[tuple[str, str], tuple[str, str]]:
-    """Return number and printed page of what is labelled, by the page in the HTML and label."""
+def printed_equations() -> dict[tuple[str, str], tuple[str, str]]:
+    """Return number and printed page of each equation, by its page in the HTML and its label."""
     lines = LABELS.read_text(encoding="utf-8")
-    return {(m[2], m[3]): (m[4], m[5]) for m in LABEL.finditer(lines) if m[1] == kind}
+    return {(m[1], m[2]): (m[3], m[4]) for m in LABEL.finditer(lines)}
 
 
 def test_pages_are_a4_and_none_is_blank(pdf: PdfReader, text: list[str]) -> None:
@@ -77,7 +77,7 @@ def test_equations_are_numbered_as_in_the_html(pdf: PdfReader, text: list[str]) 
             assert number is not None
             label = str(equation["id"]).removeprefix("equation-")
             shown[page, label] = number.get_text().strip("()\N{PILCROW SIGN}# ")
-    printed = labels("equation")
+    printed = printed_equations()
     assert len(shown) > 50
     assert {label: number for label, (number, _) in printed.items()} == shown
     pages = dict(zip(pdf.page_labels, text, strict=True))
