@@ -82,9 +82,23 @@ def _list_wifi(context: click.Context, _: click.Parameter, value: str) -> str:
     return value
 
 
+def _one_format(context: click.Context, _: click.Parameter, value: bool) -> bool:
+    if value and (context.params.get("as_json") or context.params.get("as_csv")):
+        raise click.UsageError("--json and --csv exclude each other")
+    return value
+
+
 output_options = _options(
-    click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table."),
-    click.option("--csv", "as_csv", is_flag=True, help="Print CSV instead of a table."),
+    click.option(
+        "--json",
+        "as_json",
+        is_flag=True,
+        callback=_one_format,
+        help="Print JSON instead of a table.",
+    ),
+    click.option(
+        "--csv", "as_csv", is_flag=True, callback=_one_format, help="Print CSV instead of a table."
+    ),
 )
 
 wifi_options = _options(
@@ -197,8 +211,6 @@ def _print(
     headings: dict[str, str] | None = None,
 ) -> None:
     """Print a table for people, or all its digits for machines."""
-    if as_json and as_csv:
-        raise click.UsageError("--json and --csv exclude each other")
     if as_json:
         click.echo(json.dumps(table.to_dict("records"), indent=2, ensure_ascii=False, default=str))
     elif as_csv:
@@ -473,8 +485,6 @@ def plan(
       discostorm plan fleet.toml --protocol zenoh --wifi '802.11n 20 MHz 2x2'
       discostorm plan fleet.toml --nodes 13,2 --json
     """
-    if as_json and as_csv:
-        raise click.UsageError("--json and --csv exclude each other")
     with _bad_input(), _working("planning"):
         wifi = _wifi(channel, rates)
         members = ds.Fleet.from_toml(fleet)
@@ -499,8 +509,6 @@ def figures(out: str, as_json: bool, as_csv: bool) -> None:
     Example:
       discostorm figures --out figures
     """
-    if as_json and as_csv:
-        raise click.UsageError("--json and --csv exclude each other")
     if not out:
         raise click.UsageError("--out must name a folder; got ''")
     machine = as_json or as_csv
