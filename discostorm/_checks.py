@@ -1,6 +1,6 @@
 """Checks of what a user passes in: the error names parameter, value and allowed range."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from numbers import Real
 from reprlib import repr as short
 from typing import Any
@@ -67,6 +67,12 @@ def number(
     if not isinstance(checked, float):
         raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
     return checked
+
+
+def each(named: Iterable[tuple[str, Any]]) -> None:
+    """Raise an error unless each value is one number of at least 0; see `number`."""
+    for name, value in named:
+        number(name, value, 0)
 
 
 def shape(**given: Any) -> tuple[int, ...]:

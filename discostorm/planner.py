@@ -350,8 +350,7 @@ def plan(
     _checks.instance("wifi", wifi, Wifi)
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
-        for name, count in zip(COUNTS, group.counts(), strict=True):
-            _checks.number(name, count, 0)
+        _checks.each(zip(COUNTS, group.counts(), strict=True))
         if group.hosts % 1:
             raise ValueError(f"hosts must be a whole number; got {group.hosts!r}")
     before = float(utilization(protocol, fleet, wifi=wifi))

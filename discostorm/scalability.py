@@ -286,8 +286,7 @@ def breakdown(
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
     fleet = as_fleet(hosts, processes, endpoints)
-    for name, value in _named_counts(fleet):
-        _checks.number(name, value, 0)
+    _checks.each(_named_counts(fleet))
     values = protocol.values() | wifi.values()
     rows = []
     for message in protocol.messages:

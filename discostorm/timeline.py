@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
 from discostorm.dds import DDS
-from discostorm.fleet import HostGroup
+from discostorm.fleet import COUNTS, HostGroup
 from discostorm.messages import PAIR, Message, Payload, Protocol, read_data
 from discostorm.scalability import solve_hosts, utilization
 from discostorm.wifi import PAPER, Model, Wifi
@@ -468,8 +468,7 @@ def first_idle(
     >>> round(timeline.first_idle(timeline.FAST_DDS, 12, 2, 10), 2)
     4.61
     """
-    for name, value in {"hosts": hosts, "processes": processes, "endpoints": endpoints}.items():
-        _checks.number(name, value, 0)
+    _checks.each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = drain_time(product, hosts, processes, endpoints, wifi)
     if bound == np.inf:
         return np.inf
@@ -522,8 +521,7 @@ def outlook(
     >>> timeline.outlook(timeline.ZENOH_PEER, 12, 2, 10)
     'starts slowly'
     """
-    for name, value in {"hosts": hosts, "processes": processes, "endpoints": endpoints}.items():
-        _checks.number(name, value, 0)
+    _checks.each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(product, hosts, processes, endpoints, wifi)
     limits = (PAPER_WINDOW, product.lease, np.inf)
     return OUTLOOKS[int(np.searchsorted(limits, time))] if time < np.inf else OUTLOOKS[-1]

@@ -355,8 +355,7 @@ def sensitivity(
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
-    for name, value in (("processes", processes), ("endpoints", endpoints)):
-        _checks.number(name, value, 0)
+    _checks.each((("processes", processes), ("endpoints", endpoints)))
     limit = _checks.number("limit", limit, 0, above=True)
     ends = parameter_ranges(protocol, given=ranges)
     at = {
