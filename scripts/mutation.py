@@ -81,7 +81,7 @@ OPERATORS = [
     ),
 ]
 #: Not changed, as nothing outside can differ: they guard or speed up the code itself.
-INNER = ("strict=True", "slots=True", "if TYPE_CHECKING", ", *, ")
+INNER = ("strict=True", "slots=True", "if TYPE_CHECKING", "*,")
 KILLED, SURVIVED = 1, 0
 SECONDS, BYTES = 120, 8 * 2**30
 

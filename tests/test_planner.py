@@ -407,6 +407,21 @@ def test_json_is_indented_by_two() -> None:
     assert ds.plan(FIG3).to_json().splitlines()[1].startswith('  "')
 
 
+def test_json_keeps_the_letters_of_names() -> None:
+    named = ds.Fleet((replace(robots, name="Bodenläufer"),))
+    assert "Bodenläufer" in ds.plan(named).to_json()
+
+
+def test_radios_that_are_not_faster_are_passed_over() -> None:
+    wifi = replace(ds.PAPER, unicast=ds.Link(400e6, ds.PAPER.unicast.overhead))
+    radios = [found.what for found in ds.plan(FIG3, wifi=wifi).remedies if found.kind == "radio"]
+    assert [any(name in what for what in radios) for name in ("11n", "11ac", "11ax")] == [
+        False,
+        True,
+        True,
+    ]
+
+
 def test_hosts_are_dealt_out_from_the_first_part() -> None:
     assert [part.groups[0].hosts for part in split(ds.Fleet.swarm(3, 1, 1), 2)] == [2, 1]
     with pytest.raises(ValueError, match=r"parts must be .* at least 1 .*; got 0"):
