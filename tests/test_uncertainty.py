@@ -269,6 +269,20 @@ def test_the_seed_decides_the_samples() -> None:
     assert not np.array_equal(first, other)
 
 
+def test_a_million_samples_and_the_seed_2026_unless_told_otherwise() -> None:
+    as_is = uncertainty.sample(ds.DDS)[nt.O_UNI]
+    assert as_is.shape == (10**6,)
+    np.testing.assert_array_equal(as_is, uncertainty.sample(ds.DDS, seed=2026)[nt.O_UNI])
+
+
+def test_the_ends_of_what_size_and_seed_may_be_are_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(uncertainty, "MOST_SAMPLES", 3)  # instead of gigabytes
+    for size in (1, 3):
+        assert uncertainty.sample(ds.DDS, size=size, seed=0)[nt.O_UNI].shape == (size,)
+    with pytest.raises(ValueError, match=r"size must be .* at most 3; got 4"):
+        uncertainty.sample(ds.DDS, size=4)
+
+
 def test_protocols_share_the_draws_of_the_channel() -> None:
     drawn = uncertainty.sample(*PROTOCOLS, size=10)
     assert set(drawn) == {
@@ -365,6 +379,11 @@ def test_bad_counts_and_limits_are_named() -> None:
         uncertainty.saturation_bounds(ds.DDS, 0, 10)
     with pytest.raises(ValueError, match=r"limit must be at least .* single host, 0\.00\d+.*1e-09"):
         uncertainty.saturation_bounds(ds.DDS, 2, 10, limit=1e-9)
+    with pytest.raises(ValueError, match=r"limit must be at least .*; got 0\.001$"):
+        uncertainty.saturation_bounds(ds.DDS, 2, 10, limit=[1, 0.001, 0.002])
+    for zero in (uncertainty.saturation_bounds, uncertainty.sensitivity):
+        with pytest.raises(ValueError, match=r"limit must be a finite number above 0.*; got 0\.0$"):
+            zero(ds.DDS, 2, 10, limit=0)
     with pytest.raises(TypeError, match=r"endpoints must be one number, not an array"):
         uncertainty.sensitivity(ds.DDS, 2, [10, 20])  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"R_uni must be .* at least 6.5e\+07.*; got 1000000\.0"):
@@ -376,7 +395,11 @@ def test_bad_counts_and_limits_are_named() -> None:
 @pytest.mark.parametrize(
     ("error", "text", "call"),
     [
-        (ValueError, r"size must be an integer of at least 1 and at most .*; got 0", {"size": 0}),
+        (
+            ValueError,
+            r"size must be an integer of at least 1 and at most 100000000; got 0",
+            {"size": 0},
+        ),
         (ValueError, r"size must be .*; got 1000000000", {"size": 10**9}),
         (TypeError, r"size must be an integer .*; got 1e\+?3|got 1000.0", {"size": 1e3}),
         (TypeError, r"size must be an integer .*; got True", {"size": True}),

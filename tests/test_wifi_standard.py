@@ -19,6 +19,20 @@ Key = tuple[str, int, int, int, int]
 
 LENGTHS = np.arange(1, 2305)
 
+# SERVICE field and tails [bit], per (standard, MHz, streams, MCS): a tail of 6 bits for each
+# encoder, of which fast channels have more; none with LDPC.
+ADDED = {
+    ("802.11a", 20, 1, 7): 16 + 6,
+    ("802.11n", 20, 2, 7): 16 + 6,
+    ("802.11n", 40, 4, 7): 16 + 2 * 6,
+    ("802.11ac", 160, 1, 9): 16 + 2 * 6,
+    ("802.11ac", 80, 4, 9): 16 + 3 * 6,
+    ("802.11ac", 160, 4, 7): 16 + 6 * 6,
+    ("802.11ax", 20, 1, 9): 16 + 6,
+    ("802.11ax", 20, 1, 10): 16,
+    ("802.11ax", 40, 1, 0): 16,
+}
+
 # Data rates [Mbit/s] as the standard's own tables print them, per (standard, MHz, streams,
 # guard interval in us), in order of MCS; None where the MCS is not valid.
 PRINTED: dict[tuple[str, int, int, float], list[float | None]] = {
@@ -107,6 +121,36 @@ def test_rates_are_those_printed_in_the_standard(
             # The tables print a tenth.
             assert channel is not None
             assert channel.unicast.rate / 1e6 == pytest.approx(rate, abs=0.0501)
+
+
+@pytest.mark.parametrize(("key", "added"), ADDED.items())
+def test_each_encoder_adds_its_tail(key: tuple[str, int, int, int], added: int) -> None:
+    standard, width, streams, mcs = key
+    channel = ds.wifi_preset(standard, width=width * 1e6, streams=streams, mcs=mcs)
+    assert padding_of(channel.unicast).added == added
+
+
+def test_the_channels_to_choose_from_are_what_their_names_say() -> None:
+    assert list(ds.WIFI) == [
+        "802.11a 20 MHz 1x1",
+        "802.11g 20 MHz 1x1",
+        "802.11n 20 MHz 2x2",
+        "802.11n 20 MHz 2x2, 2.4 GHz",
+        "802.11n 40 MHz 2x2",
+        "802.11ac 80 MHz 2x2",
+        "802.11ax 20 MHz 2x2, 2.4 GHz",
+        "802.11ax 80 MHz 2x2",
+        "802.11ax 160 MHz 2x2",
+    ]
+    for name, channel in ds.WIFI.items():
+        assert channel.name == name
+        slow = name.startswith("802.11g") or name.endswith("2.4 GHz")
+        assert channel.multicast.rate == (1e6 if slow else 6e6)
+
+
+def test_a_name_says_what_is_unusual() -> None:
+    assert ds.wifi_preset("802.11n", mpdus=2).name == "802.11n 20 MHz 1x1, A-MPDU 2"
+    assert ds.wifi_preset("802.11n", aifsn=15).name == "802.11n 20 MHz 1x1, AIFSN 15"
 
 
 def test_the_rates_of_the_paper() -> None:
@@ -206,7 +250,10 @@ def test_overheads_by_hand_in_microseconds() -> None:
 @pytest.mark.parametrize(
     ("kwargs", "text"),
     [
-        ({"standard": "802.11b"}, "standard must be 802.11a, .* or 802.11ax; got '802.11b'"),
+        (
+            {"standard": "802.11b"},
+            r"^standard must be 802.11a, 802.11g, 802.11n, 802.11ac or 802.11ax; got '802.11b'$",
+        ),
         ({"standard": "802.11ac", "band": 2.4e9}, r"band must be 5e\+09 Hz for 802.11ac; got 2400"),
         ({"standard": "802.11n", "width": 80e6}, r"width must be 2e\+07 or 4e\+07 Hz for 802.11n"),
         ({"standard": "802.11n", "streams": 5}, "streams must be 1, 2, 3 or 4 for 802.11n; got 5"),
@@ -216,6 +263,7 @@ def test_overheads_by_hand_in_microseconds() -> None:
             {"standard": "802.11ac", "mcs": 9, "streams": 2},
             "7 or 8 for 802.11ac at 20 MHz with 2 spatial streams; got 9",
         ),
+        ({"standard": "802.11ac", "mcs": 9}, "8 for 802.11ac at 20 MHz with 1 spatial stream; got 9"),
         (
             {"standard": "802.11ac", "mcs": 6, "streams": 3, "width": 80e6},
             "5, 7, 8 or 9 for 802.11ac at 80 MHz with 3 spatial streams; got 6",
@@ -223,7 +271,9 @@ def test_overheads_by_hand_in_microseconds() -> None:
         ({"standard": "802.11ax", "guard_interval": 4e-7}, "guard_interval must be 8e-07, .* 4e"),
         ({"standard": "802.11n", "multicast_rate": 1e6}, r"multicast_rate must be 6e\+06,"),
         ({"standard": "802.11n", "aifsn": 1}, "aifsn must be a finite number .* got 1"),
+        ({"standard": "802.11n", "aifsn": 16}, "aifsn must be a finite number .* 15; got 16"),
         ({"standard": "802.11n", "aifsn": 2.5}, "aifsn must be a whole number .* got 2.5"),
+        ({"standard": "802.11n", "mpdus": 0}, "mpdus must be a finite number of at least 1; got 0"),
         ({"standard": "802.11n", "mpdus": 65}, "mpdus must be .* at most 64 for 802.11n; got 65"),
         ({"standard": "802.11a", "mpdus": 2}, "mpdus must be .* at most 1 for 802.11a; got 2"),
         ({"standard": "802.11n", "width": float("nan")}, "width must be a finite .* got nan"),
