@@ -151,6 +151,8 @@ def test_the_channels_to_choose_from_are_what_their_names_say() -> None:
 def test_a_name_says_what_is_unusual() -> None:
     assert ds.wifi_preset("802.11n", mpdus=2).name == "802.11n 20 MHz 1x1, A-MPDU 2"
     assert ds.wifi_preset("802.11n", aifsn=15).name == "802.11n 20 MHz 1x1, AIFSN 15"
+    slow = ds.wifi_preset("802.11n", guard_interval=8e-7, multicast_rate=12e6)
+    assert slow.name == "802.11n 20 MHz 1x1, 0.8 us, multicast 12 Mbit/s"
 
 
 def test_the_rates_of_the_paper() -> None:
@@ -263,7 +265,7 @@ def test_overheads_by_hand_in_microseconds() -> None:
             {"standard": "802.11ac", "mcs": 9, "streams": 2},
             "7 or 8 for 802.11ac at 20 MHz with 2 spatial streams; got 9",
         ),
-        ({"standard": "802.11ac", "mcs": 9}, "8 for 802.11ac at 20 MHz with 1 spatial stream; got 9"),
+        ({"standard": "802.11ac", "mcs": 9}, "802.11ac at 20 MHz with 1 spatial stream; got 9"),
         (
             {"standard": "802.11ac", "mcs": 6, "streams": 3, "width": 80e6},
             "5, 7, 8 or 9 for 802.11ac at 80 MHz with 3 spatial streams; got 6",
