@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import click
+import pandas as pd
 import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import notebook
+from discostorm import cli, figures, notebook
 from discostorm.claims import ledger
 from discostorm.cli import LINK_OPTIONS, main
 
@@ -86,6 +87,37 @@ def test_utilization_of_a_fleet_file(folder: Path) -> None:
     assert row["utilization"] == ds.utilization(ds.ZENOH, fleet)
 
 
+def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
+    words = "claims " * 12
+    table = pd.DataFrame({"short": ["a", "bcd"], "count": [1234.0, 5.0], "long_text": ["x", words]})
+    assert cli._aligned(table, {}, {"short": "id"}).splitlines() == [
+        "id   count  long text",
+        "-" * 74,
+        "a    1,234  x",
+        "bcd      5  claims claims claims claims claims claims claims claims claims",
+        "            claims claims claims",
+    ]
+    fitting = pd.DataFrame({"text": ["x" * 39 + " " + "y" * 39]})
+    assert len(cli._aligned(fitting, {}, {}).splitlines()) == 3
+    wide = pd.DataFrame({"wide": ["w" * 70], "text": ["0123456789 123456789"]})
+    assert len(cli._aligned(wide, {}, {}).splitlines()) == 3
+    wider = pd.DataFrame({"wide": ["w" * 70], "text": ["0123456789 1234567890"]})
+    assert len(cli._aligned(wider, {}, {}).splitlines()) == 4
+
+
+def test_json_is_indented_and_csv_ends_with_its_last_line(folder: Path) -> None:
+    (folder / "läufer.toml").write_text(NAV2, encoding="utf-8")
+    arguments = ("utilization", "--fleet|läufer.toml", "--protocol|dds")
+    assert run(*arguments, "--json").output.splitlines()[1:4] == [
+        "  {",
+        '    "protocol": "DDS",',
+        '    "fleet": "läufer.toml",',
+    ]
+    heading, *rows = run(*arguments, "--csv").output.split("\n")
+    assert heading == "protocol,fleet,utilization,fits"
+    assert [row[:4] for row in rows] == ["DDS,", ""]
+
+
 def test_breakdown() -> None:
     (first, *_), table = (
         read_json(swarm("breakdown", "--protocol|dds", "--json")),
@@ -99,7 +131,9 @@ def test_breakdown() -> None:
     for protocol in ("DDS", "Zenoh"):
         shares = [float(row["share"]) for row in table if row["protocol"] == protocol]
         assert math.isclose(sum(shares), 1, rel_tol=1e-12)
+    assert list(table[0]) == list(first) == ["protocol", "message", *expected.columns, "share"]
     human = swarm("breakdown").output
+    assert "phase" not in human
     assert "frame [B]" in human
     assert "1,680" in human
     assert max(map(len, human.splitlines())) <= 79
@@ -137,10 +171,32 @@ def test_figures_shows_progress_and_lists_what_it_wrote(folder: Path) -> None:
     assert len(paths) == 12
     assert {(folder / row["path"]).is_file() for row in paths} == {True}
     assert result.stderr.splitlines()[0].startswith("[ 1/12] deep/out")
+
+
+def test_figures_refuses_a_file_as_the_folder(folder: Path) -> None:
     (folder / "file").write_text("")
     wrong = run("figures", "--out|file")
     assert wrong.exit_code == 2
     assert "--out must be a folder to write to; got 'file'" in wrong.output
+
+
+def test_figures_counts_what_it_wrote(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(figures, "save_all", lambda folder: iter([folder / "a", folder / "b"]))
+    monkeypatch.setattr(figures, "files_of_all", lambda: 2)
+    lines = "[1/2] out/a\n[2/2] out/b\n"
+    people = run("figures", "--out|out")
+    assert (people.stdout, people.stderr) == (lines, "")
+    machines = run("figures", "--out|out", "--csv")
+    assert (machines.stdout, machines.stderr) == ("path\nout/a\nout/b\n", lines)
+
+
+def test_what_takes_its_time_is_said_on_a_terminal_and_wiped_out(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    with cli._working("planning"):
+        assert capsys.readouterr() == ("", "planning ...")
+    assert capsys.readouterr() == ("", "\r            \r")
 
 
 def test_claims() -> None:
@@ -204,6 +260,7 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
         ("saturation|--processes|2", "Missing option '--endpoints'"),
+        ("saturation|--endpoints|10", "Missing option '--processes'"),
         (
             "saturation|--processes|2|--endpoints|10|--limit|0",
             "limit must be a finite number above 0",
@@ -287,6 +344,25 @@ def test_help_has_examples_that_run(name: str, folder: Path) -> None:
         done = runner.invoke(main, shlex.split(example)[1:])
         assert done.exit_code == 0, f"{example}: {done.output}"
     assert folder.is_dir()
+
+
+@pytest.mark.parametrize(
+    ("command", "option", "default"),
+    [
+        ("utilization", "--protocol", "both"),
+        ("utilization", "--wifi", "paper"),
+        ("saturation", "--limit", "1.0"),
+        ("plan", "--protocol", "dds"),
+    ],
+)
+def test_help_tells_defaults(command: str, option: str, default: str) -> None:
+    words = " ".join(run(command, "--help").output.split())
+    told = words.split(f" {option} ")[-1].split(" --")[0]
+    assert told.endswith(f"[default: {default}]")
+
+
+def test_channels_are_listed_whatever_else_is_missing() -> None:
+    assert run("saturation", "--wifi|list").output.splitlines() == ["paper", *ds.WIFI]
 
 
 def test_help_describes_every_option() -> None:
