@@ -1,5 +1,6 @@
 """Figs. 2-4: their data against formulas written here, their drawing, their command."""
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
+from IPython.core.pylabtools import print_figure
 from matplotlib.category import StrCategoryConverter
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
@@ -21,7 +23,38 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "bars": lambda: figures.bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}),
     "shares": lambda: figures.bars({"Zenoh": ds.breakdown(ds.ZENOH, 7, 2, 10)}, share=True),
 }
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+#: Drawings that a notebook keeps: its name, the last line of the cell, and the same drawing.
+KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
+    ("05_airtime", "figures.airtime()", figures.airtime),
+    ("06_hosts", "figures.fig2()", figures.fig2),
+    ("07_processes", "figures.fig3()", figures.fig3),
+    ("07_processes", "figures.bars(line_split)", lambda: figures.bars(line_split())),
+    ("08_nav2", "figures.fig4()", figures.fig4),
+    (
+        "08_nav2",
+        "figures.bars(robots_compared, share=True)",
+        lambda: figures.bars(robots_compared(), share=True),
+    ),
+    ("16_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
+]
 FILES = {f"{name}.{kind}" for name in figures.FIGURES for kind in ("svg", "pdf", "png", "csv")}
+
+
+def line_split() -> dict[str, pd.DataFrame]:
+    return {
+        f"{protocol.name} {n} × {40 // n}": ds.breakdown(protocol, 3, n, 40 // n)
+        for protocol in (ds.DDS, ds.ZENOH)
+        for n in (1, 2, 4, 8)
+    }
+
+
+def robots_compared() -> dict[str, pd.DataFrame]:
+    return {
+        f"{protocol.name}, {robot}": ds.breakdown(protocol, 3, *size)
+        for robot, size in {"small": (2, 10), "Nav2": (1, 678)}.items()
+        for protocol in (ds.DDS, ds.ZENOH)
+    }
 
 
 def frame(size: int) -> float:
@@ -146,6 +179,26 @@ def test_nothing_is_drawn_outside_the_figure(name: str) -> None:
     assert box.y0 > -0.01
     assert box.x1 < width + 0.01
     assert box.y1 < height + 0.01
+
+
+@pytest.mark.locked
+@pytest.mark.parametrize(("name", "line", "draw"), KEPT, ids=[line for _, line, _ in KEPT])
+def test_drawings_are_those_that_the_notebooks_keep(
+    name: str, line: str, draw: Callable[[], Figure], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Someone has looked at these: nothing in them may change unseen."""
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
+    cells = json.loads((NOTEBOOKS / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
+    kept = next(
+        "".join(output["data"]["image/svg+xml"])
+        for cell in cells
+        if "".join(cell["source"]).endswith(line)
+        for output in cell["outputs"]
+        if "image/svg+xml" in output.get("data", {})
+    )
+    with figures.style():
+        drawn = print_figure(draw(), "svg", bbox_inches=None)
+    assert drawn == kept
 
 
 def test_saturation_is_marked_where_the_total_meets_the_limit() -> None:
