@@ -268,10 +268,10 @@ def fig4() -> Figure:
         for axis in (above, below):
             _phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS)
         _percent(above, 4)
-        _percent(below, 4)
+        _percent(below, 10)
         # With one host nothing but the first phase is sent, and zero has no logarithm.
         below.set_yscale("log", nonpositive="mask")
-        below.set_ylim(1e-3, 10)
+        below.set_ylim(bottom=1e-3)
         below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
         above.set_xlabel("")
         above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")

@@ -97,6 +97,7 @@ def test_data_against_hosts_is_the_formula(
     data: Callable[[], pd.DataFrame], hosts: int, processes: int, endpoints: int
 ) -> None:
     rows = data()
+    assert [*rows] == ["protocol", "phase", "hosts", "utilization"]
     assert {*zip(rows["protocol"], rows["phase"], strict=True)} == {
         ("DDS", "SPDP"),
         ("DDS", "SEDP"),
@@ -117,6 +118,7 @@ def test_data_against_hosts_is_the_formula(
 
 def test_data_of_fig3_is_the_formula() -> None:
     rows = figures.fig3_data()
+    assert [*rows] == ["protocol", "part", "processes", "endpoints", "utilization"]
     for protocol, part in rows.groupby("protocol"):
         hand = by_hand(
             str(protocol),
@@ -141,6 +143,8 @@ def test_trajectory_of_fig3_keeps_the_endpoints_of_a_host() -> None:
 def test_surface_of_fig3_is_a_full_grid() -> None:
     rows = figures.fig3_data()
     surface = rows[rows["part"] == "surface"]
+    assert [*surface["processes"].unique()] == [*range(1, 11)]
+    assert [*surface["endpoints"].unique()] == [*range(0, 41, 2)]
     for _, part in surface.groupby("protocol"):
         assert len(part) == part["processes"].nunique() * part["endpoints"].nunique()
 
@@ -234,6 +238,18 @@ def test_bars_of_an_unknown_message_are_drawn() -> None:
     assert len(figures.bars({"own": table}).axes[0].patches) == 4
 
 
+def test_remedies_show_one_second_even_if_all_take_less() -> None:
+    bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "airtime_s": [0.2]})
+    assert figures.remedies(bars).axes[0].get_xlim() == (0, 1.14)
+
+
+def test_pixels_are_two_hundred_an_inch(tmp_path: Path) -> None:
+    figure = Figure(figsize=(1.5, 1))
+    svg, pdf, png = figures.save(figure, tmp_path, "small")
+    assert [path.suffix for path in (svg, pdf, png)] == [".svg", ".pdf", ".png"]
+    assert plt.imread(png).shape[:2] == (200, 300)
+
+
 def test_command_writes_the_same_bytes_twice_and_shows_progress(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -249,6 +265,20 @@ def test_command_writes_the_same_bytes_twice_and_shows_progress(
         first, second = ((folder / name).read_bytes() for folder in folders)
         assert first == second, name
         assert str(Path.cwd()).encode() not in first, name
+
+
+def test_the_folder_is_made_if_missing_and_used_if_there(tmp_path: Path) -> None:
+    folder = tmp_path / "made" / "if missing"
+    for _ in range(2):
+        assert next(figures.save_all(folder)).is_file()
+
+
+def test_command_ends_well_and_counts_from_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(figures, "save_all", lambda folder: iter([folder / "a", folder / "b"]))
+    assert figures.main(["out"]) == 0
+    assert capsys.readouterr().out == "[ 1/12] out/a\n[ 2/12] out/b\n"
 
 
 @pytest.mark.parametrize("name", figures.FIGURES)
