@@ -1,5 +1,6 @@
 """Figs. 2-4: their data against formulas written here, their drawing, their command."""
 
+import itertools
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -233,6 +234,12 @@ def test_shares_fill_the_bar() -> None:
     ) == pytest.approx(1, rel=1e-12)
 
 
+def test_data_of_bars_are_named_by_what_they_are() -> None:
+    swarms = {"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}
+    assert [*figures.bars_data(swarms)] == ["swarm", "message", "utilization"]
+    assert [*figures.bars_data(swarms, share=True)] == ["swarm", "message", "share"]
+
+
 def test_bars_of_an_unknown_message_are_drawn() -> None:
     table = ds.breakdown(ds.DDS, 7, 2, 10).rename(index={"SEDP": "Something else"})
     assert len(figures.bars({"own": table}).axes[0].patches) == 4
@@ -269,8 +276,11 @@ def test_command_writes_the_same_bytes_twice_and_shows_progress(
 
 def test_the_folder_is_made_if_missing_and_used_if_there(tmp_path: Path) -> None:
     folder = tmp_path / "made" / "if missing"
-    for _ in range(2):
-        assert next(figures.save_all(folder)).is_file()
+    *_, table = itertools.islice(figures.save_all(folder), 4)
+    assert table.read_text(encoding="utf-8").startswith(
+        "protocol,phase,hosts,utilization\nDDS,SPDP,1.0,"
+    )
+    assert next(figures.save_all(folder)).is_file()
 
 
 def test_command_ends_well_and_counts_from_one(
