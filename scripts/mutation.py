@@ -178,6 +178,7 @@ def test(mutant: Mutant | None, files: Sequence[Path]) -> int:
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
     os.dup2(nowhere, 2)
+    sys.argv[1:] = []  # a module that takes itself for a command finds nothing to do
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     if mutant:
