@@ -2,10 +2,15 @@
 
 import re
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
+import paper
 import pytest
+from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
+import discostorm as ds
 from discostorm import claims, messages
 
 ROOT = Path(__file__).parents[1]
@@ -38,6 +43,85 @@ EXPECTED = {
     "sustained saturation": "contradicted",
     "confined to small clusters": "qualified",
     "678 endpoints": "not checkable",
+}
+
+
+PAIRS = 7 * 6 * 2**2
+SEVEN = {name: paper.utilization(name, 7, 2, 10) for name in ("DDS", "Zenoh")}
+TOTAL = {name: sum(phases.values()) for name, phases in SEVEN.items()}
+CONTROL = 2 * (unicast(116) + unicast(114) - unicast(84))
+
+
+def standard(size: int) -> float:
+    """Seconds of a frame up by 802.11n: 520 bits in each 3.6 us, then filled up to 4 us."""
+    symbols = -(-(16 + 8 * size + 6) // 520)
+    return 185.5e-6 + 4e-6 * -(-symbols * 36 // 40)
+
+
+def standard_utilization() -> float:
+    down = 121.5e-6 + 4e-6 * -(-(16 + 8 * 414 + 6) // 24)
+    control = 2 * (standard(116) + standard(114))
+    return 14 * (standard(414) + down) + PAIRS * 2 * (10 * standard(464) + control)
+
+
+def with_ampdus(mpdus: int) -> Any:
+    return ds.utilization(ds.DDS, 7, 2, 10, ds.wifi_preset("802.11n", streams=2, mpdus=mpdus))
+
+
+# Quantities of the ledger, in another way.
+BY_HAND: dict[str, Any] = {
+    "growth_factor DDS": 1,
+    "degree DDS N_H": 2,
+    "load_degree DDS N_H multicast": 1,
+    "load_variables DDS": 3,
+    "host_load_variables DDS SPDP": 1,
+    "control_ratio": Fraction(1, 2),
+    "messages_per_link DDS Heartbeat_message": 4,
+    "messages_per_direction Zenoh KeepAlive_message": 2,
+    "load_ratio DDS Heartbeat_message 8 2": 16,
+    "airtime DDS SPDP 7 2 10": SEVEN["DDS"]["SPDP"],
+    "airtime Zenoh Declaration 7 2 10": SEVEN["Zenoh"]["Declaration"],
+    "share DDS multicast 7 2 10": SEVEN["DDS"]["SPDP"] / TOTAL["DDS"],
+    "share_of_phase Zenoh Hello_message Scouting 7 2 10": (
+        PAIRS * unicast(144) / SEVEN["Zenoh"]["Scouting"]
+    ),
+    "overhead_share DDS 7 2 10": (14 * (O_UNI + O_MULTI) + PAIRS * 14 * 2 * O_UNI) / TOTAL["DDS"],
+    "largest_swarm DDS 2 10": 7,
+    "largest_swarm Zenoh 1 678": 2,
+    "swarm_difference 2 10": 0,
+    "gap 7 2 10": 1 - TOTAL["Zenoh"] / TOTAL["DDS"],
+    "gap_of_phases 7 2 10": 1 - SEVEN["Zenoh"]["Declaration"] / SEVEN["DDS"]["SEDP"],
+    "gap_limit": 1 - unicast(176) / unicast(464),
+    "gap_from_control 7 2 10": CONTROL / (CONTROL + 10 * (unicast(464) - unicast(176))),
+    "scouting_above_spdp 2 12 1 10": sum(
+        (paper.utilization("Zenoh", h, 1, 10)["Scouting"] > h * multicast(414))
+        for h in range(2, 13)
+    ),
+    "trajectory_degree DDS SEDP_message": 1,
+    "frame_bytes SPDP": 350 + 64,
+    "payload_spread SPDP": Fraction(400 - 300, 2 * 350),
+    "place_difference": (
+        (Fraction(50, 100) + Fraction(100, 200) + Fraction(2, 4)) / 3
+        - (Fraction(8, 24) + Fraction(40, 160) + Fraction(40, 190) + Fraction(4, 20)) / 4
+    ),
+    "multicast_cost SPDP": (8 * 414 / R_MULTI + O_MULTI) / (8 * 414 / R_UNI + O_UNI),
+    "bits_per_byte": 8,
+    "repeated_utilization DDS 3 1 678": 3 * multicast(414),
+    "repeated_utilization Zenoh 7 2 10": 14 * multicast(80) + PAIRS * 2 * unicast(84),
+    "enumerated_down_for_up Zenoh Scouting 4 2 6": 1,
+    "enumeration_ratio Zenoh 4 2 6": 1,
+    "ht_rate 8": 2 * 65e6 / 10 / 0.9,
+    "ht_rate 15": 2 * 65e6 / 0.9,
+    "ht_rate_of_streams 7 1": 65e6 / 0.9,
+    "ht_rates_above 2 20": 0,
+    "ht_rates_above 2 40": 4,
+    "ht_rates_above 3 20": 3,
+    "overhead_with_backoff unicast": 185.5e-6,
+    "overhead_with_backoff multicast": 121.5e-6,
+    "overhead_as_listed unicast": 185.5e-6 - 67.5e-6,
+    "overhead_as_listed multicast": 121.5e-6 - 67.5e-6,
+    "standard_bound DDS 7 2 10": standard_utilization() / float(TOTAL["DDS"]),
+    "aggregation_bound DDS 7 2 10": with_ampdus(64) / with_ampdus(1),
 }
 
 
@@ -86,6 +170,12 @@ def test_a_changed_payload_changes_verdicts(monkeypatch):
     monkeypatch.setattr(messages, "header_bytes", lambda: {"UDP": 66, "TCP": 78})
     rows = [c for c in claims.claims() if c.test and c.test.quantity.startswith("frame_bytes")]
     assert {c.verdict() for c in rows} == {"contradicted"}
+
+
+@pytest.mark.parametrize(("quantity", "value"), BY_HAND.items())
+def test_quantities_by_hand(quantity, value):
+    ours = claims.Test(f"{quantity} = 0").ours()
+    assert float(ours) == pytest.approx(float(value), rel=1e-12)
 
 
 def test_whatever_is_not_reproduced_says_why():
