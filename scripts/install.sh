@@ -9,5 +9,5 @@ rm -rf "$folder"
 if command -v uv >/dev/null 2>&1; then
     uv pip install --quiet --python .venv/bin/python --target "$folder" "$@"
 else
-    .venv/bin/python -m pip install --quiet --target "$folder" "$@"
+    .venv/bin/python -m pip install --quiet --no-warn-conflicts --target "$folder" "$@"
 fi

@@ -209,6 +209,11 @@ def test_a_wrong_test_is_refused(text, message):
         claims.Test(text).holds()
 
 
+def test_parts_of_a_test() -> None:
+    test = claims.Test("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
+    assert (test.quantity, test.paper) == ("share DDS SPDP 7 2 10", "≈ 0.5 ± 0.1")
+
+
 def test_an_unknown_section_is_refused():
     with pytest.raises(ValueError, match=r"section must be one of introduction, .*; got 'x'"):
         claims.report("x")
