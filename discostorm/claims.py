@@ -610,16 +610,9 @@ def report(section: str) -> str:
     lines = []
     for claim in chosen:
         lines.append(f"{claim.id}. {claim.where}: {claim.statement}")
-        if claim.test:
-            lines.append(
-                f"   {claim.test.quantity} is {shown(claim.test.ours())}; "
-                f"the paper: {claim.test.paper}"
-            )
-        if claim.test and claim.weaker_test and not claim.test.holds():
-            lines.append(
-                f"   {claim.weaker_test.quantity} is {shown(claim.weaker_test.ours())}; "
-                f"weaker: {claim.weaker_test.paper}"
-            )
+        for test, kind in ((claim.test, "the paper"), (claim.weaker_test, "weaker")):
+            if test:
+                lines.append(f"   {test.quantity} is {shown(test.ours())}; {kind}: {test.paper}")
         lines.append(f"   -> {claim.verdict()}")
     return "\n".join(lines)
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import paper
 import pytest
+import sympy as sp
 from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
@@ -212,6 +213,27 @@ def test_a_wrong_test_is_refused(text, message):
 def test_parts_of_a_test() -> None:
     test = claims.Test("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
     assert (test.quantity, test.paper) == ("share DDS SPDP 7 2 10", "≈ 0.5 ± 0.1")
+
+
+def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
+    lines = claims.report("zenoh").splitlines()
+    start = lines.index("36. Eq. (9): Zenoh needs only two control messages to keep a link.")
+    assert lines[start + 1 : start + 5] == [
+        "   messages_per_link Zenoh KeepAlive_message is 4; the paper: = 2",
+        "   messages_per_direction Zenoh KeepAlive_message is 2; weaker: = 2",
+        "   -> qualified",
+        "37. Eq. (9): Zenoh's control traffic is significantly smaller than that of DDS "
+        "(we read: at most half the messages).",
+    ]
+    assert claims.report("dds").splitlines()[-1] == "   -> not checkable"
+    verdicts = [line[6:] for line in lines if line.startswith("   -> ")]
+    assert verdicts == [c.verdict() for c in claims.claims() if c.section == "zenoh"]
+
+
+def test_numbers_are_shown_to_four_digits_and_expressions_as_they_are() -> None:
+    assert claims.shown(sp.Rational(1, 3)) == "0.3333"
+    assert claims.shown(2 * ds.notation.N_H) == "2*N_H"
+    assert claims.shown("") == ""
 
 
 def test_an_unknown_section_is_refused():
