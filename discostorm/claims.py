@@ -590,9 +590,15 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
 
 def shown(value: Any) -> str:
     """Return a quantity as a reader wants it: numbers to four digits."""
+    found = exact(value)
+    return found if isinstance(found, str) else f"{found:.4g}"
+
+
+def exact(value: Any) -> float | str:
+    """Return a quantity as a machine wants it: a number with all its digits, or as text."""
     if isinstance(value, str):
         return value
-    return f"{float(value):.4g}" if sp.sympify(value).is_number else str(value)
+    return float(value) if sp.sympify(value).is_number else str(value)
 
 
 def report(section: str) -> str:

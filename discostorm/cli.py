@@ -126,13 +126,15 @@ protocol_option = click.option(
     help="The middleware.",
 )
 
+hosts_option = click.option("--hosts", callback=_numbers, metavar="N", help="Hosts.")
+several_hosts_option = click.option(
+    "--hosts", callback=_numbers, metavar="N[,N...]", help="Hosts; several give a row each."
+)
+
 swarm_options = _options(
-    click.option(
-        "--hosts", callback=_numbers, metavar="N[,N...]", help="Hosts; several give a row each."
-    ),
     click.option("--processes", type=float, metavar="N", help="Processes on each host."),
     click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
-    click.option("--fleet", metavar="FILE", help="Fleet file (TOML) instead of these three."),
+    click.option("--fleet", metavar="FILE", help="Fleet file (TOML) instead of these counts."),
 )
 
 
@@ -281,6 +283,7 @@ def main() -> None:
 
 
 @main.command(short_help="Airtime of discovery in one second.")
+@several_hosts_option
 @swarm_options
 @protocol_option
 @wifi_options
@@ -326,6 +329,7 @@ def _yes(value: bool) -> str:
 
 
 @main.command(short_help="What each message costs.")
+@hosts_option
 @swarm_options
 @protocol_option
 @wifi_options
@@ -413,7 +417,7 @@ def saturation(
         import pandas as pd
 
         wifi = _wifi(channel, rates)
-        others = ds.Fleet.from_toml(beside) if beside else None
+        others = None if beside is None else ds.Fleet.from_toml(beside)
         rows = []
         for chosen in _protocols(protocol):
             hosts = float(
@@ -557,7 +561,7 @@ def claims(verdict: str | None, as_json: bool, as_csv: bool) -> None:
     counts = table["verdict"].value_counts()
     if verdict:
         table = table[table["verdict"] == verdict]
-    table = table.assign(ours=[ledger.shown(value) for value in table["ours"]])
+    table["ours"] = [ledger.exact(value) for value in table["ours"]]
     if as_json or as_csv:
         _print(table, as_json, as_csv)
         return

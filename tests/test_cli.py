@@ -204,7 +204,12 @@ def test_claims() -> None:
     rows = read_csv(run("claims", "--csv"))
     assert [int(row["id"]) for row in rows] == list(expected.index)
     assert [row["verdict"] for row in rows] == list(expected["verdict"])
+    ours = {int(row["id"]): row["ours"] for row in rows}
+    assert float(ours[70]) == ds.saturation_hosts(ds.DDS, 2, 10)
+    assert ours[19] == "N_P"
+    assert ours[7] == ""
     some = read_json(run("claims", "--verdict|contradicted", "--json"))
+    assert {row["id"]: row["ours"] for row in some}[1] == 1.0
     assert [row["id"] for row in some] == list(
         expected.index[expected["verdict"] == "contradicted"]
     )
@@ -266,6 +271,8 @@ def test_rates_and_overheads_replace_the_papers() -> None:
             "limit must be a finite number above 0",
         ),
         ("plan", "Missing argument 'FLEET'"),
+        ("saturation|--processes|2|--endpoints|10|--beside|", "path must name a TOML file; got ''"),
+        ("plan|", "path must name a TOML file; got ''"),
         ("plan|none.toml", "none.toml: No such file or directory"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
         ("plan|fleet.toml|--nodes|8", "fleet.toml: nodes must be at most 7.5 for processes of 90"),
@@ -359,6 +366,11 @@ def test_help_tells_defaults(command: str, option: str, default: str) -> None:
     words = " ".join(run(command, "--help").output.split())
     told = words.split(f" {option} ")[-1].split(" --")[0]
     assert told.endswith(f"[default: {default}]")
+
+
+def test_help_says_where_several_hosts_are_allowed() -> None:
+    assert "--hosts N[,N...]" in run("utilization", "--help").output
+    assert "--hosts N " in run("breakdown", "--help").output
 
 
 def test_channels_are_listed_whatever_else_is_missing() -> None:
