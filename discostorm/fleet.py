@@ -5,7 +5,7 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import reduce
 from operator import add
-from os import PathLike
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
@@ -161,8 +161,11 @@ class Fleet:
             If it is not TOML, or a key is missing, unknown or has a wrong value; the
             message names the file, the group, the key, the value and the allowed range.
         """
+        if not fspath(path):
+            raise ValueError("path must name a TOML file; got ''")
         try:
-            content = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+            # With a byte order mark, too, as Windows' editors write it.
+            content = tomllib.loads(Path(path).read_text(encoding="utf-8-sig"))
         except ValueError as error:  # neither UTF-8 nor TOML
             raise ValueError(f"{path} must be a TOML file: {error}") from error
         try:

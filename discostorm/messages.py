@@ -129,6 +129,7 @@ class Message:
 
     def load(self, fleet: Fleet = SWARM) -> Count:
         """Return how many are sent, up and again down."""
+        _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
@@ -236,6 +237,7 @@ class Protocol:
 
     def cost(self, unit: Unit, phase: str | None = None, model: Model = "linear") -> sp.Expr:
         """Return the airtime that each `unit` adds, up and down [s]."""
+        _checks.instance("unit", unit, Unit)
         return sp.Add(
             *(
                 message.per_unit * (message.airtime_up(model) + message.airtime_down(model))
@@ -269,8 +271,11 @@ class Protocol:
         Raises
         ------
         ValueError
-            If the protocol has no such phase.
+            If the protocol has no such phase, or there is no such model.
+        TypeError
+            If `fleet` is not a Fleet.
         """
+        _checks.instance("fleet", fleet, Fleet)
         units = dict.fromkeys(message.unit for message in self.of_phase(phase))
         return sp.Add(*(unit.count(fleet) * self.cost(unit, phase, model) for unit in units))
 

@@ -265,8 +265,8 @@ class Plan:
         lines = [
             f"{self.protocol.name} discovery of {_many(hosts, 'host')} with "
             f"{_many(self.fleet.processes(), 'process', 'es')} takes {_time(self.utilization)} "
-            f"of airtime on {self.wifi.name}.",
-            f"A second has 1 s: that is {self.utilization:.0%} of it, {fit}.",
+            f"of airtime. The channel is {self.wifi.name}.",
+            f"That is {self.utilization:.0%} of each second, {fit}.",
             "",
             "What dominates:",
             f"- The message that takes most is {message.name}: {_part(message.share)}.",
@@ -274,7 +274,8 @@ class Plan:
         ]
         if len(groups) > 1:
             lines += [
-                f"- The group {group.name} takes part in {_part(group.share)}." for group in groups
+                f"- The group {group.name} takes part in {_part(group.share)} of it."
+                for group in groups
             ]
         lines += ["", "What would help, most first:"]
         kinds: set[str] = set()
@@ -417,7 +418,7 @@ def _remedies(
         yield kind, what, (changed,), protocol, wifi
     if not any(nodes):
         each = parameter_service_endpoints()
-        yield f"parameter services: no process with the {each} endpoints that those of a node have"
+        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
     for found in _other_wifis(wifi):
         if isinstance(found, str):
             yield found

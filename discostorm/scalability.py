@@ -232,7 +232,7 @@ def saturation_hosts(
         low, needed = (float(values[~enough].item(0)) for values in pairs)
         raise ValueError(
             f"limit must be at least the utilization of a single host"
-            f"{' beside the fleet' if beside else ''}, {needed!r}; got {low!r}"
+            f"{' beside the fleet' if beside else ''} with {protocol.name}, {needed!r}; got {low!r}"
         )
     given = {nt.N_P: host.processes, nt.N_E: host.endpoints, nt.U_LIMIT: most}
     for index, group in enumerate(others, start=1):

@@ -294,7 +294,7 @@ def drain_time(
     ValueError
         If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
     TypeError
-        If an argument is not made of real numbers.
+        If an argument is not made of real numbers, or `product` is not one.
 
     References
     ----------
@@ -306,6 +306,7 @@ def drain_time(
     >>> timeline.drain_time(timeline.FAST_DDS, [3, 12, 60], 2, 10).round(2)
     array([0.22, 4.7 ,  inf])
     """
+    _checks.instance("product", product, Product)
     burst = np.asarray(utilization(product.burst(), hosts, processes, endpoints, wifi))
     steady = np.asarray(utilization(product.steady(), hosts, processes, endpoints, wifi))
     with np.errstate(divide="ignore"):  # NumPy computes both branches
@@ -349,7 +350,7 @@ def critical_hosts(
     ValueError
         If an argument is NaN or out of range, or a single host already fills the window.
     TypeError
-        If an argument is not made of real numbers.
+        If an argument is not made of real numbers, or `product` is not one.
 
     References
     ----------
@@ -361,6 +362,7 @@ def critical_hosts(
     >>> round(timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=20), 2)
     21.88
     """
+    _checks.instance("product", product, Product)
     longest = np.asarray(window) == np.inf
     finite = _checks.numbers("window", np.where(longest, 1.0, window), 0, above=True)
     swarm = HostGroup(1, processes, endpoints)
@@ -409,7 +411,7 @@ def demand(
     ValueError
         If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
     TypeError
-        If an argument is not made of real numbers.
+        If an argument is not made of real numbers, or `product` is not one.
 
     References
     ----------
@@ -421,6 +423,7 @@ def demand(
     >>> timeline.demand(timeline.FAST_DDS, [0, 3.4, 3.5], 3, 2, 10).round(4)
     array([0.1495, 0.2245, 0.2395])
     """
+    _checks.instance("product", product, Product)
     _checks.shape(time=time, hosts=hosts, processes=processes, endpoints=endpoints)
     together: dict[Schedule, tuple[Message, ...]] = {}
     for row in product.rows:

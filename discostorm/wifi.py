@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import sympy as sp
 
@@ -90,6 +90,8 @@ class Link:
     def __post_init__(self) -> None:
         _checks.number("rate", self.rate, 0, above=True)
         _checks.number("overhead", self.overhead, 0)
+        if self.padding is not None:
+            _checks.instance("padding", self.padding, Padding)
 
 
 @dataclass(frozen=True)
@@ -132,6 +134,8 @@ class Wifi:
                 f"unicast.padding={self.unicast.padding}, "
                 f"multicast.padding={self.multicast.padding}"
             )
+        if self.aggregation is not None:
+            _checks.instance("aggregation", self.aggregation, agg.Aggregation)
         if self.aggregation is not None and self.unicast.padding is None:
             raise ValueError("aggregation must be None unless the links have padding")
 
@@ -223,6 +227,7 @@ def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
 
 
 def _unicast_airtime(frame_bytes: sp.Expr, model: Model) -> sp.Expr:
+    _checks.choice("model", model, get_args(Model))
     if model == "aggregated":
         return aggregated_airtime(frame_bytes)
     if model == "padded":
@@ -241,6 +246,7 @@ def downlink_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model = "linear") 
     """Return the airtime from the access point to one host, or once to all of them."""
     if cast == "unicast":
         return _unicast_airtime(frame_bytes, model)
+    _checks.choice("model", model, get_args(Model))
     if model == "linear":
         return airtime(frame_bytes, nt.R_MULTI, nt.O_MULTI)
     # Nobody acknowledges a multicast frame, so it is never aggregated.

@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
+from discostorm import timeline
 from discostorm.messages import PROCESS
 from discostorm.notation import N_H, N_P
 
@@ -156,9 +157,47 @@ def test_limit() -> None:
     fails(TypeError, f"{allowed}, or an array of them; got 'all'", saturation_hosts, limit="all")
 
 
+def test_unknown_model_unit_fleet_product_or_padding() -> None:
+    for call in (
+        ds.DDS.utilization,
+        ds.DDS.messages[0].airtime_up,
+        ds.DDS.messages[0].airtime_down,
+        ds.DDS.messages[1].airtime_down,
+    ):
+        text = "model must be 'linear' or 'padded' or 'aggregated'; got 'Linear'"
+        fails(ValueError, text, call, model="Linear")
+    fails(TypeError, "unit must be a Unit; got 'pair'", ds.DDS.cost, unit="pair")
+    for call in (ds.DDS.utilization, ds.DDS.messages[0].load):
+        fails(TypeError, "fleet must be a Fleet; got 3", call, fleet=3)
+    for call in (timeline.drain_time, timeline.outlook, timeline.first_idle):
+        fails(TypeError, "product must be a Product; got", call, product=ds.DDS, **SWARM)
+    swarm = {"processes": 2, "endpoints": 10}
+    fails(
+        TypeError,
+        "product must be a Product; got 'x'",
+        timeline.demand,
+        product="x",
+        time=1,
+        **SWARM,
+    )
+    fails(
+        TypeError,
+        "product must be a Product; got 'x'",
+        timeline.critical_hosts,
+        product="x",
+        **swarm,
+    )
+    fails(TypeError, "padding must be a Padding; got 3", ds.Link, rate=1e6, overhead=0, padding=3)
+    link = ds.Link(6e6, 0, ds.Padding(24, 4e-6, 4e-6))
+    text = "aggregation must be an Aggregation; got 3"
+    fails(TypeError, text, ds.Wifi, name="x", unicast=link, multicast=link, aggregation=3)
+
+
 def test_limit_that_one_host_exceeds() -> None:
     single = ds.utilization(ds.DDS, 1, 2, 10)
-    text = f"limit must be at least the utilization of a single host, {single!r}; got 0.001"
+    text = (
+        f"limit must be at least the utilization of a single host with DDS, {single!r}; got 0.001"
+    )
     fails(ValueError, text, saturation_hosts, limit=0.001)
     fails(ValueError, text, saturation_hosts, limit=[1, 0.001, 0.0005])
 

@@ -157,6 +157,12 @@ def test_saturation_beside_like_hosts_counts_the_rest_of_the_swarm(protocol: ds.
     assert saturation(protocol).free_symbols >= {N_P, N_E}
 
 
+def test_a_byte_order_mark_is_passed_over(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text("[[groups]]\nhosts = 1\nprocesses = 2\nendpoints = 3\n", encoding="utf-8-sig")
+    assert ds.Fleet.from_toml(file).groups == (ds.HostGroup(1, 2, 3),)
+
+
 def test_saturation_beside_a_fleet_broadcasts_and_names_what_is_wrong() -> None:
     laptop = ds.Fleet.swarm(1, 1, [[0], [90]])
     found = np.asarray(ds.saturation_hosts(ds.DDS, 1, [10, 100, 678], beside=laptop))
@@ -165,7 +171,7 @@ def test_saturation_beside_a_fleet_broadcasts_and_names_what_is_wrong() -> None:
     with pytest.raises(TypeError, match="beside must be a Fleet; got 3"):
         ds.saturation_hosts(ds.DDS, 1, 10, beside=3)  # type: ignore[arg-type]
     with pytest.raises(
-        ValueError, match=r"limit .* single host beside the fleet, 3\.\d+; got 1\.0"
+        ValueError, match=r"limit .* single host beside the fleet with DDS, 3\.\d+; got 1\.0"
     ):
         ds.saturation_hosts(ds.DDS, 1, 678, beside=ds.Fleet.swarm(3, 1, 678))
     with pytest.raises(ValueError, match=r"broadcast.*utilization \(2, 1\), limit \(3, 3\)"):

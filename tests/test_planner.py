@@ -276,8 +276,10 @@ def test_a_table_of_ones_own_may_switch_to_both() -> None:
 def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     text = ds.plan(FIG3, ds.DDS).advice()
     flat = " ".join(text.split())
-    assert "3 hosts with 24 processes takes 1.38 s of airtime on paper (802.11n)" in flat
-    assert "A second has 1 s: that is 138% of it, so it does not fit." in flat
+    assert (
+        "3 hosts with 24 processes takes 1.38 s of airtime. The channel is paper (802.11n)." in flat
+    )
+    assert "That is 138% of each second, so it does not fit." in flat
     assert "1. Composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%); that fits." in flat
     assert "(802.11n 40 MHz 2x2: 300 instead of 144 Mbit/s) cuts 4%, to 1.32 s." in flat
     assert max(map(len, text.splitlines())) <= 79
@@ -287,7 +289,7 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     assert " ms of airtime" in small
     assert "that fits" not in small
     groups = ds.plan(NAV2, ds.ZENOH).advice()
-    assert "- The group laptop takes part in 11%." in groups
+    assert "- The group laptop takes part in 11% of it." in groups
     assert "The message that takes most is Declare: nearly all." in groups
     assert "changes less than 0.5%." in groups
     assert "Switching to DDS adds 9%: 26.2 s becomes 28.4 s." in groups
