@@ -28,6 +28,23 @@ def setup() -> None:
     set_matplotlib_formats("svg", bbox_inches=None)
 
 
+def latex(expression: sp.Expr) -> str:
+    r"""Return an expression as LaTeX; subscripts of more than a letter are upright.
+
+    Examples
+    --------
+    >>> print(latex(sp.Symbol("R_uni") * sp.Symbol("N_H")))
+    N_{H} R_\text{uni}
+    """
+    names = {}
+    for symbol in expression.free_symbols:
+        letter, _, below = symbol.name.partition("_")
+        if len(below) > 1:
+            words = below.replace("_", " ")
+            names[symbol] = rf"{sp.latex(sp.Symbol(letter))}_\text{{{words}}}"
+    return sp.latex(expression, symbol_names=names)
+
+
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
     """Show an equation that the book numbers and can refer to by its label.
 
@@ -40,8 +57,8 @@ def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown
     *steps : sympy.Expr or str
         What it equals, one line each.
     """
-    lines = [step if isinstance(step, str) else sp.latex(step) for step in steps]
-    start = left if isinstance(left, str) else sp.latex(left)
+    lines = [step if isinstance(step, str) else latex(step) for step in steps]
+    start = left if isinstance(left, str) else latex(left)
     body = " \\\\\n".join(f"&= {line}" for line in lines)
     return Markdown(f"$$\n\\begin{{aligned}}\n{start} {body}\n\\end{{aligned}}\n$$ ({label})")
 
@@ -165,7 +182,7 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
         program, *arguments = shlex.split(command)
         if program != "discostorm":
             raise ValueError(f"commands must start with discostorm; got {command!r}")
-        result = CliRunner(env={"COLUMNS": str(width)}).invoke(main, arguments, prog_name=program)
+        result = CliRunner().invoke(main, arguments, prog_name=program, terminal_width=width)
         if result.exception and not isinstance(result.exception, SystemExit):
             raise result.exception
         printed = result.output.rstrip("\n").split("\n")
@@ -196,5 +213,5 @@ def notation(*protocols: Protocol) -> Markdown:
         for message in protocol.messages
     ]
     frame = pd.DataFrame(rows, columns=["symbol", "meaning", "unit", "source"])
-    frame["symbol"] = [f"${sp.latex(symbol)}$" for symbol in frame["symbol"]]
+    frame["symbol"] = [f"${latex(symbol)}$" for symbol in frame["symbol"]]
     return table(frame)
