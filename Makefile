@@ -67,7 +67,7 @@ lint: $(READY) ## check style and types
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-bench: $(READY) ## measure the speed that the README promises
+bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/bench.py
 
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes an hour)

@@ -1,8 +1,8 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them.
 
 ``python -m discostorm.figures FOLDER`` writes all of them as SVG, PDF and PNG, with CSV.
-More drawings serve any protocol: `airtime`, of one frame of each message, `bars`, of what
-each message adds to utilization, and `remedies`, of what a plan would change.
+There are more drawings: `airtime`, of one frame of each message; and, of any protocol,
+`bars`, of what each message adds to utilization, and `remedies`, of what a plan would change.
 """
 
 import argparse
@@ -211,10 +211,10 @@ def fig3() -> Figure:
         figure.set_layout_engine("none")
         for left, (name, surface) in zip((0.0, 0.5), of["surface"].items(), strict=True):
             axis = figure.add_axes(
-                (left + 0.012, 0.48, 0.48, 0.52), projection="3d", computed_zorder=False
+                (left + 0.03, 0.48, 0.465, 0.52), projection="3d", computed_zorder=False
             )
             _surface(axis, surface, of["trajectory"][name], COLORS[name])
-            axis.set_title(name, y=0.95)
+            axis.set_title(name, y=0.97)
         axis = figure.add_axes((0.13, 0.09, 0.85, 0.36))
         for name, line in of["trajectory"].items():
             axis.plot(line["processes"], line["utilization"], color=COLORS[name], label=name)
@@ -242,9 +242,10 @@ def _surface(axis: Any, surface: pd.DataFrame, line: pd.DataFrame, color: str) -
     axis.view_init(elev=24, azim=-125)
     axis.set_xlabel("processes $N_P$ [1]", labelpad=-7)
     axis.set_ylabel("endpoints $N_E$ [1]", labelpad=-7)
-    axis.set_zlabel("utilization [%]", labelpad=-5)
+    axis.set_zlabel("utilization [%]", labelpad=-2)
     axis.set_zlim(0, 1200)
     axis.tick_params(pad=-3, labelsize=8)
+    axis.tick_params(axis="z", pad=1)
     for direction, step in ((axis.xaxis, 3), (axis.yaxis, 10), (axis.zaxis, 300)):
         direction.set_major_locator(MultipleLocator(step, 1 if step == 3 else 0))
         direction.label.set_size(9)
