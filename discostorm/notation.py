@@ -49,8 +49,9 @@ N_ADD_MULTI = _define(
 )
 T_GRID_UNI = _define("t_grid_uni", "what a unicast frame is rounded up to", "s", _TXTIME)
 T_GRID_MULTI = _define("t_grid_multi", "what a multicast frame is rounded up to", "s", _TXTIME)
-K_UNI = _define("k_uni", "symbol time as a part of what a unicast frame is rounded up to", "1", _TXTIME)
-K_MULTI = _define("k_multi", "symbol time as a part of what a multicast frame is rounded up to", "1", _TXTIME)
+_SYMBOL_TIME = "symbol time as a part of what a {} frame is rounded up to"
+K_UNI = _define("k_uni", _SYMBOL_TIME.format("unicast"), "1", _TXTIME)
+K_MULTI = _define("k_multi", _SYMBOL_TIME.format("multicast"), "1", _TXTIME)
 
 N_AGG = _define("n_agg", "most frames in an A-MPDU", "1", "IEEE Std 802.11-2020, 10.25")
 A_MOST = _define("A_most", "longest A-MPDU", "B", "IEEE Std 802.11-2020, 9.7 and 10.12")
@@ -58,7 +59,9 @@ O_AGG = _define(
     "O_agg", "fixed airtime of an A-MPDU", "s", "IEEE Std 802.11-2020, 9.3.1.8", zero=True
 )
 
-U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100\u00a0%)", "1", "paper, Sec. IV-C")
+U_LIMIT = _define(
+    "U_limit", "utilization called saturated (1 is 100\u00a0%)", "1", "paper, Sec. IV-C"
+)
 
 
 def payload_symbol(message: str) -> sp.Symbol:

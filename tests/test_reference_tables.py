@@ -6,7 +6,6 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-import sympy as sp
 
 import discostorm as ds
 from discostorm import notebook
@@ -29,14 +28,14 @@ def shown_symbols(markdown):
 
 def test_notation_table_holds_every_defined_symbol_once():
     symbols = shown_symbols(notebook.notation())
-    assert symbols == [f"${sp.latex(row.symbol)}$" for row in NOTATION.values()]
+    assert symbols == [f"${notebook.latex(row.symbol)}$" for row in NOTATION.values()]
 
 
 @pytest.mark.parametrize("protocol", [ds.DDS, ds.ZENOH], ids=lambda protocol: protocol.name)
 def test_notation_table_explains_every_symbol_of_the_utilization(protocol):
     symbols = shown_symbols(notebook.notation(protocol))
     assert len(set(symbols)) == len(symbols)
-    used = {f"${sp.latex(symbol)}$" for symbol in protocol.utilization().free_symbols}
+    used = {f"${notebook.latex(symbol)}$" for symbol in protocol.utilization().free_symbols}
     assert used <= set(symbols)
 
 
