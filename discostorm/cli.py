@@ -109,7 +109,6 @@ wifi_options = _options(
         show_default=True,
         metavar="NAME",
         callback=_list_wifi,
-        is_eager=True,
         help="The channel: paper, or a preset such as '802.11ac 80 MHz 2x2'; 'list' lists them.",
     ),
     click.option("--unicast-rate", type=float, metavar="MBIT/S", help="Instead of the paper's."),

@@ -89,6 +89,10 @@ def by_hand(
     return phases[phase] if phase != "total" else np.sum([*phases.values()], axis=0)
 
 
+def test_steps_go_from_the_first_to_the_last() -> None:
+    assert [*figures.steps(2, 3, per_one=4)] == [2, 2.25, 2.5, 2.75, 3]
+
+
 @pytest.mark.parametrize(
     ("data", "hosts", "processes", "endpoints"),
     [(figures.fig2_data, 12, 2, 10), (figures.fig4_data, 5, 1, 678)],
