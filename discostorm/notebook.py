@@ -42,7 +42,7 @@ def latex(expression: sp.Expr) -> str:
         if len(below) > 1:
             words = below.replace("_", " ")
             names[symbol] = rf"{sp.latex(sp.Symbol(letter))}_\text{{{words}}}"
-    return sp.latex(expression, symbol_names=names)
+    return str(sp.latex(expression, symbol_names=names))
 
 
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
