@@ -66,14 +66,15 @@ def utilization() -> float:
 
 def run(*command: str) -> None:
     """Run a command in the project; show its output only if it fails."""
-    # Not as a part of the make that started this: it would wait for that one's jobs.
-    env = {name: value for name, value in os.environ.items() if name not in MAKE_VARIABLES}
+    env = {name: value for name, value in os.environ.items() if name not in LEFT_OUT}
     done = subprocess.run(command, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
     if done.returncode:
         sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
 
 
-MAKE_VARIABLES = {"MAKEFLAGS", "MAKELEVEL", "MFLAGS"}
+#: The make that started this would have another wait for its jobs; and the package is compiled
+#: when first imported, as its libraries were when installed.
+LEFT_OUT = {"MAKEFLAGS", "MAKELEVEL", "MFLAGS", "PYTHONDONTWRITEBYTECODE"}
 
 
 def import_time() -> float:
