@@ -39,6 +39,7 @@ BARRIERS = """(rules) => axe
         .filter(({impact}) => ["serious", "critical"].includes(impact))
         .flatMap(({id, impact, nodes}) => nodes.map(({html, target, failureSummary}) =>
             `${impact} ${id}: ${target.join(" ")} ${html.slice(0, 160)} ${failureSummary}`)))"""
+OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
 COLORS = {"runOnly": ["color-contrast", "link-in-text-block"]}
 
 
@@ -97,19 +98,17 @@ def look(context: BrowserContext, base: str, address: str) -> Visit:
         visit.phone = tab.evaluate(FACTS)
         if not base.startswith("file:"):
             return visit
+        tab.evaluate(AXE)
+        tab.evaluate(OPEN)
+        tab.evaluate(REST)
+        visit.barriers["light"] = tab.evaluate(BARRIERS, COLORS)  # the others see no colors
         tab.emulate_media(color_scheme="dark")
         tab.set_viewport_size(DESKTOP)
         tab.wait_for_function(f"innerWidth === {DESKTOP['width']}")
+        tab.wait_for_function("document.documentElement.dataset.theme === 'dark'")
         tab.evaluate(REST)
         visit.desktop = tab.evaluate(FACTS)
-        tab.evaluate(AXE)
-        tab.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true })")
-        # The other rules do not look at colors.
-        for theme, rules in {"dark": {}, "light": COLORS}.items():
-            tab.emulate_media(color_scheme=theme)
-            tab.wait_for_function(f"document.documentElement.dataset.theme === '{theme}'")
-            tab.evaluate(REST)
-            visit.barriers[theme] = tab.evaluate(BARRIERS, rules)
+        visit.barriers["dark"] = tab.evaluate(BARRIERS, {})
     return visit
 
 
@@ -199,12 +198,9 @@ def test_the_page_fits_a_desktop(visitor: Visitor, page: str) -> None:
 
 
 @every_page
-def test_light_and_dark_are_legible(visitor: Visitor, page: str) -> None:
+def test_there_is_a_dark_mode(visitor: Visitor, page: str) -> None:
     visit = visitor(page, "file")
     assert (visit.phone["theme"], visit.desktop["theme"]) == ("light", "dark")
-    assert visit.phone["texts"] > 5
-    assert not visit.phone["faint"]
-    assert not visit.desktop["faint"]
     assert not visit.desktop["images_on_dark"]
 
 

@@ -2,15 +2,13 @@
 window.addEventListener("load", async () => {
   await window.MathJax?.startup?.promise;
   const boxes = document.querySelectorAll("div.math, .pst-scrollable-table-container, .bd-article pre");
-  const update = () => {
-    for (const box of boxes) {
+  const observer = new ResizeObserver((changes) => {
+    for (const { target: box } of changes) {
       if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
       else box.removeAttribute("tabindex");
     }
-  };
-  update();
-  window.addEventListener("resize", update);
-  document.addEventListener("toggle", update, true); // what was folded has no width
+  });
+  for (const box of boxes) observer.observe(box); // also when it is unfolded
 });
 
 // A notebook is saved, whatever type the server gives it.
