@@ -39,6 +39,7 @@ BARRIERS = """(rules) => axe
         .filter(({impact}) => ["serious", "critical"].includes(impact))
         .flatMap(({id, impact, nodes}) => nodes.map(({html, target, failureSummary}) =>
             `${impact} ${id}: ${target.join(" ")} ${html.slice(0, 160)} ${failureSummary}`)))"""
+#: Unfolds what is folded.
 OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
 COLORS = {"runOnly": ["color-contrast", "link-in-text-block"]}
 
