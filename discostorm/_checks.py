@@ -55,7 +55,7 @@ def numbers(
         # A comparison with NaN is false, so both tests are put the positive way round.
         if not ((least > low if above else least >= low) and most <= high and most < np.inf):
             good = np.isfinite(array) & (array <= high) & (array > low if above else array >= low)
-            raise ValueError(f"{name} must be {allowed}; got {array[~good].item(0)!r}")
+            raise ValueError(f"{name} must be {allowed}; got {given[~good].item(0)!r}")
     return array if array.ndim else array.item()
 
 

@@ -68,8 +68,8 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     Raises
     ------
     ValueError
-        If `expression` contains other symbols; from the function, if an argument is
-        not finite or the shapes do not broadcast.
+        If `expression` contains other symbols, or two have the same name; from the
+        function, if an argument is not finite or the shapes do not broadcast.
     TypeError
         If `symbols` or `expression` is not made by sympy; from the function, if an
         argument is missing or not made of real numbers.
@@ -92,6 +92,8 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         missing = ", ".join(sorted(symbol.name for symbol in unknown))
         raise ValueError(f"symbols must list all that expression contains; {missing} is missing")
     names = [symbol.name for symbol in arguments]
+    if len(set(names)) < len(names):
+        raise ValueError(f"symbols must have names that differ; got {', '.join(names)}")
 
     def numeric(*args: ArrayLike, **kwargs: ArrayLike) -> Value:
         given = dict(zip(names, args, strict=False)) | kwargs

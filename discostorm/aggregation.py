@@ -19,7 +19,8 @@ class Aggregation:
     mpdus : int
         Most frames (MPDUs) in an exchange [1], at least 1.
     most_bytes : int
-        Longest A-MPDU [B] that the standard and the longest PPDU allow.
+        Longest A-MPDU [B] that the standard and the longest PPDU allow, at least 1. A
+        frame that does not fit in cannot be sent: its airtime is infinite.
     overhead : float
         Airtime that each exchange costs whatever its length [s], at least 0: waiting,
         preamble, block acknowledgement.

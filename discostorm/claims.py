@@ -150,12 +150,12 @@ def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints
 
 
 def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int:
-    """Return the largest whole number of hosts that stays below 100 %."""
+    """Return the largest whole number of hosts that stays below 100%."""
     return int(sp.ceiling(saturation_hosts(protocol, processes, endpoints))) - 1
 
 
 def swarm_difference(processes: float, endpoints: float) -> int:
-    """Return how many hosts more Zenoh carries than DDS below 100 %."""
+    """Return how many hosts more Zenoh carries than DDS below 100%."""
     return largest_swarm(ZENOH, processes, endpoints) - largest_swarm(DDS, processes, endpoints)
 
 

@@ -24,13 +24,15 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 PROTOCOLS = {"dds": ds.DDS, "zenoh": ds.ZENOH}
 
-#: Option, what it replaces of the paper's channel, and its unit in SI.
+#: What an option replaces of the paper's channel, and in which unit.
 LINK_OPTIONS = {
-    "unicast_rate": ("unicast", "rate", 1e6),
-    "unicast_overhead": ("unicast", "overhead", 1e-6),
-    "multicast_rate": ("multicast", "rate", 1e6),
-    "multicast_overhead": ("multicast", "overhead", 1e-6),
+    "unicast_rate": ("unicast", "rate", "Mbit/s"),
+    "unicast_overhead": ("unicast", "overhead", "µs"),
+    "multicast_rate": ("multicast", "rate", "Mbit/s"),
+    "multicast_overhead": ("multicast", "overhead", "µs"),
 }
+#: Units in SI.
+UNITS = {"Mbit/s": 1e6, "µs": 1e-6}
 
 
 class BadInput(click.ClickException):
@@ -111,10 +113,15 @@ wifi_options = _options(
         callback=_list_wifi,
         help="The channel: paper, or a preset such as '802.11ac 80 MHz 2x2'; 'list' lists them.",
     ),
-    click.option("--unicast-rate", type=float, metavar="MBIT/S", help="Instead of the paper's."),
-    click.option("--unicast-overhead", type=float, metavar="µS", help="Instead of the paper's."),
-    click.option("--multicast-rate", type=float, metavar="MBIT/S", help="Instead of the paper's."),
-    click.option("--multicast-overhead", type=float, metavar="µS", help="Instead of the paper's."),
+    *(
+        click.option(
+            f"--{option.replace('_', '-')}",
+            type=float,
+            metavar=unit,
+            help="Instead of the paper's.",
+        )
+        for option, (_, _, unit) in LINK_OPTIONS.items()
+    ),
 )
 
 protocol_option = click.option(
@@ -147,10 +154,12 @@ def _wifi(name: str, given: Mapping[str, float | None]) -> Wifi:
         for option, value in changes.items():
             cast, quantity, unit = LINK_OPTIONS[option]
             try:
-                change: dict[str, Any] = {quantity: value * unit}
+                change: dict[str, Any] = {quantity: value * UNITS[unit]}
                 links[cast] = replace(links[cast], **change)
             except ValueError as error:
-                raise ValueError(f"{cast} {error}") from error
+                # Its ranges end at zero, which is the same in all units.
+                must, _, _ = str(error).rpartition("; got ")
+                raise ValueError(f"{cast} {must}; got {value:g} {unit}") from error
         return Wifi("own channel", links["unicast"], links["multicast"])
     if changes:
         option = next(iter(changes)).replace("_", "-")
@@ -190,6 +199,8 @@ Format = Callable[[Any], str]
 
 #: Characters in a line, if a table can be made as narrow.
 _WIDTH = 79
+#: From this on, numbers are printed with their power of ten.
+_HUGE = 1e6
 
 
 def _plain(value: Any) -> str:
@@ -197,11 +208,11 @@ def _plain(value: Any) -> str:
 
 
 def _percent(value: float) -> str:
-    return f"{value:,.1%}"
+    return f"{value:,.1%}" if value < _HUGE else f"{100 * value:.3g}%"
 
 
 def _seconds(value: float) -> str:
-    return f"{value:.6f}"
+    return f"{value:.6f}" if value < _HUGE else f"{value:.3g}"
 
 
 def _print(
@@ -231,7 +242,7 @@ def _aligned(table: pd.DataFrame, formats: dict[str, Format], headings: dict[str
         cells = [formats.get(str(name), _plain)(value) for value in values]
         heading = headings.get(str(name), str(name).replace("_", " "))
         width = max(map(len, [heading, *cells]))
-        number = all(isinstance(value, int | float) for value in values)
+        number = all(type(value) in (int, float) for value in values)  # a truth is a word
         columns.append(
             [cell.rjust(width) if number else cell.ljust(width) for cell in (heading, *cells)]
         )
@@ -271,7 +282,7 @@ def _working(what: str) -> Iterator[None]:
 def main() -> None:
     """How much Wi-Fi airtime the discovery of ROS 2 robots takes, and what helps.
 
-    Utilization is airtime in one second: 1, or 100 %, is a channel that does nothing else;
+    Utilization is airtime in one second: 1, or 100%, is a channel that does nothing else;
     2 are two seconds of airtime, which no second has.
 
     \b
@@ -386,7 +397,7 @@ def breakdown(
 @click.option("--processes", type=float, required=True, metavar="N", help="Of each host.")
 @click.option("--endpoints", type=float, required=True, metavar="N", help="Of each process.")
 @click.option(
-    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100 %."
+    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
 )
 @click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel.")
 @protocol_option

@@ -5,9 +5,9 @@ counts it confirms.
 """
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 #: Receiver of a multicast message.
 EVERYONE = "everyone"
@@ -130,8 +130,8 @@ _PROTOCOLS: dict[str, tuple[str, _Hear]] = {
 def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
-    for host, counts in enumerate(hosts, start=1):
-        for number, count in enumerate(counts, start=1):
+    for host, counts in enumerate(_several("hosts", hosts), start=1):
+        for number, count in enumerate(_several(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
                 raise ValueError(
                     f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
@@ -142,6 +142,12 @@ def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
                 Endpoint(process, index + 1, _TOPICS[index % 2]) for index in range(count)
             ]
     return processes
+
+
+def _several(name: str, value: Any) -> Iterable[Any]:
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        raise TypeError(f"{name} must be a sequence; got {value!r}")
+    return value
 
 
 def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
@@ -167,6 +173,8 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     ------
     ValueError
         If there is no such protocol, or a count is not a whole number of at least 0.
+    TypeError
+        If `hosts` is not a sequence of sequences.
 
     Examples
     --------

@@ -198,7 +198,7 @@ def fig3() -> Figure:
     """Draw Fig. 3: utilization against processes and endpoints (N_H = 3).
 
     Above the paper's surfaces with the line of 40 endpoints on a host and, dashed, the
-    height of 100 %; below the same line on its own.
+    height of 100%; below the same line on its own.
     """
     data = fig3_data()
     of = {

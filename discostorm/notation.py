@@ -59,9 +59,7 @@ O_AGG = _define(
     "O_agg", "fixed airtime of an A-MPDU", "s", "IEEE Std 802.11-2020, 9.3.1.8", zero=True
 )
 
-U_LIMIT = _define(
-    "U_limit", "utilization called saturated (1 is 100\u00a0%)", "1", "paper, Sec. IV-C"
-)
+U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100%)", "1", "paper, Sec. IV-C")
 
 
 def payload_symbol(message: str) -> sp.Symbol:

@@ -54,6 +54,8 @@ STREAMS = 2
 _NOTHING = 0.005
 #: Gains from this on are told with both times [1].
 _LARGE = 0.1
+#: From this on, numbers are told with their power of ten [1 or s].
+_HUGE = 1e6
 
 _PRICE: dict[Kind, str] = {
     "processes": "a crash takes down all that shares the process",
@@ -266,7 +268,7 @@ class Plan:
             f"{self.protocol.name} discovery of {_many(hosts, 'host')} with "
             f"{_many(self.fleet.processes(), 'process', 'es')} takes {_time(self.utilization)} "
             f"of airtime. The channel is {self.wifi.name}.",
-            f"That is {self.utilization:.0%} of each second, {fit}.",
+            f"That is {_percent(self.utilization)} of each second, {fit}.",
             "",
             "What dominates:",
             f"- The message that takes most is {message.name}: {_part(message.share)}.",
@@ -277,15 +279,23 @@ class Plan:
                 f"- The group {group.name} takes part in {_part(group.share)} of it."
                 for group in groups
             ]
-        lines += ["", "What would help, most first:"]
+        helpful = [remedy for remedy in self.remedies if remedy.saved >= _NOTHING]
+        if helpful:
+            lines += ["", "What would help, most first:"]
         kinds: set[str] = set()
-        for rank, remedy in enumerate(self.remedies, start=1):
-            sentence = remedy.sentence()
+        for rank, remedy in enumerate(helpful, start=1):
             now_fits = "; that fits" if remedy.utilization < 1 <= self.utilization else ""
-            lines.append(f"{rank:2}. {sentence[0].upper()}{sentence[1:]}{now_fits}.")
+            lines.append(f"{rank:2}. {_capitalized(remedy.sentence())}{now_fits}.")
             if remedy.kind not in kinds:
                 lines.append(f"    Mind: {remedy.price}.")
             kinds.add(remedy.kind)
+        if len(helpful) < len(self.remedies):
+            lines += ["", "What would not help:" if helpful else "Nothing that was tried helps:"]
+        lines += [
+            f"- {_capitalized(remedy.sentence())}."
+            for remedy in self.remedies
+            if remedy not in helpful
+        ]
         if self.left_out:
             lines += ["", "Left out:", *(f"- {reason}." for reason in self.left_out)]
         return "\n".join(map(_wrapped, lines))
@@ -414,16 +424,20 @@ def _remedies(
     fleet: Fleet, protocol: Protocol, wifi: Wifi, nodes: Sequence[float], assumed: str
 ) -> Iterator[Change | str]:
     """Yield each change, or why there is none."""
-    for kind, what, changed in _other_fleets(fleet, nodes, assumed):
-        yield kind, what, (changed,), protocol, wifi
-    if not any(nodes):
-        each = parameter_service_endpoints()
-        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
-    for found in _other_wifis(wifi):
+    for found in _other_fleets(fleet, nodes, assumed):
         if isinstance(found, str):
             yield found
         else:
-            kind, what, channel = found
+            kind, what, changed = found
+            yield kind, what, (changed,), protocol, wifi
+    if not any(nodes):
+        each = parameter_service_endpoints()
+        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
+    for other in _other_wifis(wifi):
+        if isinstance(other, str):
+            yield other
+        else:
+            kind, what, channel = other
             yield kind, what, (fleet,), protocol, channel
     hosts = sum(group.hosts for group in fleet.groups)
     for parts in PARTS:
@@ -434,25 +448,30 @@ def _remedies(
             pieces = split(fleet, parts)
             yield "channels", f"splitting onto {parts} channels", pieces, protocol, wifi
             yield "domains", f"splitting into {parts} domains", pieces, protocol, wifi
-    for other in (DDS, ZENOH):
-        if other != protocol:
-            yield "middleware", f"switching to {other.name}", (fleet,), other, wifi
+    for middleware in (DDS, ZENOH):
+        if middleware != protocol:
+            yield "middleware", f"switching to {middleware.name}", (fleet,), middleware, wifi
 
 
 def _other_fleets(
     fleet: Fleet, nodes: Sequence[float], assumed: str
-) -> Iterator[tuple[Kind, str, Fleet]]:
+) -> Iterator[tuple[Kind, str, Fleet] | str]:
     many = [group for group in fleet.groups if group.processes > 1]
     if many:
-        composed = (
-            replace(group, processes=1, endpoints=group.processes * group.endpoints)
-            for group in fleet.groups
-        )
         which = "the processes of each host"
         if len(many) == 1:
             of = f" of {many[0].name}" if len(fleet.groups) > 1 and many[0].name else ""
-            which = f"{many[0].processes:g} processes{of}"
-        yield "processes", f"composing {which} into 1", Fleet(tuple(composed))
+            which = f"{many[0].processes:,.10g} processes{of}"
+        what = f"composing {which} into 1"
+        try:
+            composed = tuple(
+                replace(group, processes=1, endpoints=group.processes * group.endpoints)
+                for group in fleet.groups
+            )
+        except ValueError as error:
+            yield f"{what}: {error}"
+        else:
+            yield "processes", what, Fleet(composed)
     if any(nodes):
         each = parameter_service_endpoints()
         fewer = (
@@ -525,7 +544,7 @@ def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, 
     checked = _checks.numbers("nodes", nodes, 0)
     many = len(fleet.groups)
     own = [checked] * many if isinstance(checked, float) else checked.tolist()
-    if len(own) != many:
+    if not isinstance(checked, float) and checked.shape != (many,):
         raise ValueError(f"nodes must be one number, or one for each of {many} groups; got {nodes}")
     for group, count in zip(fleet.groups, own, strict=True):
         if count * each > group.endpoints:
@@ -581,16 +600,29 @@ def _wrapped(line: str) -> str:
     return textwrap.fill(glued, 79, subsequent_indent=indent).replace("\u00a0", " ")
 
 
+def _capitalized(sentence: str) -> str:
+    return sentence[0].upper() + sentence[1:]
+
+
 def _part(share: float) -> str:
-    return "nearly all" if 0.995 <= share < 1 else f"{share:.0%}"
+    return "nearly all" if 0.995 <= share < 1 else _percent(share)
+
+
+def _percent(share: float) -> str:
+    """Return a share to a percent, and what is less than one to two digits."""
+    if 0.01 <= share < _HUGE or not share:
+        return f"{share:,.0%}"
+    return f"{100 * share:.2g}%"
 
 
 def _many(count: float, noun: str, plural: str = "s") -> str:
-    return f"{count:,g} {noun}{plural if count != 1 else ''}"
+    return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
 
 
 def _time(seconds: float) -> str:
     """Return a time to two digits or three, below a tenth of a second in milliseconds."""
     if seconds < 0.1:
         return f"{1e3 * seconds:.3g} ms"
-    return f"{seconds:.2f} s" if seconds < 10 else f"{seconds:,.1f} s"
+    if seconds < 10:
+        return f"{seconds:.2f} s"
+    return f"{seconds:,.1f} s" if seconds < _HUGE else f"{seconds:.3g} s"

@@ -255,7 +255,7 @@ def wifi_preset(
     unusual = (
         ", 2.4 GHz" if hertz != in_band[-1][0] else "",
         f", MCS {index:g}" if index != codings[-1][0] else "",
-        f", {guard_interval * _MICRO:g} us" if guard_interval > shortest else "",
+        f", {guard_interval * _MICRO:g} µs" if guard_interval > shortest else "",
         f", multicast {basic_rate / _MEGA:g} Mbit/s" if basic_rate != basics[0][0] else "",
         f", AIFSN {aifsn:g}" if aifsn != 2 else "",
         f", A-MPDU {mpdus:g}" if mpdus > 1 else "",

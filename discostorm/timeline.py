@@ -1,4 +1,4 @@
-r"""What 100 % means: which messages are sent once, which for ever, and how long a start takes.
+r"""What 100% means: which messages are sent once, which for ever, and how long a start takes.
 
 The paper divides the airtime of a start-up burst by one second. Here every message has a
 `Schedule`, and a `Product` (a middleware with its default periods and leases) is a table of
@@ -57,6 +57,8 @@ class Schedule:
     ------
     ValueError
         If a time or the period is out of range, or the times are not in order.
+    TypeError
+        If the starts are not several times, or one is not a number.
 
     Examples
     --------
@@ -68,6 +70,9 @@ class Schedule:
     period: float = np.inf
 
     def __post_init__(self) -> None:
+        if not np.iterable(self.starts):
+            raise TypeError(f"starts must be a tuple of times in seconds; got {self.starts!r}")
+        object.__setattr__(self, "starts", tuple(self.starts))
         if not self.starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
         for time in self.starts:

@@ -106,7 +106,7 @@ def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> 
                 raise ValueError(f"{name} has two ranges in the protocols: {found[name]}, {ends}")
         used = protocol.utilization().free_symbols
         found |= {name: ends for name, ends in _assumed().items() if name in used}
-    for name, ends in _by_symbol("ranges", given or {}, found).items():
+    for name, ends in _by_symbol("ranges", {} if given is None else given, found).items():
         try:
             low, high = ends
         except (TypeError, ValueError):
@@ -120,6 +120,7 @@ def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> 
 def _by_symbol(
     argument: str, given: Mapping[Any, Any], known: Mapping[sp.Symbol, object]
 ) -> dict[sp.Symbol, Any]:
+    _checks.instance(argument, given, Mapping)
     symbols = {symbol.name: symbol for symbol in known}
     for name in given:
         if str(name) not in symbols:
@@ -361,7 +362,7 @@ def sensitivity(
     at = {
         name: value for name, value in (protocol.values() | PAPER.values()).items() if name in ends
     }
-    at |= _by_symbol("values", values or {}, ends)
+    at |= _by_symbol("values", {} if values is None else values, ends)
     for name, (low, high) in ends.items():
         at[name] = _checks.number(str(name), at[name], low, high)
     hosts = _saturation(protocol, processes, endpoints, limit, at)

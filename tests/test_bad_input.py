@@ -69,10 +69,10 @@ def test_counts_out_of_range(call: Callable[..., object], name: str) -> None:
     low = LOW[name]
     allowed = f"{name} must be a finite number of at least {low} and at most 1e+09; got "
     for value, shown in [
-        (low - 1, f"{low - 1}.0"),
-        (-1, "-1.0"),
+        (low - 1, f"{low - 1}"),
+        (-1, "-1"),
         (low - 1e-9, repr(low - 1e-9)),
-        (10**9 + 1, "1000000001.0"),
+        (10**9 + 1, "1000000001"),
         (10**400, "1000000000000000"),
         *NOT_FINITE,
     ]:
@@ -91,7 +91,7 @@ def test_counts_that_are_no_numbers(call: Callable[..., object], name: str, valu
 
 @pytest.mark.parametrize("name", SWARM)
 def test_one_bad_element_of_an_array(name: str) -> None:
-    for bad, shown in [(-1, "-1.0"), *NOT_FINITE]:
+    for bad, shown in [(-1, "-1"), *NOT_FINITE]:
         fails(ValueError, f"{name} must be a finite number", utilization, **{name: [5, bad, 6]})
         fails(ValueError, f"got {shown}", utilization, **{name: np.array([5, bad, 6])})
 
@@ -150,9 +150,15 @@ def test_of_several_wrong_elements_the_first_is_named() -> None:
     fails(ValueError, "got -2.0", utilization, **SWARM | {"hosts": [1, 1e9, -2, -3]})
 
 
+@pytest.mark.parametrize("value", [-1, -1.0, np.int8(-1), -(10**30), sp.Integer(-1)], ids=repr)
+def test_a_wrong_value_is_shown_as_it_was_given(value: Any) -> None:
+    with pytest.raises(ValueError, match=rf"; got {value}$"):
+        utilization(hosts=value)
+
+
 def test_limit() -> None:
     allowed = "limit must be a finite number above 0"
-    for value, shown in [(0, "0.0"), (-1, "-1.0"), *NOT_FINITE]:
+    for value, shown in [(0, "0"), (-1, "-1"), *NOT_FINITE]:
         fails(ValueError, f"{allowed}; got {shown}", saturation_hosts, limit=value)
     fails(TypeError, f"{allowed}, or an array of them; got 'all'", saturation_hosts, limit="all")
 
@@ -221,7 +227,7 @@ def test_fleet_and_counts_exclude_each_other() -> None:
 def test_host_group(name: str) -> None:
     allowed = f"{name} must be a finite number of at least {LOW[name]} and at most 1e+09"
     fails(ValueError, f"{allowed}; got nan", ds.HostGroup, **{**SWARM, name: float("nan")})
-    fails(ValueError, f"{allowed}; got -1.0", ds.HostGroup, **{**SWARM, name: sp.Integer(-1)})
+    fails(ValueError, f"{allowed}; got -1", ds.HostGroup, **{**SWARM, name: sp.Integer(-1)})
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: "many"})
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: sp.nan})
 
@@ -260,10 +266,10 @@ def test_payload() -> None:
         fields: dict[str, Any] = {"nominal": 350, "low": 300, "high": 400, "source": "here"}
         return ds.Payload(**fields | given)
 
-    fails(ValueError, "low must be a finite number of at least 0; got -1.0", payload, low=-1)
+    fails(ValueError, "low must be a finite number of at least 0; got -1", payload, low=-1)
     fails(
         ValueError,
-        "nominal must be a finite number of at least 300 and at most 400; got 401.0",
+        "nominal must be a finite number of at least 300 and at most 400; got 401",
         payload,
         nominal=401,
     )
@@ -292,7 +298,7 @@ def test_message() -> None:
     fails(ValueError, "transport must be 'UDP' or 'TCP'; got 'QUIC'", message, transport="QUIC")
     fails(TypeError, "payload must be a Payload; got 350", message, payload=350)
     fails(TypeError, "unit must be a Unit; got 'process'", message, unit="process")
-    fails(ValueError, "per_unit must be a finite number above 0; got 0.0", message, per_unit=0)
+    fails(ValueError, "per_unit must be a finite number above 0; got 0", message, per_unit=0)
 
 
 def test_protocol() -> None:
@@ -316,7 +322,7 @@ def test_link(name: str, low: str) -> None:
     def link(**given: Any) -> object:
         return ds.Link(**{"rate": 6e6, "overhead": 120e-6} | given)
 
-    for value, shown in [(-1, "-1.0"), *NOT_FINITE]:
+    for value, shown in [(-1, "-1"), *NOT_FINITE]:
         text = f"{name} must be a finite number {low}; got {shown}"
         fails(ValueError, text, link, **{name: value})
     fails(TypeError, f"{name} must be a finite number {low}", link, **{name: "fast"})
@@ -324,7 +330,7 @@ def test_link(name: str, low: str) -> None:
 
 
 def test_rate_zero() -> None:
-    fails(ValueError, "rate must be a finite number above 0; got 0.0", ds.Link, rate=0, overhead=0)
+    fails(ValueError, "rate must be a finite number above 0; got 0", ds.Link, rate=0, overhead=0)
 
 
 def test_wifi() -> None:
@@ -350,6 +356,9 @@ def test_lambdify() -> None:
     )  # fmt: skip
     fails(TypeError, "symbols[0] must be a Symbol; got 'x'", lambdify, symbols=["x"], expression=x)
     fails(TypeError, "expression must be an Expr; got 'x'", lambdify, symbols=[x], expression="x")
+    for twice in ([x, x], [x, sp.Symbol("x", positive=True)]):
+        text = "symbols must have names that differ; got x, x"
+        fails(ValueError, text, lambdify, symbols=twice, expression=x)
     function = ds.lambdify([x, y], x)
     fails(TypeError, "the function takes x, y; got x", function, x=1)
     fails(TypeError, "the function takes x, y; got x, z", function, x=1, z=2)

@@ -40,7 +40,7 @@ EXPECTED = {
     "carries one host more": "contradicted",
     "Scouting costs more than DDS SPDP": "qualified",
     "above all the SEDP messages": "contradicted",
-    "SEDP alone exceeds 100 %": "reproduced",
+    "SEDP alone exceeds 100%": "reproduced",
     "sustained saturation": "contradicted",
     "confined to small clusters": "qualified",
     "678 endpoints": "not checkable",

@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -265,8 +266,12 @@ def test_rates_and_overheads_replace_the_papers() -> None:
             "--unicast-rate goes with --wifi paper alone; got --wifi '802.11a 20 MHz 1x1'",
         ),
         (
-            "utilization|--fleet|fleet.toml|--multicast-rate|0",
-            "multicast rate must be a finite number above 0; got 0.0",
+            "utilization|--fleet|fleet.toml|--multicast-rate|-1.5",
+            "multicast rate must be a finite number above 0; got -1.5 Mbit/s",
+        ),
+        (
+            "utilization|--fleet|fleet.toml|--unicast-overhead|-2",
+            "unicast overhead must be a finite number of at least 0; got -2 µs",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
         ("saturation|--processes|2", "Missing option '--endpoints'"),
@@ -306,7 +311,7 @@ def test_wrong_input_ends_with_2_and_says_what_is_allowed(arguments: str, messag
             "hosts = 10",
             "hosts = -3",
             "bad.toml: group 1 (robots): hosts must be a finite number of at least 1 and at "
-            "most 1e+09; got -3.0",
+            "most 1e+09; got -3",
         ),
         ("endpoints = 90", "endpoints = 'x'", "group 2 (laptop): endpoints must be a finite"),
         ("hosts = 1 ", "host = 1", "group 2 (laptop): key must be hosts or processes"),
@@ -426,3 +431,11 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
     assert "more lines" in notebook.shell("discostorm --help", lines=1).data
     with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
         notebook.shell("ls")
+
+
+def test_huge_numbers_are_printed_with_their_power_of_ten() -> None:
+    used = run("utilization|--hosts|1e9|--processes|1e9|--endpoints|0|--protocol|dds")
+    assert re.search(r" \d(\.\d+)?e\+\d\d%  no$", used.stdout, re.MULTILINE)
+    costs = run("breakdown|--hosts|1e9|--processes|1e9|--endpoints|0|--protocol|dds")
+    assert not re.search(r"\d{7}", costs.stdout)
+    assert costs.exit_code == 0

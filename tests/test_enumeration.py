@@ -140,6 +140,19 @@ def test_wrong_input_is_named(protocol: str, hosts: Any, message: str) -> None:
         list(walk(protocol, hosts))
 
 
+@pytest.mark.parametrize(
+    ("hosts", "message"),
+    [
+        (3, "hosts must be a sequence; got 3"),
+        ("12", "hosts must be a sequence; got '12'"),
+        ([[1], 2], r"hosts\[1\] must be a sequence; got 2"),
+    ],
+)
+def test_hosts_that_are_no_sequences_are_named(hosts: Any, message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        list(walk("DDS", hosts))
+
+
 def test_endpoints_alternate_between_topics_and_each_topic_ends_with_its_heartbeat() -> None:
     first, second = Process(1, 1), Process(2, 1)
     told = [

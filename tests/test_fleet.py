@@ -193,9 +193,9 @@ def test_repr_reads_well_and_makes_the_same_group() -> None:
 @pytest.mark.parametrize(
     ("make", "error", "message"),
     [
-        (lambda: ds.HostGroup(0, 1, 1), ValueError, "hosts must be .* at least 1 .* got 0.0"),
-        (lambda: ds.HostGroup(1, -2, 1), ValueError, "processes must be .* at least 1 .* got -2.0"),
-        (lambda: ds.HostGroup(1, 1, -1), ValueError, "endpoints must be .* at least 0 .* got -1.0"),
+        (lambda: ds.HostGroup(0, 1, 1), ValueError, "hosts must be .* at least 1 .* got 0$"),
+        (lambda: ds.HostGroup(1, -2, 1), ValueError, "processes must be .* at least 1 .* got -2$"),
+        (lambda: ds.HostGroup(1, 1, -1), ValueError, "endpoints must be .* at least 0 .* got -1$"),
         (lambda: ds.HostGroup(1e10, 1, 1), ValueError, r"hosts must be .* at most 1e\+09; got 1"),
         (lambda: ds.HostGroup(1, 1, np.nan), ValueError, "endpoints must be .*; got nan"),
         (lambda: ds.HostGroup("ten", 1, 1), TypeError, "hosts must be .*; got 'ten'"),

@@ -364,6 +364,7 @@ def test_wrong_arguments_are_named(
     [
         (-1, "nodes must be a finite number of at least 0, or an array of them|nodes .* got -1"),
         ([1, 2, 3], "nodes must be one number, or one for each of 2 groups; got"),
+        ([[1, 2]], "nodes must be one number, or one for each of 2 groups; got"),
         (8, "nodes must be at most 7.5 for processes of 90 endpoints, .* have 12; got 8"),
         (float("nan"), "nodes must be .*; got nan"),
     ],
@@ -451,6 +452,8 @@ def test_what_is_proposed_for_the_radio() -> None:
         (10, "10.0 s"),
         (10.5, "10.5 s"),
         (1234.5, "1,234.5 s"),
+        (1e6, "1e+06 s"),
+        (3.7028e15, "3.7e+15 s"),
     ],
 )
 def test_times_in_words(seconds: float, words: str) -> None:
@@ -458,10 +461,19 @@ def test_times_in_words(seconds: float, words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("share", "words"), [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%")]
+    ("share", "words"),
+    [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%"), (0, "0%")],
 )
 def test_parts_in_words(share: float, words: str) -> None:
     assert planner._part(share) == words
+
+
+@pytest.mark.parametrize(
+    ("share", "words"),
+    [(0.00087, "0.087%"), (0.01, "1%"), (28.44, "2,844%"), (1e6, "1e+08%"), (3.7e15, "3.7e+17%")],
+)
+def test_percent_in_words(share: float, words: str) -> None:
+    assert planner._percent(share) == words
 
 
 def test_each_kind_of_remedy_is_warned_of_once() -> None:
@@ -469,6 +481,33 @@ def test_each_kind_of_remedy_is_warned_of_once() -> None:
     prices = {found.kind for found in plan.remedies if found.price}
     assert plan.advice().count("Mind: ") == len(prices)
     assert len(prices) > 1
+
+
+def test_what_does_not_help_is_told_apart() -> None:
+    helps, rest = ds.plan(NAV2, ds.ZENOH).advice().split("What would not help:\n")
+    assert "What would help, most first:\n 1. " in helps
+    assert "adds" not in helps
+    assert "changes less than" not in helps
+    others, _ = rest.split("\n\n")
+    assert "- Switching to DDS adds 9%: 26.2 s becomes 28.4 s." in others
+    assert "- Sending multicast at 24 instead of 6 Mbit/s changes less than 0.5%." in others
+    assert others.count("- ") == 2
+    assert "not help" not in ds.plan(FIG3).advice()
+
+
+def test_nothing_may_help() -> None:
+    best = ds.wifi_preset("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64)
+    advice = ds.plan(ds.Fleet.swarm(2, 1, 5), ds.ZENOH, best).advice()
+    assert "Nothing that was tried helps:\n- Switching to DDS adds" in advice
+    assert "What would" not in advice
+
+
+def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:
+    plan = ds.plan(ds.Fleet.swarm(10, 1e6, 1e5))
+    assert not [found for found in plan.remedies if found.kind == "processes"]
+    assert plan.left_out[0].startswith(
+        "composing 1,000,000 processes into 1: endpoints must be a finite number"
+    )
 
 
 def test_what_was_left_out_is_told() -> None:

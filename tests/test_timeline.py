@@ -5,7 +5,7 @@ import math
 from collections.abc import Callable
 from importlib.resources import files
 from itertools import pairwise
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -242,6 +242,11 @@ def test_every_default_names_where_it_comes_from() -> None:
     ("call", "error", "text"),
     [
         (lambda: Schedule(()), ValueError, "starts must hold at least one time"),
+        (
+            lambda: Schedule(cast(Any, 0)),
+            TypeError,
+            "starts must be a tuple of times in seconds; got 0",
+        ),
         (lambda: Schedule((-1,)), ValueError, "starts must be a finite number of at least 0"),
         (lambda: Schedule((0, 2, 1)), ValueError, r"starts must be times in order.*got \(0, 2, 1"),
         (lambda: Schedule((0, 9), 8), ValueError, "no further apart than the period of 8 s"),
@@ -351,6 +356,12 @@ def test_times_up_to_a_moment(until: float, times: list[float]) -> None:
     schedule = Schedule((0, 1, 3), 8)
     assert schedule.times(until).tolist() == times
     assert schedule.sent(until) == len(times)
+
+
+def test_starts_may_be_a_list() -> None:
+    schedule = Schedule(cast(Any, [0, 1]))
+    assert schedule == Schedule((0, 1))
+    assert hash(schedule) == hash(Schedule((0, 1)))
 
 
 def test_starts_may_coincide_and_be_a_period_apart() -> None:

@@ -152,7 +152,7 @@ def test_a_name_says_what_is_unusual() -> None:
     assert ds.wifi_preset("802.11n", mpdus=2).name == "802.11n 20 MHz 1x1, A-MPDU 2"
     assert ds.wifi_preset("802.11n", aifsn=15).name == "802.11n 20 MHz 1x1, AIFSN 15"
     slow = ds.wifi_preset("802.11n", guard_interval=8e-7, multicast_rate=12e6)
-    assert slow.name == "802.11n 20 MHz 1x1, 0.8 us, multicast 12 Mbit/s"
+    assert slow.name == "802.11n 20 MHz 1x1, 0.8 µs, multicast 12 Mbit/s"
 
 
 def test_the_rates_of_the_paper() -> None:

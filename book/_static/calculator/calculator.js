@@ -196,7 +196,7 @@
     const full =
       one.saturation === null
         ? `A single host already takes ${percent(one.single)}.`
-        : `The channel is full at ${number(one.saturation)} hosts: ${count(one.largest)} ${one.largest === 1 ? "stays" : "stay"} below 100\u00a0%.`;
+        : `The channel is full at ${number(one.saturation)} hosts: ${count(one.largest)} ${one.largest === 1 ? "stays" : "stay"} below 100%.`;
     return `${one.name}: discovery takes ${percent(one.utilization)} of the channel. ${full}`;
   }
 
@@ -232,14 +232,14 @@
       ["Utilization", (one) => [exact(one.utilization, percent(one.utilization), `${one.name} utilization`)]],
       [
         "Verdict",
-        (one) => [one.utilization >= answer.settings.values.U_limit ? "the channel is full" : "below 100\u00a0%"],
+        (one) => [one.utilization >= answer.settings.values.U_limit ? "the channel is full" : "below 100%"],
       ],
       [
         "The channel is full at",
         (one) => [exact(one.saturation ?? NaN, fullAt(one), `${one.name} saturation`)],
       ],
       [
-        "Largest swarm below 100\u00a0%",
+        "Largest swarm below 100%",
         (one) => [exact(one.largest, plural(one.largest, "host", "hosts"), `${one.name} largest`)],
       ],
       [
@@ -387,7 +387,7 @@
       ctx.font = `${13 * scale}px sans-serif`;
       ctx.textAlign = "left";
       ctx.textBaseline = "bottom";
-      ctx.fillText("100 %: full", bbox.left + 6 * scale, limit - 3 * scale);
+      ctx.fillText("100%: full", bbox.left + 6 * scale, limit - 3 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.all].sort((a) => (a === answer.front ? 1 : -1))) {
         const x = u.valToPos(answer.hosts, "x", true);
@@ -499,7 +499,7 @@
     for (const one of answer.all) {
       rows.push([one.name, "utilization", "", hosts, one.utilization, "1"]);
       rows.push([one.name, "saturation", "", "", one.saturation ?? "", "hosts"]);
-      rows.push([one.name, "largest swarm below 100 %", "", "", one.largest, "hosts"]);
+      rows.push([one.name, "largest swarm below 100%", "", "", one.largest, "hosts"]);
       for (const product of one.products) {
         rows.push([one.name, "drain time", product.name, hosts, product.drain, "s"]);
         rows.push([one.name, "steady utilization", product.name, hosts, product.steady, "1"]);
