@@ -47,6 +47,16 @@ _SYMBOLS = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
 
 def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
     """Return the messages meant by phases, casts, or messages (``SEDP_message``)."""
+    known = {
+        name
+        for message in protocol.messages
+        for name in (message.phase, message.cast, message.name + "_message")
+    }
+    if unknown := set(names) - known:
+        raise ValueError(
+            f"name must be one of {', '.join(sorted(known))} for {protocol.name}; "
+            f"got {min(unknown)!r}"
+        )
     return [
         message
         for message in protocol.messages
@@ -72,11 +82,6 @@ def degree(protocol: Protocol, variable: str) -> int:
 def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     """Return the degree of the messages of one host in one of N_H, N_P, N_E."""
     return int(sp.degree(host_load(protocol, *names), _SYMBOLS[variable]))
-
-
-def load_degree(protocol: Protocol, variable: str, *names: str) -> int:
-    """Return the degree of the messages of all hosts in one of N_H, N_P, N_E."""
-    return int(sp.degree(sp.expand(load(protocol, *names)), _SYMBOLS[variable]))
 
 
 def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
@@ -154,11 +159,6 @@ def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int
     return int(sp.ceiling(saturation_hosts(protocol, processes, endpoints))) - 1
 
 
-def swarm_difference(processes: float, endpoints: float) -> int:
-    """Return how many hosts more Zenoh carries than DDS below 100%."""
-    return largest_swarm(ZENOH, processes, endpoints) - largest_swarm(DDS, processes, endpoints)
-
-
 def gap(hosts: float, processes: float, endpoints: float) -> float:
     """Return how much less airtime Zenoh takes than DDS, relative to DDS."""
     zenoh = utilization(ZENOH, hosts, processes, endpoints)
@@ -222,20 +222,6 @@ def payload_spread(message: str) -> float:
     """Return half the payload range of a message relative to its nominal value."""
     payload = _message(message).payload
     return (payload.high - payload.low) / 2 / payload.nominal
-
-
-def place_difference() -> float:
-    """Return how much higher in their ranges DDS payloads are taken than Zenoh's, on average.
-
-    0 is the low end of a range, 1 the high end.
-    """
-
-    def place(protocol: Protocol) -> float:
-        payloads = [message.payload for message in protocol.messages]
-        places = [(p.nominal - p.low) / (p.high - p.low) for p in payloads if p.high > p.low]
-        return sum(places) / len(places)
-
-    return place(DDS) - place(ZENOH)
 
 
 def header(transport: str) -> int:
@@ -352,6 +338,12 @@ def standard_bound(protocol: Protocol, hosts: float, processes: float, endpoints
 
 
 def saturation_spread(protocol: Protocol, processes: float, endpoints: float) -> float:
+    """Return by how many hosts the ranges of all parameters can move the saturation point."""
+    least, most = saturation_bounds(protocol, processes, endpoints)
+    return float(most - least)
+
+
+def saturation_spread_by_payloads(protocol: Protocol, processes: float, endpoints: float) -> float:
     """Return by how many hosts Table II's ranges alone can move the saturation point."""
     values = {**protocol.values(), **PAPER.values()}
     payloads = {message.payload_symbol for message in protocol.messages}
@@ -543,6 +535,7 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         standard_bound,
         largest_swarm,
         saturation_spread,
+        saturation_spread_by_payloads,
         aggregation_bound,
         overhead_as_listed,
         overhead_with_backoff,
@@ -566,7 +559,6 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         host_load_degree,
         host_load_variables,
         load,
-        load_degree,
         load_difference,
         load_ratio,
         load_variables,
@@ -575,13 +567,11 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         multicast_cost,
         overhead_share,
         payload_spread,
-        place_difference,
         repeated_utilization,
         saturation_hosts,
         scouting_above_spdp,
         share,
         share_of_phase,
-        swarm_difference,
         trajectory_degree,
         utilization,
     )

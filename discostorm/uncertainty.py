@@ -35,7 +35,7 @@ GivenRanges = Mapping[Any, Range]
 #: Most samples taken at once: each parameter then fills 800 MB.
 MOST_SAMPLES = 10**8
 
-_SI = {"us": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
+_SI = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
 
 class Bounds(NamedTuple):
