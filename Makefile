@@ -50,11 +50,11 @@ pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks, figures and data
 	@rm -rf _build/html _build/.doctrees build/release
 	@$(BUILD)
-	@$(BIN)/python -m discostorm.figures build/release/figures
+	@$(BIN)/discostorm figures --out build/release/figures
 	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
-	@$(BIN)/python -m discostorm.figures "$(OUT)"
+	@$(BIN)/discostorm figures --out "$(OUT)"
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/write_calculator.py
@@ -84,7 +84,7 @@ serve: book ## show the book at http://localhost:8000
 	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html
 
 lock: $(READY) ## resolve the versions anew (needs uv)
-	uv pip compile pyproject.toml --group book --group dev --universal --fork-strategy fewest \
+	uv pip compile --upgrade pyproject.toml --group book --group dev --universal --fork-strategy fewest \
 		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
 	$(BIN)/python scripts/write_environment.py
 

@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 #: Largest count taken: far beyond any fleet, and its powers still fit a float64.
 MOST = 1e9
+#: Largest utilization to solve for: its powers still fit a float64.
+MOST_UTILIZATION = 1e100
 
 
 def wanted(low: float, high: float = np.inf, above: bool = False) -> str:
@@ -35,6 +37,8 @@ def numbers(
         If an element is NaN, infinite or out of range, or the rows differ in length.
     """
     allowed = wanted(low, high, above)
+    if np.ma.is_masked(value):
+        raise TypeError(f"{name} must be {allowed}, or an array of them without masked elements")
     try:
         given = np.asarray(value)
     except ValueError as error:
@@ -64,15 +68,15 @@ def number(
 ) -> float:
     """Return ``value`` as a float if it is one number within the range; see `numbers`."""
     checked = numbers(name, value, low, high, above=above)
-    if not isinstance(checked, float):
-        raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
-    return checked
+    one_each([(name, value)])
+    return float(checked)
 
 
-def each(named: Iterable[tuple[str, Any]]) -> None:
-    """Raise an error unless each value is one number of at least 0; see `number`."""
+def one_each(named: Iterable[tuple[str, Any]]) -> None:
+    """Raise a TypeError if a value is an array; see `number` for the numbers themselves."""
     for name, value in named:
-        number(name, value, 0)
+        if np.ndim(value):
+            raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
 
 
 def shape(**given: Any) -> tuple[int, ...]:

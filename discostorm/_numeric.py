@@ -98,7 +98,10 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     def numeric(*args: ArrayLike, **kwargs: ArrayLike) -> Value:
         given = dict(zip(names, args, strict=False)) | kwargs
         if len(args) + len(kwargs) != len(names) or given.keys() != set(names):
-            raise TypeError(f"the function takes {', '.join(names)}; got {', '.join(given)}")
+            by_name = f" and {', '.join(kwargs)} by name" if kwargs else ""
+            raise TypeError(
+                f"the function takes {', '.join(names)}; got {len(args)} in order{by_name}"
+            )
         return evaluate(
             expression,
             {
@@ -116,17 +119,22 @@ def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     shape = _checks.shape(**{symbol.name: value for symbol, value in given.items()})
     function = _compiled(tuple(given), expression)
     if not shape:
-        return float(function(*given.values()))
+        return float(_real(function(*given.values()), expression))
     result = np.empty(shape)
     rows = max(1, _BLOCK // max(1, math.prod(shape[1:])))
     for start in range(0, shape[0], rows):
         block = slice(start, start + rows)
-        result[block] = function(
-            *(
-                value[block]
-                if isinstance(value, np.ndarray) and value.ndim == len(shape) and len(value) > 1
-                else value
-                for value in given.values()
-            )
+        values = (
+            value[block]
+            if isinstance(value, np.ndarray) and value.ndim == len(shape) and len(value) > 1
+            else value
+            for value in given.values()
         )
+        result[block] = _real(function(*values), expression)
     return result
+
+
+def _real(value: Value, expression: sp.Expr) -> Value:
+    if np.iscomplexobj(value):
+        raise ValueError(f"expression must be real; {expression} is not")
+    return value

@@ -31,8 +31,9 @@ class Aggregation:
     overhead: float
 
     def __post_init__(self) -> None:
-        _checks.number("mpdus", self.mpdus, 1)
-        _checks.number("most_bytes", self.most_bytes, 1)
+        for name in ("mpdus", "most_bytes"):
+            if _checks.number(name, getattr(self, name), 1) % 1:
+                raise ValueError(f"{name} must be a whole number; got {getattr(self, name)!r}")
         _checks.number("overhead", self.overhead, 0)
 
 

@@ -204,10 +204,14 @@ _HUGE = 1e6
 
 
 def _plain(value: Any) -> str:
-    return f"{value:,g}" if isinstance(value, float) else str(value)
+    if not isinstance(value, float):
+        return str(value)
+    return f"{value:,.10g}" if value < 1e10 else f"{value:.3g}"
 
 
 def _percent(value: float) -> str:
+    if 0.9995 <= value < 1:
+        return "<100.0%"
     return f"{value:,.1%}" if value < _HUGE else f"{100 * value:.3g}%"
 
 
@@ -393,6 +397,10 @@ def breakdown(
     )
 
 
+def _hosts(value: float | None) -> str:
+    return "less than 1" if value is None else f"{value:.2f}"
+
+
 @main.command(short_help="Hosts at which the channel is full.")
 @click.option("--processes", type=float, required=True, metavar="N", help="Of each host.")
 @click.option("--endpoints", type=float, required=True, metavar="N", help="Of each process.")
@@ -428,10 +436,15 @@ def saturation(
 
         wifi = _wifi(channel, rates)
         others = None if beside is None else ds.Fleet.from_toml(beside)
+        host = ds.HostGroup(1, processes, endpoints)
+        least = ds.Fleet((host, *(others.groups if others else ())))
         rows = []
         for chosen in _protocols(protocol):
-            hosts = float(
-                ds.saturation_hosts(
+            full = ds.utilization(chosen, least, wifi=wifi) > limit > 0
+            hosts = (
+                None
+                if full
+                else ds.saturation_hosts(
                     chosen, processes, endpoints, wifi=wifi, limit=limit, beside=others
                 )
             )
@@ -442,15 +455,15 @@ def saturation(
                     "endpoints": endpoints,
                     "limit": limit,
                     "hosts": hosts,
-                    "fit": math.ceil(hosts) - 1,
+                    "fit": 0 if hosts is None else math.ceil(hosts) - 1,
                 }
             )
-        table = pd.DataFrame(rows)
+        table = pd.DataFrame(rows, dtype=object)  # keeps the None of no hosts
     _print(
         table,
         as_json,
         as_csv,
-        {"limit": _percent, "hosts": "{:.2f}".format},
+        {"limit": _percent, "hosts": _hosts},
         {"hosts": "saturated at hosts", "fit": "hosts that fit"},
     )
 

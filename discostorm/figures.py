@@ -1,12 +1,10 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them.
 
-``python -m discostorm.figures FOLDER`` writes all of them as SVG, PDF and PNG, with CSV.
+`save_all` writes all of them as SVG, PDF and PNG, with CSV: the command ``discostorm figures``.
 There are more drawings: `airtime`, of one frame of each message; and, of any protocol,
 `bars`, of what each message adds to utilization, and `remedies`, of what a plan would change.
 """
 
-import argparse
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -27,7 +25,7 @@ from discostorm._numeric import evaluate
 from discostorm.dds import DDS
 from discostorm.messages import Protocol
 from discostorm.scalability import saturation_hosts, utilization
-from discostorm.wifi import PAPER, Wifi
+from discostorm.wifi import PAPER
 from discostorm.zenoh import ZENOH
 
 PROTOCOLS = (DDS, ZENOH)
@@ -280,19 +278,20 @@ def fig4() -> Figure:
     return figure
 
 
-def airtime_data(protocols: Sequence[Protocol] = PROTOCOLS, wifi: Wifi = PAPER) -> pd.DataFrame:
+def airtime_data(protocols: Sequence[Protocol] = PROTOCOLS) -> pd.DataFrame:
     """Return what one frame of each message costs, up and down: overhead and bits [s].
 
-    A row a message and direction, with columns protocol, message, direction, overhead_s
-    (independent of the length of the frame) and bits_s (proportional to it).
+    On the paper's channel. A row a message and direction, with columns protocol, message,
+    direction, overhead_s (independent of the length of the frame) and bits_s (proportional
+    to it).
     """
     rows = []
     for protocol in protocols:
-        values = protocol.values() | wifi.values()
+        values = protocol.values() | PAPER.values()
         for message in protocol.messages:
-            down = wifi.multicast if message.cast == "multicast" else wifi.unicast
+            down = PAPER.multicast if message.cast == "multicast" else PAPER.unicast
             for direction, link, expression in (
-                ("up", wifi.unicast, message.airtime_up()),
+                ("up", PAPER.unicast, message.airtime_up()),
                 ("down", down, message.airtime_down()),
             ):
                 rows.append(
@@ -367,14 +366,18 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
         figure = Figure(figsize=(WIDTH, 1.6 + 0.36 * len(swarms)))
         axis = figure.subplots()
         data = bars_data(swarms, share=share)
+        names = dict.fromkeys(data["message"])
+        others = (name for name in names if name not in MESSAGE_COLORS)
+        colors = {name: MESSAGE_COLORS.get(name, "") for name in names}
+        # The first two colors are those of SEDP and Declare.
+        colors |= {name: f"C{2 + number}" for number, name in enumerate(others)}
         for label in swarms:
             part = data[data["swarm"] == label]
             lengths = part.set_index("message").iloc[:, -1]
             starts = lengths.cumsum() - lengths
             for name in lengths.index:
-                axis.barh(label, lengths[name], left=starts[name], color=MESSAGE_COLORS.get(name))
-        known = dict.fromkeys(name for messages in swarms.values() for name in messages.index)
-        handles = [Patch(color=MESSAGE_COLORS.get(name), label=name) for name in known]
+                axis.barh(label, lengths[name], left=starts[name], color=colors[name])
+        handles = [Patch(color=color, label=name) for name, color in colors.items()]
         figure.legend(handles=handles, loc="outside upper center", ncols=4)
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
@@ -471,26 +474,3 @@ def save_all(folder: Path) -> Iterator[Path]:
         path = folder / f"{name}.csv"
         paper.data().to_csv(path, index=False, lineterminator="\n")
         yield path
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run ``python -m discostorm.figures``; return the exit status."""
-    parser = argparse.ArgumentParser(
-        prog="python -m discostorm.figures",
-        description="Write Figs. 2-4 of the paper as SVG, PDF and PNG, and their data as CSV.",
-    )
-    parser.add_argument("folder", metavar="FOLDER", help="where to, made if missing")
-    given = parser.parse_args(arguments).folder
-    if not given:
-        parser.error("FOLDER must name a folder; got ''")
-    count = files_of_all()
-    try:
-        for number, path in enumerate(save_all(Path(given)), start=1):
-            print(f"[{number:2}/{count}] {path}", flush=True)  # noqa: T201
-    except OSError as error:
-        parser.error(f"FOLDER must be a folder to write to; got {given!r}: {error.strerror}")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

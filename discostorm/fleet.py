@@ -62,6 +62,9 @@ class HostGroup:
             value = getattr(self, count)
             if not is_symbolic(value):
                 value = _checks.numbers(count, value, least, _checks.MOST)
+                if isinstance(value, np.ndarray):
+                    value = value.copy()
+                    value.flags.writeable = False
                 object.__setattr__(self, count, value)
         _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         _checks.instance("name", self.name, str)

@@ -111,6 +111,8 @@ class Remedy:
         The middleware.
     wifi : Wifi
         The channel.
+    before : float
+        The utilization without it [1].
     utilization : float
         What it leads to [1]: seconds of airtime, of all parts on one channel.
     saved : float
@@ -123,6 +125,7 @@ class Remedy:
     fleets: tuple[Fleet, ...]
     protocol: Protocol
     wifi: Wifi
+    before: float
     utilization: float
     saved: float
 
@@ -130,7 +133,7 @@ class Remedy:
         """Return what it brings, in words."""
         if abs(self.saved) < _NOTHING:
             return f"{self.what} changes less than {_NOTHING:.1%}"
-        before, after = self.utilization / (1 - self.saved), self.utilization
+        before, after = self.before, self.utilization
         if self.saved < 0:
             return f"{self.what} adds {-self.saved:.0%}: {_time(before)} becomes {_time(after)}"
         if self.saved < _LARGE:
@@ -361,7 +364,7 @@ def plan(
     _checks.instance("wifi", wifi, Wifi)
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
-        _checks.each(zip(COUNTS, group.counts(), strict=True))
+        _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         if group.hosts % 1:
             raise ValueError(f"hosts must be a whole number; got {group.hosts!r}")
     before = float(utilization(protocol, fleet, wifi=wifi))
@@ -376,9 +379,9 @@ def plan(
         kind, what, fleets, new_protocol, new_wifi = found
         parts = [float(utilization(new_protocol, part, wifi=new_wifi)) for part in fleets]
         after = max(parts) if kind == "channels" else sum(parts)
-        saved = 1 - after / before
+        saved = 1 - after / before if before else 0.0
         remedies.append(
-            Remedy(kind, what, _PRICE[kind], fleets, new_protocol, new_wifi, after, saved)
+            Remedy(kind, what, _PRICE[kind], fleets, new_protocol, new_wifi, before, after, saved)
         )
     return Plan(
         fleet,
@@ -579,11 +582,16 @@ def _largest(
     whole: float,
 ) -> Iterator[Share]:
     for name, airtime in sorted(airtimes, key=lambda item: -item[1]):
-        yield Share(kind, name, airtime, airtime / whole)
+        yield Share(kind, name, airtime, airtime / whole if whole else 0.0)
 
 
 def _group_names(fleet: Fleet) -> list[str]:
-    return [group.name or f"group {index}" for index, group in enumerate(fleet.groups, start=1)]
+    given = {group.name for group in fleet.groups}
+    names = []
+    for index, group in enumerate(fleet.groups, start=1):
+        name = group.name or f"group {index}"
+        names.append(name if group.name or name not in given else f"{name} (unnamed)")
+    return names
 
 
 def _groups(fleet: Fleet) -> list[dict[str, Any]]:
@@ -609,7 +617,9 @@ def _part(share: float) -> str:
 
 
 def _percent(share: float) -> str:
-    """Return a share to a percent, and what is less than one to two digits."""
+    """Return a share to a percent, what is less than one to two digits, never 100% too early."""
+    if 0.995 <= share < 1:
+        return "just below 100%"
     if 0.01 <= share < _HUGE or not share:
         return f"{share:,.0%}"
     return f"{100 * share:.2g}%"

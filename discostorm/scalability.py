@@ -137,6 +137,11 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
     .. math:: N_H = 1 + \frac{2 (U_{limit} - c)}{b + \sqrt{b^2 + 4 a (U_{limit} - c)}}
 
     which is the usual formula, in the form that does not cancel in floating point.
+
+    Raises
+    ------
+    ValueError
+        If the utilization grows faster than that, or not at all.
     """
     more = sp.Symbol("x", positive=True)
     quadratic = utilization.subs(nt.N_H, 1 + more)
@@ -144,6 +149,8 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
     a, b, c = (
         quadratic.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
     )
+    if quadratic.diff(more, 3) != 0 or (a == 0 and b == 0):
+        raise ValueError("utilization must grow with hosts, linearly or as their square")
     rest = nt.U_LIMIT - c
     return 1 + 2 * rest / (b + sp.sqrt(b**2 + 4 * a * rest))
 
@@ -183,7 +190,7 @@ def saturation_hosts(
     wifi : Wifi, optional
         The channel; the paper's if left out.
     limit : array_like, optional
-        Utilization to reach [1], at least that of a single such host.
+        Utilization to reach [1], at least that of a single such host and at most 1e100.
     beside : Fleet, optional
         Other hosts that share the channel, such as an operator's laptop; they are not
         counted in the result. None if left out.
@@ -223,7 +230,7 @@ def saturation_hosts(
         _checks.instance("beside", beside, Fleet)
     others = beside.groups if beside else ()
     single = utilization(protocol, Fleet((host, *others)), wifi=wifi)
-    most = _checks.numbers("limit", limit, 0, above=True)
+    most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
     shapes = {"processes": processes, "endpoints": endpoints}
     _checks.shape(**(shapes if beside is None else {"utilization": single}), limit=most)
     enough = np.greater_equal(most, single)
@@ -286,7 +293,7 @@ def breakdown(
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
     fleet = as_fleet(hosts, processes, endpoints)
-    _checks.each(_named_counts(fleet))
+    _checks.one_each(_named_counts(fleet))
     values = protocol.values() | wifi.values()
     rows = []
     for message in protocol.messages:

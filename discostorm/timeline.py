@@ -49,7 +49,8 @@ class Schedule:
     Parameters
     ----------
     starts : tuple of float
-        Times after the start [s], at least 0, in order and no further apart than the period.
+        Times after the start [s], at least 0 and in order; the first no later than the
+        period, and no two further apart.
     period : float
         Time between two later ones [s], above 0; infinity if none comes later.
 
@@ -79,11 +80,11 @@ class Schedule:
             _checks.number("starts", time, 0)
         if self.period != np.inf:
             _checks.number("period", self.period, 0, above=True)
-        gaps = np.diff(self.starts)
+        gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
-                "starts must be times in order, no further apart than the period of "
-                f"{self.period:g} s; got {self.starts}"
+                "starts must be times in order, from zero on no further apart than the period "
+                f"of {self.period:g} s; got {self.starts}"
             )
 
     def __str__(self) -> str:
@@ -161,6 +162,10 @@ class Timed:
     message: Message
     schedule: Schedule
 
+    def __post_init__(self) -> None:
+        _checks.instance("message", self.message, Message)
+        _checks.instance("schedule", self.schedule, Schedule)
+
 
 @dataclass(frozen=True)
 class Product:
@@ -189,7 +194,7 @@ class Product:
 
     def __post_init__(self) -> None:
         _checks.number("lease", self.lease, 0, above=True)
-        _checks.members("rows", self.rows, Timed)
+        object.__setattr__(self, "rows", _checks.members("rows", self.rows, Timed))
         for what, some in {
             "more at the start than later": any(row.schedule.extra for row in self.rows),
             "with a finite period": any(row.schedule.per_second for row in self.rows),
@@ -367,25 +372,37 @@ def critical_hosts(
     >>> round(timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=20), 2)
     21.88
     """
-    _checks.instance("product", product, Product)
-    longest = np.asarray(window) == np.inf
-    finite = _checks.numbers("window", np.where(longest, 1.0, window), 0, above=True)
-    swarm = HostGroup(1, processes, endpoints)
-    given = {
-        nt.N_P: swarm.processes,
-        nt.N_E: swarm.endpoints,
-        nt.U_LIMIT: 1.0,
-        _SHARE: np.where(longest, 0.0, 1 / np.asarray(finite)),
-    }
-    values = product.burst().values() | product.steady().values() | wifi.values()
-    hosts = evaluate(_critical(product, wifi.model), given | values)
-    if not np.all(np.greater_equal(hosts, 1)):
-        alone = drain_time(product, 1, processes, endpoints, wifi)
+    alone = drain_time(product, 1, processes, endpoints, wifi)
+    if np.any(np.isinf(alone)):
+        raise ValueError(
+            f"processes and endpoints must be so few that the traffic of a single host with "
+            f"{product.name} does not fill the channel for ever"
+        )
+    share = _per_second(window)
+    _checks.shape(processes=processes, endpoints=endpoints, window=share)
+    enough = np.less_equal(np.multiply(alone, share), 1)
+    if not enough.all():
+        pairs = np.broadcast_arrays(alone, window)
+        needed, short = (float(values[~enough].item(0)) for values in pairs)
         raise ValueError(
             "window must be at least as long as the start of a single host, "
-            f"{np.max(alone):g} s; got {np.min(window):g}"
+            f"{needed:g} s; got {short:g}"
         )
-    return hosts
+    swarm = HostGroup(1, processes, endpoints)
+    given = {nt.N_P: swarm.processes, nt.N_E: swarm.endpoints, nt.U_LIMIT: 1.0, _SHARE: share}
+    values = product.burst().values() | product.steady().values() | wifi.values()
+    hosts = evaluate(_critical(product, wifi.model), given | values)
+    # With the least window allowed, rounding could give a little less than one host.
+    return max(hosts, 1.0) if isinstance(hosts, float) else np.maximum(hosts, 1.0)
+
+
+def _per_second(window: ArrayLike) -> Value:
+    """Return one divided by a window [1/s], which is zero if it is infinite."""
+    given = np.asarray(window)
+    longest = np.isposinf(given) if given.dtype.kind == "f" else np.zeros(given.shape, bool)
+    finite = window if not longest.any() else np.where(longest, 1.0, given)
+    share = np.where(longest, 0.0, 1 / np.asarray(_checks.numbers("window", finite, 0, above=True)))
+    return share if share.ndim else share.item()
 
 
 def demand(
@@ -457,7 +474,8 @@ def first_idle(
     Returns
     -------
     float
-        Time after the start [s]; infinity if the traffic that stays fills the channel.
+        Time after the start [s]; zero if nothing is sent at once, infinity if the traffic
+        that stays fills the channel.
 
     Raises
     ------
@@ -476,11 +494,13 @@ def first_idle(
     >>> round(timeline.first_idle(timeline.FAST_DDS, 12, 2, 10), 2)
     4.61
     """
-    _checks.each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
+    _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = drain_time(product, hosts, processes, endpoints, wifi)
     if bound == np.inf:
         return np.inf
     times = np.unique(np.concatenate([row.schedule.times(float(bound)) for row in product.rows]))
+    if not times.size or times[0] > 0:
+        return 0.0
     carried = np.asarray(demand(product, times, hosts, processes, endpoints, wifi))
     following = np.append(times[1:], np.inf)
     return float(carried[np.argmax(carried <= following)])
@@ -529,7 +549,7 @@ def outlook(
     >>> timeline.outlook(timeline.ZENOH_PEER, 12, 2, 10)
     'starts slowly'
     """
-    _checks.each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
+    _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(product, hosts, processes, endpoints, wifi)
     limits = (PAPER_WINDOW, product.lease, np.inf)
     return OUTLOOKS[int(np.searchsorted(limits, time))] if time < np.inf else OUTLOOKS[-1]

@@ -284,7 +284,7 @@ def _saturation(
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
     swarm = HostGroup(1, processes, endpoints)
-    most = _checks.numbers("limit", limit, 0, above=True)
+    most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
     _checks.shape(processes=swarm.processes, endpoints=swarm.endpoints, limit=most)
     given = {nt.N_P: swarm.processes, nt.N_E: swarm.endpoints} | dict(values)
     single = evaluate(protocol.utilization(), {nt.N_H: 1.0} | given)
@@ -356,8 +356,7 @@ def sensitivity(
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
-    _checks.each((("processes", processes), ("endpoints", endpoints)))
-    limit = _checks.number("limit", limit, 0, above=True)
+    _checks.one_each((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
     ends = parameter_ranges(protocol, given=ranges)
     at = {
         name: value for name, value in (protocol.values() | PAPER.values()).items() if name in ends

@@ -31,8 +31,8 @@ class Padding:
     symbol : float
         Duration of a symbol with its guard interval [s], a multiple of 1e-7.
     grid : float
-        What the duration of the data is rounded up to [s], a multiple of 1e-7: the
-        symbol, or 4e-6 in HT-mixed and VHT PPDUs.
+        What the duration of the data is rounded up to [s]: as long as the symbol or, for
+        short guard intervals in HT-mixed and VHT PPDUs, a ninth longer.
     added : int, optional
         Bits sent beside the frame [bit]: 16 of the SERVICE field and a tail of 6.
 
@@ -40,6 +40,8 @@ class Padding:
     ------
     ValueError
         If a number is out of range, not whole, or not such a multiple.
+    TypeError
+        If one is not a number.
 
     References
     ----------
@@ -59,6 +61,12 @@ class Padding:
             ticks = _checks.number(name, getattr(self, name), TICK) / TICK
             if abs(ticks - round(ticks)) > 1e-6:
                 raise ValueError(f"{name} must be a multiple of 1e-7; got {getattr(self, name)!r}")
+        # Others may lift a whole number over itself when they are multiplied.
+        if self.per_grid not in (1, 0.9):
+            raise ValueError(
+                f"symbol must be as long as the grid of {self.grid:g} s, or 0.9 of it; "
+                f"got {self.symbol!r}"
+            )
 
     @property
     def per_grid(self) -> float:
@@ -81,6 +89,13 @@ class Link:
     padding : Padding, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper.
+
+    Raises
+    ------
+    ValueError
+        If a number is out of range, or the rate is not that of the padding's symbols.
+    TypeError
+        If one is not a number, or the padding is not a Padding.
     """
 
     rate: float
@@ -92,6 +107,12 @@ class Link:
         _checks.number("overhead", self.overhead, 0)
         if self.padding is not None:
             _checks.instance("padding", self.padding, Padding)
+            bits = self.rate * self.padding.symbol
+            if abs(bits - self.padding.bits) >= 1:  # the standard rounds bits down
+                raise ValueError(
+                    f"rate must be that of {self.padding.bits} bits in "
+                    f"{self.padding.symbol:g} s with this padding; got {self.rate!r}"
+                )
 
 
 @dataclass(frozen=True)
@@ -108,7 +129,8 @@ class Wifi:
         Multicast frames from the access point down to all hosts.
     aggregation : Aggregation, optional
         If given, frames to one receiver share exchanges: all that go up to the access
-        point, and down the unicast ones. Needs links with padding.
+        point, and down the unicast ones. Needs links with padding; its overhead stands in
+        for that of the unicast link.
     made_from : tuple of (str, object), optional
         The arguments of `wifi_preset` that gave it; empty for a channel of your own. Two
         channels are equal whatever they were made from.

@@ -156,9 +156,17 @@ def test_a_wrong_value_is_shown_as_it_was_given(value: Any) -> None:
         utilization(hosts=value)
 
 
+def test_masked_elements_are_refused() -> None:
+    whole = np.ma.array([1, 2, 3])
+    assert np.shape(utilization(hosts=whole)) == (3,)
+    text = "hosts must be a finite number of at least 1 and at most 1e+09, or an array of them"
+    masked = np.ma.array([1, 2, 3], mask=[0, 0, 1])
+    fails(TypeError, f"{text} without masked elements", utilization, hosts=masked)
+
+
 def test_limit() -> None:
-    allowed = "limit must be a finite number above 0"
-    for value, shown in [(0, "0"), (-1, "-1"), *NOT_FINITE]:
+    allowed = "limit must be a finite number above 0 and at most 1e+100"
+    for value, shown in [(0, "0"), (-1, "-1"), (1e101, "1e+101"), *NOT_FINITE]:
         fails(ValueError, f"{allowed}; got {shown}", saturation_hosts, limit=value)
     fails(TypeError, f"{allowed}, or an array of them; got 'all'", saturation_hosts, limit="all")
 
@@ -360,8 +368,14 @@ def test_lambdify() -> None:
         text = "symbols must have names that differ; got x, x"
         fails(ValueError, text, lambdify, symbols=twice, expression=x)
     function = ds.lambdify([x, y], x)
-    fails(TypeError, "the function takes x, y; got x", function, x=1)
-    fails(TypeError, "the function takes x, y; got x, z", function, x=1, z=2)
+    fails(TypeError, "the function takes x, y; got 0 in order and x by name", function, x=1)
+    fails(TypeError, "the function takes x, y; got 0 in order and x, z by name", function, x=1, z=2)
+    for args, given in [((1, 2, 3), "3 in order"), ((1, 2), "2 in order and x by name")]:
+        with pytest.raises(TypeError, match=f"the function takes x, y; got {given}$"):
+            function(*args, **({} if len(args) == 3 else {"x": 1}))
+    imaginary = ds.lambdify([x], sp.I * sp.sqrt(x))
+    for value in (4, [1, 4]):
+        fails(ValueError, "expression must be real; I*sqrt(x) is not", imaginary, x=value)
     fails(ValueError, "y must be a finite number; got nan", function, x=1, y=float("nan"))
     fails(
         TypeError, "y must be a finite number, or an array of them; got '1'", function, x=1, y="1"

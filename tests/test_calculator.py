@@ -216,9 +216,18 @@ def test_answers_within_50_ms(tab: Page) -> None:
 def test_starts_with_the_paper(tab: Page) -> None:
     assert shown(tab) == same(expected(START))
     status = tab.get_by_role("status")
-    expect(status).to_contain_text("DDS: discovery takes 95.4\xa0% of the channel")
+    expect(status).to_contain_text("DDS: discovery takes 95.4% of the channel")
     expect(status).to_contain_text("7 hosts with 2 processes of 10 endpoints each")
-    expect(status).to_contain_text("Zenoh: discovery takes 83.1\xa0%")
+    expect(status).to_contain_text("Zenoh: discovery takes 83.1%")
+
+
+def test_what_is_below_the_whole_is_not_shown_as_the_whole(tab: Page) -> None:
+    status = tab.get_by_role("status")
+    for name, value in (("hosts", "2"), ("endpoints", "299")):
+        tab.locator(f"#calc-{name}").fill(value)
+    expect(status).to_contain_text("DDS: discovery takes just below 100% of the channel")
+    tab.locator("#calc-endpoints").fill("300")
+    expect(status).to_contain_text("DDS: discovery takes 100.3% of the channel")
 
 
 def test_all_fields_have_labels(tab: Page) -> None:

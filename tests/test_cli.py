@@ -157,6 +157,29 @@ def test_saturation() -> None:
     assert beside["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10, limit=40, beside=others)
 
 
+def test_saturation_of_less_than_one_host() -> None:
+    arguments = ("saturation", "--processes|1200", "--endpoints|0")
+    dds, zenoh = read_json(run(*arguments, "--json"))
+    assert (dds["hosts"], dds["fit"]) == (None, 0)
+    assert (zenoh["hosts"], zenoh["fit"]) == (ds.saturation_hosts(ds.ZENOH, 1200, 0), 1)
+    assert [row["hosts"] == "" for row in read_csv(run(*arguments, "--csv"))] == [True, False]
+    assert re.search(r"DDS .* less than 1 +0$", run(*arguments).output, re.MULTILINE)
+    crowded = run(*arguments, "--beside|fleet.toml", "--protocol|zenoh", "--json")
+    assert [row["fit"] for row in read_json(crowded)] == [0]
+
+
+def test_what_is_below_the_whole_is_not_printed_as_the_whole() -> None:
+    below = run("utilization|--hosts|7.1543|--processes|2|--endpoints|10|--protocol|dds")
+    assert re.search(r" <100\.0%  yes$", below.output, re.MULTILINE)
+    above = run("utilization|--hosts|7.1554|--processes|2|--endpoints|10|--protocol|dds")
+    assert re.search(r" 100\.0%  no$", above.output, re.MULTILINE)
+
+
+def test_counts_are_printed_with_all_their_digits() -> None:
+    table = run("utilization|--hosts|1234567|--processes|1|--endpoints|0|--protocol|dds").output
+    assert " 1,234,567 " in table
+
+
 def test_plan(folder: Path) -> None:
     fleet = ds.Fleet.from_toml(folder / "fleet.toml")
     expected = ds.plan(fleet, ds.ZENOH, nodes=[13, 2])
@@ -211,9 +234,9 @@ def test_claims() -> None:
     assert [int(row["id"]) for row in rows] == list(expected.index)
     assert [row["verdict"] for row in rows] == list(expected["verdict"])
     ours = {int(row["id"]): row["ours"] for row in rows}
-    assert float(ours[70]) == ds.saturation_hosts(ds.DDS, 2, 10)
-    assert ours[19] == "N_P"
-    assert ours[7] == ""
+    assert float(ours[69]) == ds.saturation_hosts(ds.DDS, 2, 10)
+    assert ours[18] == "N_P"
+    assert ours[6] == ""
     some = read_json(run("claims", "--verdict|contradicted", "--json"))
     assert {row["id"]: row["ours"] for row in some}[1] == 1.0
     assert [row["id"] for row in some] == list(

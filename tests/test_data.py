@@ -79,3 +79,7 @@ def test_every_symbol_has_meaning_unit_and_source(name: str) -> None:
     assert quantity.meaning.strip()
     assert quantity.unit.strip()
     assert quantity.source.strip()
+
+
+def test_types_are_told_to_those_who_install_the_package() -> None:
+    assert (files("discostorm") / "py.typed").is_file()

@@ -1,4 +1,4 @@
-"""Figs. 2-4: their data against formulas written here, their drawing, their command."""
+"""Figs. 2-4: their data against formulas written here, their drawing, their files."""
 
 import itertools
 import json
@@ -249,6 +249,21 @@ def test_bars_of_an_unknown_message_are_drawn() -> None:
     assert len(figures.bars({"own": table}).axes[0].patches) == 4
 
 
+def test_the_legend_has_the_colors_of_the_bars() -> None:
+    table = ds.breakdown(ds.DDS, 7, 2, 10).rename(index={"SPDP": "Ann", "ACKNACK": "Ok"})
+    swarms = {"one": table, "other way round": table[::-1], "known": ds.breakdown(ds.DDS, 3, 2, 10)}
+    figure = figures.bars(swarms)
+    (legend,) = figure.legends
+    color = {
+        text.get_text(): handle.get_facecolor()  # type: ignore[attr-defined]
+        for text, handle in zip(legend.get_texts(), legend.legend_handles, strict=True)
+    }
+    assert len(set(color.values())) == len(color) == 6
+    bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
+    names = [name for messages in swarms.values() for name in messages.index]
+    assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]
+
+
 def test_remedies_show_one_second_even_if_all_take_less() -> None:
     bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "airtime_s": [0.2]})
     assert figures.remedies(bars).axes[0].get_xlim() == (0, 1.14)
@@ -261,16 +276,12 @@ def test_pixels_are_two_hundred_an_inch(tmp_path: Path) -> None:
     assert plt.imread(png).shape[:2] == (200, 300)
 
 
-def test_command_writes_the_same_bytes_twice_and_shows_progress(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_files_are_the_same_bytes_twice(tmp_path: Path) -> None:
     folders = [tmp_path / "made if missing" / "a", tmp_path / "b"]
     for folder in folders:
-        assert figures.main([str(folder)]) == 0
-        lines = capsys.readouterr().out.splitlines()
-        assert len(lines) == len(FILES)
-        assert lines[0] == f"[ 1/{len(FILES)}] {folder / 'fig2.svg'}"
-        assert lines[-1] == f"[{len(FILES)}/{len(FILES)}] {folder / 'fig4.csv'}"
+        paths = [*figures.save_all(folder)]
+        assert len(paths) == figures.files_of_all() == len(FILES)
+        assert (paths[0].name, paths[-1].name) == ("fig2.svg", "fig4.csv")
         assert {path.name for path in folder.iterdir()} == FILES
     for name in FILES:
         first, second = ((folder / name).read_bytes() for folder in folders)
@@ -287,14 +298,6 @@ def test_the_folder_is_made_if_missing_and_used_if_there(tmp_path: Path) -> None
     assert next(figures.save_all(folder)).is_file()
 
 
-def test_command_ends_well_and_counts_from_one(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(figures, "save_all", lambda folder: iter([folder / "a", folder / "b"]))
-    assert figures.main(["out"]) == 0
-    assert capsys.readouterr().out == "[ 1/12] out/a\n[ 2/12] out/b\n"
-
-
 @pytest.mark.parametrize("name", figures.FIGURES)
 def test_csv_holds_the_data_exactly(name: str, tmp_path: Path) -> None:
     data = figures.FIGURES[name].data()
@@ -304,26 +307,3 @@ def test_csv_holds_the_data_exactly(name: str, tmp_path: Path) -> None:
     pd.testing.assert_frame_equal(
         read.astype({column: data[column].dtype for column in data}), data, check_exact=True
     )
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ([], "required: FOLDER"),
-        (["one", "two"], "unrecognized arguments: two"),
-        (["--fast", "one"], "unrecognized arguments: --fast"),
-        ([""], "FOLDER must name a folder; got ''"),
-        ([__file__], f"FOLDER must be a folder to write to; got {__file__!r}: File exists"),
-        ([f"{__file__}/below"], "FOLDER must be a folder to write to"),
-    ],
-)
-def test_bad_usage_says_what_is_wrong(
-    arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with pytest.raises(SystemExit) as stop:
-        figures.main(arguments)
-    assert stop.value.code == 2
-    output = capsys.readouterr()
-    assert message in output.err
-    assert "usage: python -m discostorm.figures" in output.err
-    assert output.out == ""

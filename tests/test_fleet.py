@@ -322,3 +322,12 @@ def test_of_many_counts_only_the_ends_are_shown() -> None:
 def test_symbols_of_a_fleet_are_counts() -> None:
     for group in ds.Fleet.symbolic(2).groups:
         assert all(count.is_nonnegative for count in group.counts())
+
+
+def test_a_group_keeps_its_counts_when_the_array_it_was_given_changes() -> None:
+    hosts = np.array([1.0, 2.0])
+    group = ds.HostGroup(hosts, 1, 1)
+    hosts[0] = -5
+    assert group.hosts.tolist() == [1, 2]
+    with pytest.raises(ValueError, match="read-only"):
+        group.hosts[0] = -5

@@ -1,6 +1,8 @@
 """The loads and utilizations are those of the paper, whatever the arguments look like."""
 
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -436,3 +438,16 @@ def test_only_what_is_rounded_is_hidden() -> None:
     ((symbol, part),) = parts.items()
     assert part == whole
     assert hidden == N_H**2 + symbol
+
+
+@pytest.mark.parametrize(
+    "count",
+    [lambda fleet: sum(group.hosts**3 for group in fleet.groups), lambda _: 1],
+    ids=["as the cube", "constant"],
+)
+def test_what_does_not_grow_as_a_square_at_most_is_not_solved(count: Any) -> None:
+    unit = ds.Unit("own", count)
+    own = ds.Protocol("own", (replace(ds.DDS.messages[0], unit=unit),))
+    assert ds.utilization(own, 3, 2, 10) > 0
+    with pytest.raises(ValueError, match="utilization must grow with hosts, linearly or as"):
+        ds.saturation_hosts(own, 2, 10, limit=100)

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 import discostorm as ds
 from discostorm import planner
-from discostorm.messages import read_data
+from discostorm.messages import PROCESS, read_data
 from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
 from discostorm.presets import variant
 
@@ -470,7 +470,16 @@ def test_parts_in_words(share: float, words: str) -> None:
 
 @pytest.mark.parametrize(
     ("share", "words"),
-    [(0.00087, "0.087%"), (0.01, "1%"), (28.44, "2,844%"), (1e6, "1e+08%"), (3.7e15, "3.7e+17%")],
+    [
+        (0.00087, "0.087%"),
+        (0.01, "1%"),
+        (0.994, "99%"),
+        (0.9969, "just below 100%"),
+        (1, "100%"),
+        (28.44, "2,844%"),
+        (1e6, "1e+08%"),
+        (3.7e15, "3.7e+17%"),
+    ],
 )
 def test_percent_in_words(share: float, words: str) -> None:
     assert planner._percent(share) == words
@@ -500,6 +509,48 @@ def test_nothing_may_help() -> None:
     advice = ds.plan(ds.Fleet.swarm(2, 1, 5), ds.ZENOH, best).advice()
     assert "Nothing that was tried helps:\n- Switching to DDS adds" in advice
     assert "What would" not in advice
+
+
+def test_a_channel_that_is_just_full_does_not_fit() -> None:
+    # A frame of 1024 bits at 2048 bit/s, up and down: exactly a second.
+    payload = ds.Payload(64, 64, 64, "made up")
+    message = ds.Message("m", "p", "multicast", "UDP", payload, PROCESS, 1)
+    wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
+    plan = ds.plan(ds.Fleet.swarm(1, 1, 0), ds.Protocol("own", (message,)), wifi)
+    assert plan.utilization == 1
+    assert plan.to_dict()["fits"] is False
+    assert "That is 100% of each second, so it does not fit." in plan.advice()
+    assert "; that fits." in plan.advice()
+    slow = replace(wifi, unicast=ds.Link(1024, 0))
+    faster = next(r for r in ds.plan(plan.fleet, plan.protocol, slow).remedies if r.kind == "radio")
+    assert 0.5 < faster.utilization < 1
+    full = replace(plan, remedies=(replace(faster, utilization=1.0),))
+    assert full.table()["fits"].tolist() == [False]
+    assert full.to_dict()["remedies"][0]["fits"] is False
+    assert "; that fits" not in replace(full, utilization=2.0).advice()
+
+
+def test_gains_are_told_from_what_there_was() -> None:
+    plan = ds.plan(ds.Fleet.swarm(2, 1e8, 0))
+    assert {found.before for found in plan.remedies} == {plan.utilization}
+    said = plan.remedies[0].sentence()
+    assert "composing 100,000,000 processes into 1 cuts 2.98e+13 s to" in said
+
+
+def test_a_fleet_that_sends_nothing_has_nothing_to_save() -> None:
+    pairs = ds.Protocol("pairs", tuple(m for m in ds.DDS.messages if m.name == "Heartbeat"))
+    plan = ds.plan(ds.Fleet.swarm(1, 2, 20), pairs)
+    assert plan.utilization == 0
+    assert {found.saved for found in plan.remedies} == {0}
+    assert {share.share for share in plan.shares} == {0}
+    assert "Nothing that was tried helps:" in plan.advice()
+
+
+def test_unnamed_groups_are_told_apart_from_named_ones() -> None:
+    group = ds.HostGroup(2, 1, 10)
+    fleet = ds.Fleet((group, replace(group, name="group 1"), group))
+    names = {share.name for share in ds.plan(fleet).of_kind("group")}
+    assert names == {"group 1 (unnamed)", "group 1", "group 3"}
 
 
 def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:

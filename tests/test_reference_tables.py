@@ -9,7 +9,7 @@ import pytest
 
 import discostorm as ds
 from discostorm import notebook
-from discostorm.messages import header_bytes, read_data
+from discostorm.messages import read_data
 from discostorm.notation import NOTATION
 
 ROOT = Path(__file__).parents[1]
@@ -44,13 +44,6 @@ def test_notation_table_gives_unit_and_source_of_every_symbol():
         assert all(cell.strip() for cell in line.strip("|").split("|")), line
 
 
-@pytest.mark.parametrize("name", ["table1.csv", "paper_rates.csv", "table2.csv", "headers.csv"])
-def test_every_data_row_names_its_source(name):
-    rows = read_data(name)
-    assert rows
-    assert all(row["source"].strip() for row in rows)
-
-
 def test_table1_levels_are_the_three_counts_of_the_notation():
     rows = read_data("table1.csv")
     assert [row["level"] for row in rows] == ["Host", "Process", "Endpoint"]
@@ -72,13 +65,6 @@ def test_rates_of_the_paper_follow_from_the_parameters_of_the_standard():
         # The paper prints one decimal, so its value is within half a unit of that place.
         assert abs(exact[row["rate"]] - Fraction(row["printed_Mbit_s"])) <= Fraction(1, 20)
         assert getattr(ds.PAPER, row["rate"]).rate == pytest.approx(printed * 1e6, rel=1e-15)
-
-
-def test_printed_frame_is_payload_and_headers():
-    assert header_bytes() == {"UDP": 64, "TCP": 76}
-    for row in read_data("table2.csv"):
-        frame = int(row["payload_B"]) + header_bytes()[row["transport"]]
-        assert frame == int(row["frame_printed_B"]), row["message"]
 
 
 def test_paper_map_lists_every_numbered_item_once():

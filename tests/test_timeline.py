@@ -23,6 +23,7 @@ from discostorm.timeline import (
     ZENOH_PEER,
     Product,
     Schedule,
+    Timed,
 )
 
 ALL = (*PRODUCTS, FAST_DDS_MULTICAST)
@@ -293,9 +294,46 @@ def test_every_default_names_where_it_comes_from() -> None:
             "hosts must be one number, not an array",
         ),
         (
+            lambda: timeline.critical_hosts(FAST_DDS, [1, 100], 10, window=[1e-4, 20]),
+            ValueError,
+            "start of a single host, 0.005.* s; got 0.0001$",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 1e5, 10),
+            ValueError,
+            "processes and endpoints must be so few .* with Fast DDS does not fill the channel",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, [1, 2], 10, window=[1, 2, 3]),
+            ValueError,
+            r"broadcast.*processes \(2,\), window \(3,\)",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, cast(float, "20")),
+            TypeError,
+            "window must be a finite number above 0.*'20'",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, -math.inf),
+            ValueError,
+            "window must be a finite number above 0; got -inf",
+        ),
+        (
+            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, wifi=cast(Any, "x")),
+            TypeError,
+            "wifi must be a Wifi; got 'x'",
+        ),
+        (lambda: Schedule((20,), 8), ValueError, "starts must be times in order, from zero on"),
+        (lambda: Timed(cast(Any, "x"), ONCE), TypeError, "message must be a Message; got 'x'"),
+        (
+            lambda: Timed(ds.DDS.messages[0], cast(Any, 0)),
+            TypeError,
+            "schedule must be a Schedule; got 0",
+        ),
+        (
             lambda: timeline.outlook(FAST_DDS, 3, -2, 10),
             ValueError,
-            "processes must be a finite number of at least 0.*-2",
+            "processes must be a finite number of at least 1 and at most.*-2",
         ),
         (
             lambda: timeline.demand(FAST_DDS, [1, 2, 3], [3, 4], 2, 10),
@@ -356,6 +394,24 @@ def test_times_up_to_a_moment(until: float, times: list[float]) -> None:
     schedule = Schedule((0, 1, 3), 8)
     assert schedule.times(until).tolist() == times
     assert schedule.sent(until) == len(times)
+
+
+def test_rows_may_be_given_in_any_order_of_things() -> None:
+    again = Product(FAST_DDS.name, FAST_DDS.lease, cast(Any, (row for row in FAST_DDS.rows)))
+    assert again == FAST_DDS
+    assert hash(again) == hash(FAST_DDS)
+
+
+def test_a_channel_is_idle_at_once_if_nothing_is_sent_at_zero() -> None:
+    message = ds.DDS.messages[0]
+    for starts in ((1,), (8,)):
+        late = Product("late", 10, (Timed(message, Schedule(starts, 8.5)),))
+        assert timeline.first_idle(late, 3, 2, 10) == 0
+
+
+def test_the_window_of_a_single_host_is_the_least() -> None:
+    alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
+    assert timeline.critical_hosts(FAST_DDS, 2, 10, alone) == pytest.approx(1, abs=1e-9)
 
 
 def test_starts_may_be_a_list() -> None:

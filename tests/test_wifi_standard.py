@@ -3,6 +3,7 @@
 import csv
 import itertools
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from importlib.resources import files
 from typing import Any
@@ -297,6 +298,18 @@ def test_padding_adds_service_field_and_tail() -> None:
     assert ds.Padding(24, 4e-6, 4e-6).added == 16 + 6
 
 
+def test_a_rate_that_is_not_that_of_its_symbols_is_refused() -> None:
+    link = ds.WIFI["802.11n 20 MHz 2x2"].unicast
+    with pytest.raises(ValueError, match=r"rate must be that of 520 bits in 3\.6e-06 s .* 1000000"):
+        replace(link, rate=1e6)
+
+
+def test_symbols_of_a_short_guard_interval_fill_the_grid_exactly() -> None:
+    padding = ds.Padding(520, 3.6e-6, 4e-6)
+    for tens in range(1, 5000):
+        assert padding.per_grid * 10 * tens == 9 * tens
+
+
 def test_a_channel_that_pads_only_one_link_is_refused() -> None:
     plain, full = ds.Link(6e6, 1e-4), ds.Link(6e6, 1e-4, ds.Padding(24, 4e-6, 4e-6))
     for pair in ((plain, full), (full, plain)):
@@ -314,6 +327,7 @@ def test_a_channel_that_pads_only_one_link_is_refused() -> None:
         ((24, 4e-6, 4e-6, -1), "added must be a finite number of at least 0; got -1"),
         ((24, 3.65e-6, 4e-6), "symbol must be a multiple of 1e-7; got 3.65e-06"),
         ((24, 4e-6, 4.05e-6), "grid must be a multiple of 1e-7"),
+        ((8, 2.7e-6, 1e-6), "symbol must be as long as the grid of 1e-06 s, or 0.9 of it; got 2.7"),
     ],
 )
 def test_padding_refuses(args: tuple[Any, ...], text: str) -> None:

@@ -1,7 +1,4 @@
-"""Keep every page self-contained: nothing is loaded from elsewhere, over http or file://.
-
-Folded cells are called by their visible text.
-"""
+"""Keep every page self-contained: nothing is loaded from elsewhere, over http or file://."""
 
 import re
 from pathlib import Path
@@ -19,10 +16,6 @@ _LIVE_CODE = re.compile(
 )
 
 
-# Of a folded cell; it would hide from a screen reader what the visible text says.
-_FOLD_LABEL = ' aria-label="Toggle hidden content"'
-
-
 def _is_local(file: Any) -> bool:
     attributes = getattr(file, "attributes", {})
     text = f"{getattr(file, 'filename', file)} {attributes.get('body', '')}"
@@ -35,7 +28,7 @@ def _local_files_only(
     for kind in ("script_files", "css_files"):
         context[kind] = [file for file in context.get(kind, []) if _is_local(file)]
     if "body" in context:
-        context["body"] = _LIVE_CODE.sub("", context["body"]).replace(_FOLD_LABEL, "")
+        context["body"] = _LIVE_CODE.sub("", context["body"])
 
 
 def _drop_font_preloads(app: Sphinx, exception: Exception | None) -> None:

@@ -36,7 +36,11 @@
 
   // No line ends between a number and its unit.
   const SPACE = "\u00a0";
-  const percent = (share) => `${number(100 * share)}${SPACE}%`;
+  /** What is below 100% is never shown as 100%. */
+  function percent(share) {
+    const text = number(100 * share);
+    return share < 1 && text === number(100) ? "just below 100%" : `${text}%`;
+  }
   const seconds = (value) => `${number(value)}${SPACE}s`;
   const count = (value) => (value < 1e9 && Number.isInteger(value) ? whole.format(value) : number(value));
   const plural = (value, one, many) => `${count(value)} ${value === 1 ? one : many}`;
@@ -571,11 +575,11 @@
   function showChannel() {
     byId("own").hidden = !isOwn();
     const channel = channels.get(byId("channel").value);
-    const { R_uni, O_uni, R_multi, O_multi, O_agg } = channel?.values ?? {};
+    const { R_uni, O_uni, R_multi, O_multi, O_agg, n_agg } = channel?.values ?? {};
     const mega = (rate) => `${number(rate / 1e6)} Mbit/s`;
     const micro = (time) => `${number(time * 1e6)} µs`;
     byId("channel-hint").textContent = channel
-      ? `unicast ${mega(R_uni)} and ${micro(O_agg ?? O_uni)}${O_agg ? " for up to 64 frames" : " a frame"}, ` +
+      ? `unicast ${mega(R_uni)} and ${micro(O_agg ?? O_uni)}${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, ` +
         `multicast ${mega(R_multi)} and ${micro(O_multi)}`
       : "";
   }
