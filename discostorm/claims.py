@@ -515,9 +515,7 @@ def ledger() -> "pd.DataFrame":
             "where": claim.where,
             "section": claim.section,
             "statement": claim.statement,
-            "quantity": claim.test.text.removesuffix(claim.test.paper).strip()
-            if claim.test
-            else "",
+            "quantity": claim.test.quantity if claim.test else "",
             "paper": claim.test.paper if claim.test else "",
             "ours": claim.test.ours() if claim.test else "",
             "verdict": claim.verdict(),
