@@ -270,7 +270,7 @@ class Plan:
         lines = [
             f"{self.protocol.name} discovery of {_many(hosts, 'host')} with "
             f"{_many(self.fleet.processes(), 'process', 'es')} takes {_time(self.utilization)} "
-            f"of airtime. The channel is {self.wifi.name}.",
+            f"of airtime. Channel: {self.wifi.name}.",
             f"That is {_percent(self.utilization)} of each second, {fit}.",
             "",
             "What dominates:",
