@@ -630,9 +630,9 @@ def _many(count: float, noun: str, plural: str = "s") -> str:
 
 
 def _time(seconds: float) -> str:
-    """Return a time to two digits or three, below a tenth of a second in milliseconds."""
-    if seconds < 0.1:
+    """Return a time to two digits or three, below a hundredth of a second in milliseconds."""
+    if seconds < 0.01:
         return f"{1e3 * seconds:.3g} ms"
     if seconds < 10:
-        return f"{seconds:.2f} s"
+        return f"{seconds:.2f} s" if seconds >= 0.1 else f"{seconds:.3f} s"
     return f"{seconds:,.1f} s" if seconds < _HUGE else f"{seconds:.3g} s"
