@@ -38,6 +38,7 @@ VERDICTS: dict[Verdict, str] = {
 }
 
 _PROTOCOLS = {"DDS": DDS, "Zenoh": ZENOH}
+_CONTROL = {"DDS": ("Heartbeat_message", "ACKNACK_message"), "Zenoh": ("KeepAlive_message",)}
 _MORE_HOSTS = sp.Symbol("x", positive=True)
 _SYMBOLS = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
 
@@ -84,6 +85,11 @@ def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     return int(sp.degree(host_load(protocol, *names), _SYMBOLS[variable]))
 
 
+def load_degree(protocol: Protocol, variable: str, *names: str) -> int:
+    """Return the degree of the messages of all hosts in one of N_H, N_P, N_E."""
+    return int(sp.degree(sp.expand(load(protocol, *names)), _SYMBOLS[variable]))
+
+
 def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
     """Return how many more messages one protocol sends than another."""
     return sp.simplify(load(one, name) - load(other, other_name))
@@ -91,8 +97,7 @@ def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) 
 
 def control_ratio() -> sp.Expr:
     """Return the control messages of Zenoh relative to those of DDS."""
-    control = load(DDS, "Heartbeat_message", "ACKNACK_message")
-    return sp.simplify(load(ZENOH, "KeepAlive_message") / control)
+    return sp.simplify(load(ZENOH, *_CONTROL["Zenoh"]) / load(DDS, *_CONTROL["DDS"]))
 
 
 def load_variables(protocol: Protocol) -> int:
@@ -143,6 +148,12 @@ def share_of_phase(
     """Return the share of a phase's airtime that a message takes."""
     at = (hosts, processes, endpoints)
     return airtime(protocol, name, *at) / airtime(protocol, phase, *at)
+
+
+def control_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
+    """Return the share of all airtime that the control messages take."""
+    at = (hosts, processes, endpoints)
+    return sum(share(protocol, name, *at) for name in _CONTROL[protocol.name])
 
 
 def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
@@ -244,7 +255,8 @@ def repeated_utilization(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
     """Return the utilization by the messages that the paper calls periodic."""
-    periodic = {"DDS": ["SPDP"], "Zenoh": ["Scout_message", "KeepAlive_message"]}
+    # With the answers to what is periodic.
+    periodic = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
     return sum(
         airtime(protocol, name, hosts, processes, endpoints) for name in periodic[protocol.name]
     )
@@ -302,16 +314,15 @@ def ht_rates_above(streams: float, width: float) -> int:
     )
 
 
+def lowest_basic_rate(band: float) -> float:
+    """Return the lowest basic rate of 802.11n in a band in GHz [bit/s]."""
+    return wifi_preset("802.11n", band=band * 1e9).multicast.rate
+
+
 def overhead_with_backoff(cast: str) -> float:
     """Return the overhead of a frame from 802.11n timing, two streams in 5 GHz [s]."""
     wifi = wifi_preset("802.11n", streams=2)
     return (wifi.multicast if cast == "multicast" else wifi.unicast).overhead
-
-
-def overhead_as_listed(cast: str) -> float:
-    """Return the overhead without the back-off, which the paper does not list [s]."""
-    (band,) = (row for row in read_data("wifi_bands.csv") if row["band_GHz"] == "5")
-    return overhead_with_backoff(cast) - int(band["cw_min"]) / 2 * int(band["slot_us"]) * 1e-6
 
 
 def aggregation_bound(
@@ -535,7 +546,6 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         saturation_spread,
         saturation_spread_by_payloads,
         aggregation_bound,
-        overhead_as_listed,
         overhead_with_backoff,
         ht_rates_above,
         ht_rate_of_streams,
@@ -544,6 +554,7 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         enumerated_down_for_up,
         bits_per_byte,
         control_ratio,
+        control_share,
         degree,
         frame_bytes,
         gap,
@@ -557,9 +568,11 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         host_load_degree,
         host_load_variables,
         load,
+        load_degree,
         load_difference,
         load_ratio,
         load_variables,
+        lowest_basic_rate,
         messages_per_direction,
         messages_per_link,
         multicast_cost,

@@ -276,9 +276,7 @@ def test_a_table_of_ones_own_may_switch_to_both() -> None:
 def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     text = ds.plan(FIG3, ds.DDS).advice()
     flat = " ".join(text.split())
-    assert (
-        "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n)." in flat
-    )
+    assert "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n)." in flat
     assert "That is 138% of each second, so it does not fit." in flat
     assert "1. Composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%); that fits." in flat
     assert "(802.11n 40 MHz 2x2: 300 instead of 144 Mbit/s) cuts 4%, to 1.32 s." in flat
