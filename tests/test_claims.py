@@ -13,6 +13,7 @@ from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
 from discostorm import claims, messages
+from discostorm.uncertainty import saturation_bounds
 
 ROOT = Path(__file__).parents[1]
 
@@ -73,6 +74,8 @@ def with_ampdus(mpdus: int) -> Any:
     return ds.utilization(ds.DDS, 7, 2, 10, ds.wifi_preset("802.11n", streams=2, mpdus=mpdus))
 
 
+low, high = saturation_bounds(ds.DDS, 2, 10)
+
 # Quantities of the ledger, in another way.
 BY_HAND: dict[str, Any] = {
     "growth_factor DDS": 1,
@@ -105,6 +108,7 @@ BY_HAND: dict[str, Any] = {
     "payload_spread SPDP": Fraction(400 - 300, 2 * 350),
     "multicast_cost SPDP": (8 * 414 / R_MULTI + O_MULTI) / (8 * 414 / R_UNI + O_UNI),
     "bits_per_byte": 8,
+    "saturation_spread DDS 2 10": high - low,
     "repeated_utilization DDS 3 1 678": 3 * multicast(414),
     "repeated_utilization Zenoh 7 2 10": (
         14 * multicast(80) + PAIRS * (unicast(144) + 2 * unicast(84))
@@ -128,6 +132,15 @@ BY_HAND: dict[str, Any] = {
     "standard_bound DDS 7 2 10": standard_utilization() / float(TOTAL["DDS"]),
     "aggregation_bound DDS 7 2 10": with_ampdus(64) / with_ampdus(1),
 }
+
+
+def test_payloads_move_the_saturation_point_by_less_than_all_parameters() -> None:
+    known = {symbol.name: value for symbol, value in (ds.DDS.values() | ds.PAPER.values()).items()}
+    fixed = {name: (value, value) for name, value in known.items() if not name.startswith("s_")}
+    least, most = saturation_bounds(ds.DDS, 2, 10, ranges=fixed)
+    spread = claims.saturation_spread_by_payloads(ds.DDS, 2, 10)
+    assert spread == pytest.approx(most - least)
+    assert 0 < spread < claims.saturation_spread(ds.DDS, 2, 10) / 10
 
 
 def test_remarks_about_aggregation_hold() -> None:

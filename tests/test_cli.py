@@ -9,6 +9,7 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -455,6 +456,36 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
     assert "more lines" in notebook.shell("discostorm --help", lines=1).data
     with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
         notebook.shell("ls")
+
+
+@pytest.mark.parametrize(
+    ("shown", "value", "text"),
+    [
+        (cli._plain, 9_999_999_999.0, "9,999,999,999"),
+        (cli._plain, 1e10, "1e+10"),
+        (cli._percent, 0.9994, "99.9%"),
+        (cli._percent, 0.9995, "<100.0%"),
+        (cli._percent, 1.0, "100.0%"),
+        (cli._percent, 999_999.5, "99,999,950.0%"),
+        (cli._percent, 1e6, "1e+08%"),
+        (cli._percent, 1.5e6, "1.5e+08%"),
+        (cli._seconds, 999_999.5, "999999.500000"),
+        (cli._seconds, 1e6, "1e+06"),
+    ],
+)
+def test_numbers_for_people(shown: Callable[[float], str], value: float, text: str) -> None:
+    assert shown(value) == text
+
+
+def test_a_channel_that_is_just_full_does_not_fit_a_host_more() -> None:
+    # The 3312 bits of an SPDP frame take half a second, up and down.
+    rate = "0.006624"
+    full = ("--processes|1", "--endpoints|0", f"--unicast-rate|{rate}", f"--multicast-rate|{rate}")
+    full += ("--unicast-overhead|0", "--multicast-overhead|0", "--protocol|dds", "--json")
+    (taken,) = read_json(run("utilization", "--hosts|1", *full))
+    assert (taken["utilization"], taken["fits"]) == (1, False)
+    (most,) = read_json(run("saturation", *full))
+    assert (most["hosts"], most["fit"]) == (1, 0)
 
 
 def test_huge_numbers_are_printed_with_their_power_of_ten() -> None:
