@@ -11,6 +11,7 @@ import pandas as pd
 import pytest
 from IPython.core.pylabtools import print_figure
 from matplotlib.category import StrCategoryConverter
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
@@ -259,6 +260,8 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
         for text, handle in zip(legend.get_texts(), legend.legend_handles, strict=True)
     }
     assert len(set(color.values())) == len(color) == 6
+    # The colors that follow those of the two middlewares.
+    assert (color["Ann"], color["Ok"]) == (to_rgba("#009E73"), to_rgba("#CC79A7"))
     bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
     names = [name for messages in swarms.values() for name in messages.index]
     assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]
@@ -296,6 +299,7 @@ def test_the_folder_is_made_if_missing_and_used_if_there(tmp_path: Path) -> None
         "protocol,phase,hosts,utilization\nDDS,SPDP,1.0,"
     )
     assert next(figures.save_all(folder)).is_file()
+    assert figures.files_of_all() == len(FILES)
 
 
 @pytest.mark.parametrize("name", figures.FIGURES)
