@@ -440,6 +440,12 @@ def test_only_what_is_rounded_is_hidden() -> None:
     assert hidden == N_H**2 + symbol
 
 
+def test_what_grows_linearly_is_solved() -> None:
+    announced = ds.Protocol("announced", ds.DDS.messages[:1])
+    hosts = ds.saturation_hosts(announced, 2, 10)
+    assert ds.utilization(announced, hosts, 2, 10) == pytest.approx(1, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     "count",
     [lambda fleet: sum(group.hosts**3 for group in fleet.groups), lambda _: 1],
