@@ -391,9 +391,7 @@ def critical_hosts(
     swarm = HostGroup(1, processes, endpoints)
     given = {nt.N_P: swarm.processes, nt.N_E: swarm.endpoints, nt.U_LIMIT: 1.0, _SHARE: share}
     values = product.burst().values() | product.steady().values() | wifi.values()
-    hosts = evaluate(_critical(product, wifi.model), given | values)
-    # With the least window allowed, rounding could give a little less than one host.
-    return max(hosts, 1.0) if isinstance(hosts, float) else np.maximum(hosts, 1.0)
+    return evaluate(_critical(product, wifi.model), given | values)
 
 
 def _per_second(window: ArrayLike) -> Value:

@@ -294,7 +294,7 @@ def test_every_default_names_where_it_comes_from() -> None:
             "hosts must be one number, not an array",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, [1, 100], 10, window=[1e-4, 20]),
+            lambda: timeline.critical_hosts(FAST_DDS, [1, 100, 2], 10, window=[1e-4, 20, 2e-4]),
             ValueError,
             "start of a single host, 0.005.* s; got 0.0001$",
         ),
@@ -407,11 +407,16 @@ def test_a_channel_is_idle_at_once_if_nothing_is_sent_at_zero() -> None:
     for starts in ((1,), (8,)):
         late = Product("late", 10, (Timed(message, Schedule(starts, 8.5)),))
         assert timeline.first_idle(late, 3, 2, 10) == 0
+    soon = Product("soon", 10, (Timed(message, Schedule((0.5,), 8.5)),))
+    assert timeline.drain_time(soon, 1000, 2, 10) > 0.5
+    assert timeline.first_idle(soon, 1000, 2, 10) == 0
 
 
 def test_the_window_of_a_single_host_is_the_least() -> None:
     alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
     assert timeline.critical_hosts(FAST_DDS, 2, 10, alone) == pytest.approx(1, abs=1e-9)
+    few = timeline.critical_hosts(FAST_DDS, 2, 10, [alone, 1.5 * float(alone)])
+    assert np.all(few < 2)
 
 
 def test_starts_may_be_a_list() -> None:
