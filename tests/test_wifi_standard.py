@@ -302,6 +302,10 @@ def test_a_rate_that_is_not_that_of_its_symbols_is_refused() -> None:
     link = ds.WIFI["802.11n 20 MHz 2x2"].unicast
     with pytest.raises(ValueError, match=r"rate must be that of 520 bits in 3\.6e-06 s .* 1000000"):
         replace(link, rate=1e6)
+    padding = ds.Padding(24, 4e-6, 4e-6)
+    assert ds.Link(6.2e6, 0, padding).rate == 6.2e6  # 24.8 bits, rounded down
+    with pytest.raises(ValueError, match="rate must be that of 24 bits"):
+        ds.Link(6.25e6, 0, padding)
 
 
 def test_symbols_of_a_short_guard_interval_fill_the_grid_exactly() -> None:
