@@ -72,6 +72,12 @@ def number(
     return float(checked)
 
 
+def whole(name: str, value: Any, low: float) -> None:
+    """Raise an error unless ``value`` is one whole number of at least ``low``; see `number`."""
+    if number(name, value, low) % 1:
+        raise ValueError(f"{name} must be a whole number; got {value!r}")
+
+
 def one_each(named: Iterable[tuple[str, Any]]) -> None:
     """Raise a TypeError if a value is an array; see `number` for the numbers themselves."""
     for name, value in named:
@@ -95,6 +101,12 @@ def shape(**given: Any) -> tuple[int, ...]:
         raise ValueError(
             f"the arguments must have shapes that broadcast to one; got {named}"
         ) from None
+
+
+def first_where(bad: ArrayLike, *values: ArrayLike) -> tuple[float, ...]:
+    """Return what the values hold at the first place that is bad; all shapes broadcast."""
+    place, *held = np.broadcast_arrays(bad, *values)
+    return tuple(float(value[place].item(0)) for value in held)
 
 
 def instance(name: str, value: Any, kind: type) -> None:

@@ -31,9 +31,8 @@ class Aggregation:
     overhead: float
 
     def __post_init__(self) -> None:
-        for name in ("mpdus", "most_bytes"):
-            if _checks.number(name, getattr(self, name), 1) % 1:
-                raise ValueError(f"{name} must be a whole number; got {getattr(self, name)!r}")
+        _checks.whole("mpdus", self.mpdus, 1)
+        _checks.whole("most_bytes", self.most_bytes, 1)
         _checks.number("overhead", self.overhead, 0)
 
 

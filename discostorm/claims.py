@@ -48,21 +48,17 @@ _SYMBOLS = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
 
 def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
     """Return the messages meant by phases, casts, or messages (``SEDP_message``)."""
-    known = {
-        name
+    called = {
+        message: {message.phase, message.cast, message.name + "_message"}
         for message in protocol.messages
-        for name in (message.phase, message.cast, message.name + "_message")
     }
+    known = set().union(*called.values())
     if unknown := set(names) - known:
         raise ValueError(
             f"name must be one of {', '.join(sorted(known))} for {protocol.name}; "
             f"got {min(unknown)!r}"
         )
-    return [
-        message
-        for message in protocol.messages
-        if {message.phase, message.cast, message.name + "_message"} & set(names)
-    ]
+    return [message for message, own in called.items() if own & set(names)]
 
 
 def load(protocol: Protocol, *names: str) -> sp.Expr:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 import discostorm as ds
+from discostorm.planner import HUGE
 from discostorm.wifi import Wifi
 
 # What a command needs beyond the package itself is imported when it runs.
@@ -199,8 +200,6 @@ Format = Callable[[Any], str]
 
 #: Characters in a line, if a table can be made as narrow.
 _WIDTH = 79
-#: From this on, numbers are printed with their power of ten.
-_HUGE = 1e6
 
 
 def _plain(value: Any) -> str:
@@ -212,11 +211,11 @@ def _plain(value: Any) -> str:
 def _percent(value: float) -> str:
     if 0.9995 <= value < 1:
         return "<100.0%"
-    return f"{value:,.1%}" if value < _HUGE else f"{100 * value:.3g}%"
+    return f"{value:,.1%}" if value < HUGE else f"{100 * value:.3g}%"
 
 
 def _seconds(value: float) -> str:
-    return f"{value:.6f}" if value < _HUGE else f"{value:.3g}"
+    return f"{value:.6f}" if value < HUGE else f"{value:.3g}"
 
 
 def _print(

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import as_file, files
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -366,11 +367,11 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
         figure = Figure(figsize=(WIDTH, 1.6 + 0.36 * len(swarms)))
         axis = figure.subplots()
         data = bars_data(swarms, share=share)
-        names = dict.fromkeys(data["message"])
-        others = (name for name in names if name not in MESSAGE_COLORS)
-        colors = {name: MESSAGE_COLORS.get(name, "") for name in names}
-        # The first two colors are those of SEDP and Declare.
-        colors |= {name: f"C{2 + number}" for number, name in enumerate(others)}
+        others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
+        colors = {
+            name: MESSAGE_COLORS.get(name) or next(others)
+            for name in dict.fromkeys(data["message"])
+        }
         for label in swarms:
             part = data[data["swarm"] == label]
             lengths = part.set_index("message").iloc[:, -1]

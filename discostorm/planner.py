@@ -11,11 +11,12 @@ import re
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks
 from discostorm.dds import DDS
-from discostorm.fleet import COUNTS, Fleet, HostGroup
+from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
 from discostorm.messages import Protocol, read_data
 from discostorm.presets import variant, wifi_preset
 from discostorm.scalability import as_fleet, breakdown, utilization
@@ -55,7 +56,7 @@ _NOTHING = 0.005
 #: Gains from this on are told with both times [1].
 _LARGE = 0.1
 #: From this on, numbers are told with their power of ten [1 or s].
-_HUGE = 1e6
+HUGE = 1e6
 
 _PRICE: dict[Kind, str] = {
     "processes": "a crash takes down all that shares the process",
@@ -115,8 +116,6 @@ class Remedy:
         The utilization without it [1].
     utilization : float
         What it leads to [1]: seconds of airtime, of all parts on one channel.
-    saved : float
-        What it saves as a part of what there was before [1]; negative if it costs more.
     """
 
     kind: Kind
@@ -127,7 +126,11 @@ class Remedy:
     wifi: Wifi
     before: float
     utilization: float
-    saved: float
+
+    @property
+    def saved(self) -> float:
+        """What it saves as a part of what there was before [1]; negative if it costs more."""
+        return 1 - self.utilization / self.before if self.before else 0.0
 
     def sentence(self) -> str:
         """Return what it brings, in words."""
@@ -292,13 +295,10 @@ class Plan:
             if remedy.kind not in kinds:
                 lines.append(f"    Mind: {remedy.price}.")
             kinds.add(remedy.kind)
-        if len(helpful) < len(self.remedies):
+        others = self.remedies[len(helpful) :]
+        if others:
             lines += ["", "What would not help:" if helpful else "Nothing that was tried helps:"]
-        lines += [
-            f"- {_capitalized(remedy.sentence())}."
-            for remedy in self.remedies
-            if remedy not in helpful
-        ]
+        lines += [f"- {_capitalized(remedy.sentence())}." for remedy in others]
         if self.left_out:
             lines += ["", "Left out:", *(f"- {reason}." for reason in self.left_out)]
         return "\n".join(map(_wrapped, lines))
@@ -365,8 +365,7 @@ def plan(
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-        if group.hosts % 1:
-            raise ValueError(f"hosts must be a whole number; got {group.hosts!r}")
+        _checks.whole("hosts", group.hosts, LEAST["hosts"])
     before = float(utilization(protocol, fleet, wifi=wifi))
     remedies: list[Remedy] = []
     left_out: list[str] = []
@@ -379,9 +378,8 @@ def plan(
         kind, what, fleets, new_protocol, new_wifi = found
         parts = [float(utilization(new_protocol, part, wifi=new_wifi)) for part in fleets]
         after = max(parts) if kind == "channels" else sum(parts)
-        saved = 1 - after / before if before else 0.0
         remedies.append(
-            Remedy(kind, what, _PRICE[kind], fleets, new_protocol, new_wifi, before, after, saved)
+            Remedy(kind, what, _PRICE[kind], fleets, new_protocol, new_wifi, before, after)
         )
     return Plan(
         fleet,
@@ -427,21 +425,15 @@ def _remedies(
     fleet: Fleet, protocol: Protocol, wifi: Wifi, nodes: Sequence[float], assumed: str
 ) -> Iterator[Change | str]:
     """Yield each change, or why there is none."""
-    for found in _other_fleets(fleet, nodes, assumed):
+    for found in chain(_other_fleets(fleet, nodes, assumed), _other_wifis(wifi)):
         if isinstance(found, str):
             yield found
+            continue
+        kind, what, new = found
+        if isinstance(new, Fleet):
+            yield kind, what, (new,), protocol, wifi
         else:
-            kind, what, changed = found
-            yield kind, what, (changed,), protocol, wifi
-    if not any(nodes):
-        each = parameter_service_endpoints()
-        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
-    for other in _other_wifis(wifi):
-        if isinstance(other, str):
-            yield other
-        else:
-            kind, what, channel = other
-            yield kind, what, (fleet,), protocol, channel
+            yield kind, what, (fleet,), protocol, new
     hosts = sum(group.hosts for group in fleet.groups)
     for parts in PARTS:
         # A host that is alone on its channel has nobody to find: no remedy but a surrender.
@@ -451,9 +443,9 @@ def _remedies(
             pieces = split(fleet, parts)
             yield "channels", f"splitting onto {parts} channels", pieces, protocol, wifi
             yield "domains", f"splitting into {parts} domains", pieces, protocol, wifi
-    for middleware in (DDS, ZENOH):
-        if middleware != protocol:
-            yield "middleware", f"switching to {middleware.name}", (fleet,), middleware, wifi
+    for other in (DDS, ZENOH):
+        if other != protocol:
+            yield "middleware", f"switching to {other.name}", (fleet,), other, wifi
 
 
 def _other_fleets(
@@ -475,8 +467,8 @@ def _other_fleets(
             yield f"{what}: {error}"
         else:
             yield "processes", what, Fleet(composed)
+    each = parameter_service_endpoints()
     if any(nodes):
-        each = parameter_service_endpoints()
         fewer = (
             replace(group, endpoints=group.endpoints - each * own)
             for group, own in zip(fleet.groups, nodes, strict=True)
@@ -485,6 +477,8 @@ def _other_fleets(
         noun = "node" if set(nodes) == {1} else "nodes"
         what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
         yield "endpoints", what, Fleet(tuple(fewer))
+    else:
+        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
 
 
 def _other_wifis(wifi: Wifi) -> Iterator[tuple[Kind, str, Wifi] | str]:
@@ -620,7 +614,7 @@ def _percent(share: float) -> str:
     """Return a share to a percent, what is less than one to two digits, never 100% too early."""
     if 0.995 <= share < 1:
         return "just below 100%"
-    if 0.01 <= share < _HUGE or not share:
+    if 0.01 <= share < HUGE or not share:
         return f"{share:,.0%}"
     return f"{100 * share:.2g}%"
 
@@ -635,4 +629,4 @@ def _time(seconds: float) -> str:
         return f"{1e3 * seconds:.3g} ms"
     if seconds < 10:
         return f"{seconds:.2f} s" if seconds >= 0.1 else f"{seconds:.3f} s"
-    return f"{seconds:,.1f} s" if seconds < _HUGE else f"{seconds:.3g} s"
+    return f"{seconds:,.1f} s" if seconds < HUGE else f"{seconds:.3g} s"

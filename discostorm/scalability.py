@@ -233,10 +233,9 @@ def saturation_hosts(
     most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
     shapes = {"processes": processes, "endpoints": endpoints}
     _checks.shape(**(shapes if beside is None else {"utilization": single}), limit=most)
-    enough = np.greater_equal(most, single)
-    if not enough.all():
-        pairs = np.broadcast_arrays(most, single)
-        low, needed = (float(values[~enough].item(0)) for values in pairs)
+    short = np.less(most, single)
+    if short.any():
+        low, needed = _checks.first_where(short, most, single)
         raise ValueError(
             f"limit must be at least the utilization of a single host"
             f"{' beside the fleet' if beside else ''} with {protocol.name}, {needed!r}; got {low!r}"

@@ -380,13 +380,12 @@ def critical_hosts(
         )
     share = _per_second(window)
     _checks.shape(processes=processes, endpoints=endpoints, window=share)
-    enough = np.less_equal(np.multiply(alone, share), 1)
-    if not enough.all():
-        pairs = np.broadcast_arrays(alone, window)
-        needed, short = (float(values[~enough].item(0)) for values in pairs)
+    short = np.greater(np.multiply(alone, share), 1)
+    if short.any():
+        needed, given_window = _checks.first_where(short, alone, window)
         raise ValueError(
             "window must be at least as long as the start of a single host, "
-            f"{needed:g} s; got {short:g}"
+            f"{needed:g} s; got {given_window:g}"
         )
     swarm = HostGroup(1, processes, endpoints)
     given = {nt.N_P: swarm.processes, nt.N_E: swarm.endpoints, nt.U_LIMIT: 1.0, _SHARE: share}
@@ -396,11 +395,9 @@ def critical_hosts(
 
 def _per_second(window: ArrayLike) -> Value:
     """Return one divided by a window [1/s], which is zero if it is infinite."""
-    given = np.asarray(window)
-    longest = np.isposinf(given) if given.dtype.kind == "f" else np.zeros(given.shape, bool)
-    finite = window if not longest.any() else np.where(longest, 1.0, given)
-    share = np.where(longest, 0.0, 1 / np.asarray(_checks.numbers("window", finite, 0, above=True)))
-    return share if share.ndim else share.item()
+    longest = np.asarray(window) == np.inf
+    finite = np.where(longest, 1.0, window) if longest.any() else window
+    return np.where(longest, 0.0, 1 / np.asarray(_checks.numbers("window", finite, 0, above=True)))
 
 
 def demand(

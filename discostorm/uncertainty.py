@@ -290,7 +290,7 @@ def _saturation(
     single = evaluate(protocol.utilization(), {nt.N_H: 1.0} | given)
     short = np.less(most, single)
     if short.any():
-        low, needed = (pair[short][0] for pair in np.broadcast_arrays(most, single))
+        low, needed = _checks.first_where(short, most, single)
         raise ValueError(
             f"limit must be at least the utilization of a single host, {needed:g} within the "
             f"ranges; got {low:g}"

@@ -55,8 +55,7 @@ class Padding:
 
     def __post_init__(self) -> None:
         for name, low in (("bits", 1), ("added", 0)):
-            if _checks.number(name, getattr(self, name), low) % 1:
-                raise ValueError(f"{name} must be a whole number; got {getattr(self, name)!r}")
+            _checks.whole(name, getattr(self, name), low)
         for name in ("symbol", "grid"):
             ticks = _checks.number(name, getattr(self, name), TICK) / TICK
             if abs(ticks - round(ticks)) > 1e-6:
