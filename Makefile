@@ -84,7 +84,7 @@ serve: book ## show the book at http://localhost:8000
 	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html
 
 lock: $(READY) ## resolve the versions anew (needs uv)
-	uv pip compile --upgrade pyproject.toml --group book --group dev --universal --fork-strategy fewest \
+	uv pip compile --upgrade pyproject.toml --extra book --extra simulation --group book --group dev --universal --fork-strategy fewest \
 		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
 	$(BIN)/python scripts/write_environment.py
 
