@@ -1,15 +1,14 @@
 """Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable."""
 
 from discostorm._numeric import lambdify
-from discostorm.aggregation import Aggregation
-from discostorm.dds import DDS
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Message, Payload, Protocol, Unit
 from discostorm.planner import Plan, Remedy, Share, plan
-from discostorm.presets import WIFI, wifi_preset
+from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.wifi import PAPER, Link, Padding, Wifi
-from discostorm.zenoh import ZENOH
+from discostorm.wifi.aggregation import Aggregation
+from discostorm.wifi.radio import WIFI, wifi_preset
 
 __version__ = "0.1.0"
 

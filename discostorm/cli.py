@@ -572,7 +572,7 @@ def claims(verdict: str | None, as_json: bool, as_csv: bool) -> None:
       discostorm claims --csv > claims.csv
     """
     with _working("loading"):
-        from discostorm import claims as ledger
+        from discostorm.paper import claims as ledger
     checked = ledger.claims()
     with click.progressbar(
         checked, label="computing", file=sys.stderr, hidden=not sys.stderr.isatty()

@@ -8,7 +8,6 @@ There are more drawings: `airtime`, of one frame of each message; and, of any pr
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib.resources import as_file, files
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -23,11 +22,11 @@ from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
 from discostorm._numeric import evaluate
-from discostorm.dds import DDS
+from discostorm.data import data_path
 from discostorm.messages import Protocol
+from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import saturation_hosts, utilization
 from discostorm.wifi import PAPER
-from discostorm.zenoh import ZENOH
 
 PROTOCOLS = (DDS, ZENOH)
 
@@ -63,10 +62,7 @@ FIG4_PROCESSES, FIG4_ENDPOINTS = 1, 678
 @contextmanager
 def style() -> Iterator[None]:
     """Draw with the looks of the book inside a ``with`` block."""
-    with (
-        as_file(files("discostorm") / "data" / "discostorm.mplstyle") as path,
-        mpl.rc_context(fname=path),
-    ):
+    with mpl.rc_context(fname=data_path("discostorm.mplstyle")):
         yield
 
 

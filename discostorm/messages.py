@@ -8,7 +8,7 @@ from typing import Literal, get_args
 import sympy as sp
 
 from discostorm import _checks, notation as nt
-from discostorm._data import read_data as read_data
+from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.wifi import Cast, Model, downlink_airtime, uplink_airtime
 
@@ -147,21 +147,11 @@ _HEADER_SYMBOLS: dict[Transport, sp.Symbol] = {"UDP": nt.H_UDP, "TCP": nt.H_TCP}
 @cache
 def header_bytes() -> dict[str, int]:
     """Return the header bytes of each transport, added up from their parts [B]."""
-    parts = read_data("headers.csv")
+    parts = read_data("paper/headers.csv")
     return {
         transport: sum(int(part["bytes"]) for part in parts if transport in part["transports"])
         for transport in _HEADER_SYMBOLS
     }
-
-
-def table2(name: str, phase: str, cast: Cast, unit: Unit, per_unit: float) -> Message:
-    """Return the message of that name with its size and transport from the paper's Table II."""
-    (row,) = (row for row in read_data("table2.csv") if row["message"] == name)
-    payload = Payload(
-        float(row["payload_B"]), float(row["low_B"]), float(row["high_B"]), row["source"]
-    )
-    transport: Transport = "TCP" if row["transport"] == "TCP" else "UDP"
-    return Message(name, phase, cast, transport, payload, unit, per_unit)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ import shlex
 from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.resources import as_file, files
 from textwrap import wrap
 
 import matplotlib.pyplot as plt
@@ -15,6 +14,7 @@ import sympy as sp
 from IPython.display import SVG, Markdown
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
+from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import NOTATION
 
@@ -23,8 +23,7 @@ def setup() -> None:
     """Make figures come out in the looks of the book, as vectors, the same every time."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
-    with as_file(files("discostorm") / "data" / "discostorm.mplstyle") as path:
-        plt.style.use(path)
+    plt.style.use(data_path("discostorm.mplstyle"))
     set_matplotlib_formats("svg", bbox_inches=None)
 
 
@@ -139,7 +138,7 @@ def download(frame: pd.DataFrame, name: str) -> Download:
 
 def drawing(name: str) -> SVG:
     """Show a drawing of the package, so that it is in the notebook wherever that goes."""
-    return SVG(data=(files("discostorm") / "data" / f"{name}.svg").read_text(encoding="utf-8"))
+    return SVG(data=data_path(f"{name}.svg").read_text(encoding="utf-8"))
 
 
 def messages(protocol: Protocol) -> Markdown:

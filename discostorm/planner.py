@@ -15,13 +15,13 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks
-from discostorm.dds import DDS
+from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
-from discostorm.messages import Protocol, read_data
-from discostorm.presets import variant, wifi_preset
+from discostorm.messages import Protocol
+from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import as_fleet, breakdown, utilization
 from discostorm.wifi import PAPER, Link, Wifi
-from discostorm.zenoh import ZENOH
+from discostorm.wifi.radio import variant, wifi_preset
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -350,7 +350,7 @@ def plan(
     References
     ----------
     Parameter services: rclcpp, branch humble, parameter_service.cpp (six services of two
-    endpoints each, ``data/parameter_services.csv``). Composition: paper, Sec. IV-C.
+    endpoints each, ``data/fleets/parameter_services.csv``). Composition: paper, Sec. IV-C.
 
     Examples
     --------
@@ -394,7 +394,7 @@ def plan(
 
 def parameter_service_endpoints() -> int:
     """Return how many endpoints the parameter services of a node have [1]."""
-    return sum(int(row["endpoints"]) for row in read_data("parameter_services.csv"))
+    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
 def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:

@@ -19,12 +19,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
-from discostorm.dds import DDS
+from discostorm.data import read_data
 from discostorm.fleet import COUNTS, HostGroup
-from discostorm.messages import PAIR, Message, Payload, Protocol, read_data
+from discostorm.messages import PAIR, Message, Payload, Protocol
+from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import solve_hosts, utilization
 from discostorm.wifi import PAPER, Model, Wifi
-from discostorm.zenoh import ZENOH
 
 #: A message counts as sent at a time that misses its instant by rounding alone [periods].
 _ROUNDING = 1e-9
@@ -308,7 +308,7 @@ def drain_time(
 
     References
     ----------
-    Airtime: paper, equations (11) and (12). Periods: ``data/middleware_defaults.csv``.
+    Airtime: paper, equations (11) and (12). Periods: ``data/vendors/middleware_defaults.csv``.
 
     Examples
     --------
@@ -574,7 +574,7 @@ def defaults(product: str) -> dict[str, float]:
     >>> defaults("Zenoh")["lease"]
     10.0
     """
-    rows = read_data("middleware_defaults.csv")
+    rows = read_data("vendors/middleware_defaults.csv")
     known = dict.fromkeys(row["product"] for row in rows)
     if product not in known:
         names = " or ".join(repr(name) for name in known)
@@ -626,7 +626,7 @@ def _cyclone_dds() -> Product:
         "Liveliness",
         "unicast",
         "UDP",
-        Payload(size, size, size, "data/middleware_defaults.csv, liveliness_payload"),
+        Payload(size, size, size, "data/vendors/middleware_defaults.csv, liveliness_payload"),
         PAIR,
         1,
     )

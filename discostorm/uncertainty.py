@@ -2,7 +2,7 @@
 
 A parameter is whatever utilization depends on besides the counts of hosts, processes and
 endpoints: payloads, headers, rates and overheads. The ranges of payloads come with the
-protocol's messages, those of the others from ``data/parameter_ranges.csv``.
+protocol's messages, those of the others from ``data/paper/parameter_ranges.csv``.
 """
 
 from __future__ import annotations
@@ -19,8 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
+from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Protocol, header_bytes, read_data
+from discostorm.messages import Protocol, header_bytes
 from discostorm.scalability import as_fleet, saturation
 from discostorm.wifi import PAPER
 
@@ -50,7 +51,7 @@ def _assumed() -> Ranges:
     """Return the ranges of the data file in SI units, each the sum of its parts."""
     # Fractions, as a range must end exactly where the paper's value stands.
     ends = {f"H_{name}": [Fraction(size)] * 2 for name, size in header_bytes().items()}
-    for row in read_data("parameter_ranges.csv"):
+    for row in read_data("paper/parameter_ranges.csv"):
         low, high = ends.get(row["parameter"], [Fraction(0)] * 2)
         scale = _SI[row["unit"]]
         ends[row["parameter"]] = [
@@ -87,7 +88,7 @@ def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> 
 
     References
     ----------
-    Paper, Table II; ``data/parameter_ranges.csv``.
+    Paper, Table II; ``data/paper/parameter_ranges.csv``.
 
     Examples
     --------
@@ -207,7 +208,7 @@ def bounds(
 
     References
     ----------
-    Paper, Table II and equation (12); ``data/parameter_ranges.csv``.
+    Paper, Table II and equation (12); ``data/paper/parameter_ranges.csv``.
 
     Examples
     --------

@@ -7,7 +7,8 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _numeric, aggregation, notation as nt, wifi as wf
+from discostorm import _numeric, notation as nt, wifi as wf
+from discostorm.wifi import aggregation
 
 
 def parts(channel: ds.Wifi) -> tuple[ds.Padding, ds.Aggregation]:

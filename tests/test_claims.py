@@ -12,7 +12,8 @@ import sympy as sp
 from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
-from discostorm import claims, messages
+from discostorm import messages
+from discostorm.paper import claims
 from discostorm.uncertainty import saturation_bounds
 
 ROOT = Path(__file__).parents[1]

@@ -10,7 +10,6 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Callable
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +20,11 @@ from click.testing import CliRunner, Result
 
 import discostorm as ds
 from discostorm import cli, figures, notebook
-from discostorm.claims import ledger
 from discostorm.cli import LINK_OPTIONS, main
+from discostorm.data import data_path
+from discostorm.paper.claims import ledger
 
-NAV2 = (files("discostorm") / "data" / "nav2_laptop.toml").read_text(encoding="utf-8")
+NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
 
 SWARM = "--hosts 7 --processes 2 --endpoints 10"
 

@@ -5,15 +5,14 @@ from importlib.resources import files
 import pytest
 
 import discostorm as ds
-from discostorm.messages import header_bytes, read_data
+from discostorm.data import data_path, read_data
+from discostorm.messages import header_bytes
 from discostorm.notation import NOTATION, payload_symbol
 from discostorm.scalability import saturation
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 
-DATA_FILES = sorted(
-    path.name for path in (files("discostorm") / "data").iterdir() if path.name.endswith(".csv")
-)
+DATA_FILES = sorted(str(path.relative_to(data_path(""))) for path in data_path("").rglob("*.csv"))
 
 
 @pytest.mark.parametrize("name", DATA_FILES)
@@ -22,14 +21,14 @@ def test_every_row_has_a_source_and_every_column(name: str) -> None:
     assert rows
     for row in rows:
         # Of a claim the source is where the paper makes it.
-        assert row["where" if name == "claims.csv" else "source"].strip(), row
+        assert row["where" if name == "paper/claims.csv" else "source"].strip(), row
         # csv puts what is too much under None, and None where something is missing
         assert None not in row, row
         assert None not in row.values(), row
 
 
 def test_table_2_adds_up_to_the_printed_frames() -> None:
-    rows = read_data("table2.csv")
+    rows = read_data("paper/table2.csv")
     assert len(rows) == 8
     for row in rows:
         frame = int(row["payload_B"]) + header_bytes()[row["transport"]]
@@ -43,7 +42,7 @@ def test_headers_add_up_to_the_papers() -> None:
 
 def test_the_protocols_hold_table_2_each_message_once() -> None:
     messages = {message.name: message for protocol in PROTOCOLS for message in protocol.messages}
-    rows = {row["message"]: row for row in read_data("table2.csv")}
+    rows = {row["message"]: row for row in read_data("paper/table2.csv")}
     assert messages.keys() == rows.keys()
     for name, row in rows.items():
         message = messages[name]

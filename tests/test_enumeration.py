@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
-from discostorm import enumeration
-from discostorm.enumeration import EVERYONE, Endpoint, Process, walk
+from discostorm.paper import enumeration
+from discostorm.paper.enumeration import EVERYONE, Endpoint, Process, walk
 
 SWARMS = list(product(range(1, 6), range(1, 5), (0, 2, 4, 6)))
 PROTOCOLS = (ds.DDS, ds.ZENOH)

@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from importlib.resources import as_file, files
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -13,9 +12,10 @@ import sympy as sp
 from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
-from discostorm.enumeration import walk
-from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS, read_data
+from discostorm.data import data_path, read_data
+from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS
 from discostorm.notation import N_E, N_H, N_P
+from discostorm.paper.enumeration import walk
 from discostorm.scalability import saturation
 
 #: Hosts, processes and endpoints of each group.
@@ -250,10 +250,9 @@ def test_a_fleet_is_read_from_toml(tmp_path: Path) -> None:
 
 
 def test_the_laptop_of_the_example_has_the_endpoints_that_its_parts_add_up_to() -> None:
-    with as_file(files("discostorm") / "data" / "nav2_laptop.toml") as path:
-        robots, laptop = ds.Fleet.from_toml(path).groups
+    robots, laptop = ds.Fleet.from_toml(data_path("fleets/nav2_laptop.toml")).groups
     assert (robots.name, laptop.name) == ("robots", "laptop")
-    parts = read_data("rviz_endpoints.csv")
+    parts = read_data("fleets/rviz_endpoints.csv")
     endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
     assert laptop == ds.HostGroup(1, 1, endpoints, name="laptop")
 

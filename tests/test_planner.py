@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 
 import discostorm as ds
 from discostorm import planner
-from discostorm.messages import PROCESS, read_data
+from discostorm.data import read_data
+from discostorm.messages import PROCESS
 from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
-from discostorm.presets import variant
+from discostorm.wifi.radio import variant
 
 #: Hosts, each a list with the endpoints of each of its processes.
 Hosts = Sequence[Sequence[float]]
@@ -261,7 +262,7 @@ def test_nodes_of_the_parameter_services() -> None:
     one_for_all = remedy(ds.plan(NAV2, nodes=7), "endpoints")
     assert [group.endpoints for group in one_for_all.fleets[0].groups] == [594, 6]
     assert not [r for r in ds.plan(NAV2, nodes=0).remedies if r.kind == "endpoints"]
-    nav2 = sum(int(row["how_many"]) for row in read_data("nav2_nodes.csv"))
+    nav2 = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
     assert nav2 * 12 < robots.endpoints
 
 

@@ -9,7 +9,7 @@ import pytest
 
 import discostorm as ds
 from discostorm import notebook
-from discostorm.messages import read_data
+from discostorm.data import data_path, read_data
 from discostorm.notation import NOTATION
 
 ROOT = Path(__file__).parents[1]
@@ -45,7 +45,7 @@ def test_notation_table_gives_unit_and_source_of_every_symbol():
 
 
 def test_table1_levels_are_the_three_counts_of_the_notation():
-    rows = read_data("table1.csv")
+    rows = read_data("paper/table1.csv")
     assert [row["level"] for row in rows] == ["Host", "Process", "Endpoint"]
     assert all(row["symbol"] in NOTATION for row in rows)
 
@@ -57,10 +57,10 @@ def test_rates_of_the_paper_follow_from_the_parameters_of_the_standard():
         * Fraction(row["coding_rate"])
         * int(row["streams"])
         / Fraction(row["symbol_us"])
-        for row in read_data("paper_rates.csv")
+        for row in read_data("paper/rates.csv")
     }
     assert exact == {"unicast": Fraction(1300, 9), "multicast": 6}
-    for row in read_data("paper_rates.csv"):
+    for row in read_data("paper/rates.csv"):
         printed = float(row["printed_Mbit_s"])
         # The paper prints one decimal, so its value is within half a unit of that place.
         assert abs(exact[row["rate"]] - Fraction(row["printed_Mbit_s"])) <= Fraction(1, 20)
@@ -85,7 +85,7 @@ def test_anchors_to_the_paper_are_known_and_defined_once():
 
 
 def test_drawing_of_the_layers_describes_itself():
-    svg = (ROOT / "discostorm" / "data" / "layers.svg").read_text(encoding="utf-8")
+    svg = data_path("paper/layers.svg").read_text(encoding="utf-8")
     assert 'role="img"' in svg
     assert re.search(r"<title[^>]*>[^<]+</title>", svg)
     assert re.search(r"<desc[^>]*>[^<]+</desc>", svg)

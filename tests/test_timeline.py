@@ -3,7 +3,6 @@
 import csv
 import math
 from collections.abc import Callable
-from importlib.resources import files
 from itertools import pairwise
 from typing import Any, cast
 
@@ -13,6 +12,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import timeline
+from discostorm.data import data_path
 from discostorm.messages import PROCESS, Message, Payload
 from discostorm.timeline import (
     CYCLONE_DDS,
@@ -226,7 +226,7 @@ def test_leases_and_periods_are_those_of_the_data_file() -> None:
 
 
 def test_every_default_names_where_it_comes_from() -> None:
-    path = files("discostorm") / "data" / "middleware_defaults.csv"
+    path = data_path("vendors/middleware_defaults.csv")
     rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
     assert len({(row["product"], row["quantity"]) for row in rows}) == len(rows) > 20
     for row in rows:

@@ -16,7 +16,7 @@ from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
 from discostorm import notation as nt, scalability, uncertainty
-from discostorm.messages import read_data
+from discostorm.data import read_data
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 both = pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
@@ -60,7 +60,7 @@ def test_the_data_file_adds_up_to_802_11_timing() -> None:
 
 
 def test_every_part_in_the_data_file_is_a_range() -> None:
-    for row in read_data("parameter_ranges.csv"):
+    for row in read_data("paper/parameter_ranges.csv"):
         assert float(row["low"]) <= float(row["high"])
 
 
@@ -68,7 +68,7 @@ def test_padding_never_exceeds_what_the_data_file_allows() -> None:
     """SERVICE, tail and padding against whole symbols, for every frame length."""
     rows = {
         row["parameter"]: float(row["high"])
-        for row in read_data("parameter_ranges.csv")
+        for row in read_data("paper/parameter_ranges.csv")
         if row["part"].startswith("SERVICE")
     }
     for name, bits_a_symbol in {"O_uni": 260, "O_multi": 24}.items():

@@ -5,7 +5,6 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import _numeric, notation as nt, wifi as wf
+from discostorm.data import data_path
 from discostorm.scalability import saturation
 
 Key = tuple[str, int, int, int, int]
@@ -369,7 +369,7 @@ def test_symbols_have_names_that_javascript_takes() -> None:
 
 
 def test_every_row_of_the_wifi_data_names_its_source() -> None:
-    found = [f for f in (files("discostorm") / "data").iterdir() if f.name.startswith("wifi_")]
+    found = list(data_path("wifi").iterdir())
     assert len(found) >= 10
     for file in found:
         for row in csv.DictReader(file.read_text(encoding="utf-8").splitlines()):

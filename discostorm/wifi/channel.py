@@ -6,7 +6,8 @@ from typing import Any, Literal, get_args
 
 import sympy as sp
 
-from discostorm import _checks, aggregation as agg, notation as nt
+from discostorm import _checks, notation as nt
+from discostorm.wifi import aggregation as agg
 
 Cast = Literal["multicast", "unicast"]
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from discostorm import _checks, notation as nt
-from discostorm._data import read_data
+from discostorm.data import read_data
 
-_BYTES = {row["name"]: int(row["bytes"]) for row in read_data("wifi_frames.csv")}
+_BYTES = {row["name"]: int(row["bytes"]) for row in read_data("wifi/frames.csv")}
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from typing import Any
 import sympy as sp
 
 from discostorm import _checks
-from discostorm._data import read_data
-from discostorm.aggregation import Aggregation
-from discostorm.wifi import Link, Padding, Wifi, data_time
+from discostorm.data import read_data
+from discostorm.wifi.aggregation import Aggregation
+from discostorm.wifi.channel import Link, Padding, Wifi, data_time
 
 _MICRO = 10**6
 _MEGA = 10**6
@@ -25,7 +25,7 @@ def _rows(name: str, **wanted: object) -> list[Row]:
     """Return the rows of a Wi-Fi data file that have the wanted values."""
     return [
         row
-        for row in read_data(f"wifi_{name}.csv")
+        for row in read_data(f"wifi/{name}.csv")
         if all(str(value) in row[column].split() for column, value in wanted.items())
     ]
 
@@ -54,7 +54,7 @@ def _preamble(standard: str, training_fields: int, he_ltf: Fraction) -> Fraction
 
 def _response(frame: str, rate: int) -> Fraction:
     """Return the duration of a control frame at a rate [Mbit/s] of clause 17 [us]."""
-    (octets,) = (int(row["bytes"]) for row in read_data("wifi_frames.csv") if row["name"] == frame)
+    (octets,) = (int(row["bytes"]) for row in read_data("wifi/frames.csv") if row["name"] == frame)
     (row,) = _rows("basic_rates", rate_Mbit_s=rate)
     bits, added = int(row["bits_per_symbol"]), int(row["added_bits"])
     data = data_time(*map(sp.Integer, (octets, bits, added, 1, int(row["symbol_us"]))))
@@ -131,7 +131,7 @@ def wifi_preset(
     References
     ----------
     IEEE Std 802.11-2020, clauses 9, 10, 15 to 19 and 21; IEEE Std 802.11ax-2021, clause
-    27; each number with its clause in the package's ``data/wifi_*.csv``.
+    27; each number with its clause in the package's ``data/wifi/*.csv``.
 
     Examples
     --------
@@ -151,7 +151,7 @@ def wifi_preset(
         "aifsn": aifsn,
         "mpdus": mpdus,
     }
-    known = [row["standard"] for row in read_data("wifi_standards.csv")]
+    known = [row["standard"] for row in read_data("wifi/standards.csv")]
     if standard not in known:
         raise ValueError(
             f"standard must be {', '.join(known[:-1])} or {known[-1]}; got {standard!r}"
@@ -170,7 +170,7 @@ def wifi_preset(
 
     exceptions = {
         int(row["mcs"]): row
-        for row in _rows("exceptions", standard=standard, width_MHz=mhz, streams=streams)
+        for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
     }
     codings = [
         (float(row["mcs"]), row)

@@ -1,6 +1,6 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
-The claims stand in ``data/claims.csv``. A claim carries a *test*, such as
+The claims stand in ``data/paper/claims.csv``. A claim carries a *test*, such as
 ``saturation_hosts DDS 2 10 ≈ 7 ± 0.5``: a quantity of this module with its arguments, a
 relation, and the value that the paper gives. Some carry a *weaker* test as well, what
 remains of the claim when the first fails. Verdicts are computed from the tests.
@@ -16,14 +16,15 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
-from discostorm import enumeration, notation as nt
-from discostorm.dds import DDS
-from discostorm.messages import Message, Protocol, header_bytes, read_data
-from discostorm.presets import wifi_preset
+from discostorm import notation as nt
+from discostorm.data import read_data
+from discostorm.messages import Message, Protocol, header_bytes
+from discostorm.paper import enumeration
+from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER, airtime as airtime_of_frame
-from discostorm.zenoh import ZENOH
+from discostorm.wifi.radio import wifi_preset
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -501,7 +502,7 @@ def claims() -> tuple[Claim, ...]:
             row["remark"],
             row["link"],
         )
-        for row in read_data("claims.csv")
+        for row in read_data("paper/claims.csv")
     )
 
 

@@ -1,0 +1,40 @@
+"""What the air costs: channels, the airtime of a frame, aggregation, the standard's radios."""
+
+from discostorm.wifi.aggregation import Aggregation
+from discostorm.wifi.channel import (
+    BITS_PER_BYTE,
+    MULTICAST,
+    PAPER,
+    UNICAST,
+    Cast,
+    Link,
+    Model,
+    Padding,
+    Wifi,
+    aggregated_airtime,
+    airtime,
+    data_time,
+    downlink_airtime,
+    uplink_airtime,
+)
+from discostorm.wifi.radio import WIFI, wifi_preset
+
+__all__ = [
+    "BITS_PER_BYTE",
+    "MULTICAST",
+    "PAPER",
+    "UNICAST",
+    "WIFI",
+    "Aggregation",
+    "Cast",
+    "Link",
+    "Model",
+    "Padding",
+    "Wifi",
+    "aggregated_airtime",
+    "airtime",
+    "data_time",
+    "downlink_airtime",
+    "uplink_airtime",
+    "wifi_preset",
+]
