@@ -2,9 +2,19 @@
 
 from discostorm._numeric import lambdify
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Message, Payload, Protocol, Unit
+from discostorm.messages import (
+    ENDPOINT_PAIR,
+    ONCE,
+    PAIR,
+    PROCESS,
+    Message,
+    Payload,
+    Protocol,
+    Schedule,
+    Unit,
+)
 from discostorm.planner import Plan, Remedy, Share, plan
-from discostorm.protocols import DDS, ZENOH
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.wifi import PAPER, Link, Padding, Wifi
 from discostorm.wifi.aggregation import Aggregation
@@ -14,7 +24,12 @@ __version__ = "0.1.0"
 
 __all__ = [
     "DDS",
+    "ENDPOINT_PAIR",
+    "ONCE",
+    "PAIR",
     "PAPER",
+    "PROCESS",
+    "PROTOCOLS",
     "WIFI",
     "ZENOH",
     "Aggregation",
@@ -27,6 +42,7 @@ __all__ = [
     "Plan",
     "Protocol",
     "Remedy",
+    "Schedule",
     "Share",
     "Unit",
     "Wifi",

@@ -8,7 +8,7 @@ There are more drawings: `airtime`, of one frame of each message; and, of any pr
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import count
+from itertools import count, cycle
 from pathlib import Path
 from typing import Any
 
@@ -24,14 +24,22 @@ from numpy.typing import NDArray
 from discostorm._numeric import evaluate
 from discostorm.data import data_path
 from discostorm.messages import Protocol
-from discostorm.protocols import DDS, ZENOH
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import saturation_hosts, utilization
 from discostorm.wifi import PAPER
 
-PROTOCOLS = (DDS, ZENOH)
+#: What the paper draws.
+PAPER_PROTOCOLS = (DDS, ZENOH)
 
 #: One colour a protocol, one line style a phase, in all figures.
-COLORS = {"DDS": "#0072B2", "Zenoh": "#D55E00"}
+COLORS = dict(
+    zip(
+        PROTOCOLS,
+        # Okabe and Ito's palette, told apart by colour-blind readers, too.
+        cycle(("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")),
+        strict=False,
+    )
+)
 STYLES = {
     "total": "-",
     "SPDP": ":",
@@ -82,7 +90,7 @@ def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) 
                 "utilization": utilization(protocol, hosts, processes, endpoints, phase=phase),
             }
         )
-        for protocol in PROTOCOLS
+        for protocol in PAPER_PROTOCOLS
         for phase in (*protocol.phases, None)
     ).reset_index(drop=True)
 
@@ -114,7 +122,7 @@ def fig3_data() -> pd.DataFrame:
                 "utilization": utilization(protocol, FIG3_HOSTS, processes, endpoints),
             }
         )
-        for protocol in PROTOCOLS
+        for protocol in PAPER_PROTOCOLS
         for part, (processes, endpoints) in parts.items()
     ).reset_index(drop=True)
 
@@ -137,7 +145,7 @@ def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) 
     The total is a broad pale line, so that a phase which is nearly all of it stays visible
     on top; a dot marks each whole number of hosts.
     """
-    for protocol in PROTOCOLS:
+    for protocol in PAPER_PROTOCOLS:
         color = COLORS[protocol.name]
         rows = data[data["protocol"] == protocol.name]
         total = rows[rows["phase"] == "total"]
@@ -197,7 +205,9 @@ def fig3() -> Figure:
     """
     data = fig3_data()
     of = {
-        part: {protocol.name: rows[rows["protocol"] == protocol.name] for protocol in PROTOCOLS}
+        part: {
+            protocol.name: rows[rows["protocol"] == protocol.name] for protocol in PAPER_PROTOCOLS
+        }
         for part, rows in data.groupby("part")
     }
     with style():
@@ -275,7 +285,7 @@ def fig4() -> Figure:
     return figure
 
 
-def airtime_data(protocols: Sequence[Protocol] = PROTOCOLS) -> pd.DataFrame:
+def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
     """Return what one frame of each message costs, up and down: overhead and bits [s].
 
     On the paper's channel. A row a message and direction, with columns protocol, message,

@@ -3,16 +3,29 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
+import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
+from discostorm._numeric import Value
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.wifi import Cast, Model, downlink_airtime, uplink_airtime
 
 Transport = Literal["UDP", "TCP"]
+
+#: From a host to the access point, and from there on.
+Hop = Literal["up", "down"]
+HOPS: tuple[Hop, ...] = ("up", "down")
+
+#: The window that the paper divides by [s] (Sec. IV-B).
+PAPER_WINDOW = 1.0
+
+#: A message counts as sent at a time that misses its instant by rounding alone [periods].
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -68,6 +81,142 @@ class Payload:
         _checks.number("nominal", self.nominal, self.low, self.high)
 
 
+def _plain(count: float) -> float:
+    """Return a count as int if it is whole, so that expressions show no floats without need."""
+    return int(count) if float(count).is_integer() else count
+
+
+def _window(window: sp.Expr | float) -> Any:
+    """Return a window [s] in symbols, or as a number above zero."""
+    if isinstance(window, sp.Expr) and window.free_symbols:
+        return window
+    if window in (np.inf, sp.oo):
+        return np.inf
+    return _checks.number("window", window, 0, above=True)
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """When a message is sent: at some times after the start, and then with a period.
+
+    Parameters
+    ----------
+    starts : tuple of float
+        Times after the start [s], at least 0 and in order; the first no later than the
+        period, and no two further apart.
+    period : float
+        Time between two later ones [s], above 0; infinity if none comes later.
+
+    Raises
+    ------
+    ValueError
+        If a time or the period is out of range, or the times are not in order.
+    TypeError
+        If the starts are not several times, or one is not a number.
+
+    Examples
+    --------
+    >>> Schedule((0, 1, 3, 7), period=8).sent([0, 6.9, 15, 24])
+    array([1., 3., 5., 6.])
+    """
+
+    starts: tuple[float, ...]
+    period: float = np.inf
+
+    def __post_init__(self) -> None:
+        if not np.iterable(self.starts):
+            raise TypeError(f"starts must be a tuple of times in seconds; got {self.starts!r}")
+        object.__setattr__(self, "starts", tuple(self.starts))
+        if not self.starts:
+            raise ValueError("starts must hold at least one time in seconds; got none")
+        for time in self.starts:
+            _checks.number("starts", time, 0)
+        if self.period != np.inf:
+            _checks.number("period", self.period, 0, above=True)
+        gaps = np.diff((0.0, *self.starts))
+        if np.any(gaps < 0) or np.any(gaps > self.period):
+            raise ValueError(
+                "starts must be times in order, from zero on no further apart than the period "
+                f"of {self.period:g} s; got {self.starts}"
+            )
+
+    def __str__(self) -> str:
+        """Return the schedule in words.
+
+        Examples
+        --------
+        >>> print(Schedule((0, 0.1), 8))
+        at 0 and 0.1 s, then every 8 s
+        """
+        times = [f"{time:g}" for time in self.starts]
+        before = ", ".join(times[:-1]) + " and " if len(times) > 1 else ""
+        if self.period == np.inf:
+            return f"at {before}{times[-1]} s" if len(times) > 1 else f"once, at {times[-1]} s"
+        return f"at {before}{times[-1]} s, then every {self.period:g} s"
+
+    @property
+    def per_second(self) -> float:
+        """How many are sent a second in the long run [1/s]."""
+        return 1 / self.period
+
+    @property
+    def extra(self) -> float:
+        r"""How many the start sends beyond those of the period [1].
+
+        With K times at the start, the last at :math:`t_K`, and period P, the number sent
+        until t is at most :math:`K - t_K / P + t / P`. The part that does not grow is
+        the extra; the bound is met each time the message has just been sent with its period.
+        """
+        return len(self.starts) - self.starts[-1] / self.period
+
+    def mean(self, window: Any) -> Any:
+        """Return how many are sent in an average second of the first `window` seconds [1/s].
+
+        As an upper bound, see `extra`. The window may be a sympy expression [s].
+        """
+        if isinstance(window, sp.Expr):
+            return _plain(self.extra) / window + _plain(self.per_second)
+        return _plain(self.extra / window + self.per_second)
+
+    def sent(self, time: ArrayLike) -> Value:
+        """Return how many are sent from 0 up to and including a time.
+
+        Parameters
+        ----------
+        time : array_like
+            Time after the start [s], at least 0.
+
+        Returns
+        -------
+        float or ndarray
+            How many [1].
+
+        Raises
+        ------
+        ValueError
+            If a time is NaN, infinite or negative.
+        TypeError
+            If it is not made of real numbers.
+        """
+        now = np.asarray(_checks.numbers("time", time, 0))
+        count = np.searchsorted(self.starts, now * (1 + _ROUNDING), side="right").astype(float)
+        rounds = np.floor((now - self.starts[-1]) / self.period + _ROUNDING)
+        count += np.maximum(rounds, 0)
+        return count if count.ndim else count.item()
+
+    def times(self, until: float) -> NDArray[np.float64]:
+        """Return the times up to `until` at which the message is sent [s]."""
+        last = self.starts[-1]
+        rounds = max(0, int((until - last) / self.period + _ROUNDING))
+        later = last + self.period * np.arange(1, rounds + 1) if rounds else np.empty(0)
+        times = np.concatenate([np.array(self.starts, dtype=float), later])
+        return times[times <= until * (1 + _ROUNDING)]
+
+
+#: Sent at the start and never again.
+ONCE = Schedule((0.0,))
+
+
 @dataclass(frozen=True)
 class Message:
     """One row of a protocol's table.
@@ -87,14 +236,23 @@ class Message:
     unit : Unit
         What it is counted by.
     per_unit : float
-        How many are sent for each unit [1], above 0.
+        How many are sent for each unit [1], above 0, each time the schedule names.
+    schedule : Schedule, optional
+        When they are sent; once, at the start, if left out.
+    hops : tuple of {"up", "down"}, optional
+        Which hops take the air; both if left out. A peer that is wired to the access
+        point sends ``("down",)`` and receives ``("up",)``.
+    answers : str, optional
+        The message on whose arrival it is sent. None, or one that is not in the table, if
+        the clock says so. Counts and airtime do not depend on it; what happens when does.
 
     Raises
     ------
     ValueError
-        If `cast`, `transport` or `per_unit` is none of the above.
+        If `cast`, `transport`, `per_unit` or `hops` is none of the above.
     TypeError
-        If `payload` is not a Payload, or `unit` not a Unit.
+        If a name is not text, `payload` not a Payload, `unit` not a Unit, or `schedule` not
+        a Schedule.
     """
 
     name: str
@@ -104,13 +262,24 @@ class Message:
     payload: Payload
     unit: Unit
     per_unit: float
+    schedule: Schedule = ONCE
+    hops: tuple[Hop, ...] = HOPS
+    answers: str | None = None
 
     def __post_init__(self) -> None:
+        for name in ("name", "phase"):
+            _checks.instance(name, getattr(self, name), str)
         _checks.choice("cast", self.cast, get_args(Cast))
         _checks.choice("transport", self.transport, get_args(Transport))
         _checks.instance("payload", self.payload, Payload)
         _checks.instance("unit", self.unit, Unit)
         _checks.number("per_unit", self.per_unit, 0, above=True)
+        _checks.instance("schedule", self.schedule, Schedule)
+        object.__setattr__(self, "hops", _checks.members("hops", self.hops, str))
+        if not (0 < len(set(self.hops)) == len(self.hops) and set(self.hops) <= set(HOPS)):
+            raise ValueError(f"hops must be 'up', 'down' or both, each once; got {self.hops}")
+        if self.answers is not None:
+            _checks.instance("answers", self.answers, str)
 
     @property
     def payload_symbol(self) -> sp.Symbol:
@@ -128,7 +297,7 @@ class Message:
         return self.payload.nominal + header_bytes()[self.transport]
 
     def load(self, fleet: Fleet = SWARM) -> Count:
-        """Return how many are sent, up and again down."""
+        """Return how many are sent each time that the schedule names."""
         _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)
 
@@ -139,6 +308,11 @@ class Message:
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of one frame down from the access point [s]."""
         return downlink_airtime(self.frame_symbolic, self.cast, model)
+
+    def airtime(self, model: Model = "linear") -> sp.Expr:
+        """Return the airtime of one frame on all of its hops [s]."""
+        of_hop = {"up": self.airtime_up, "down": self.airtime_down}
+        return sp.Add(*(of_hop[hop](model) for hop in self.hops))
 
 
 _HEADER_SYMBOLS: dict[Transport, sp.Symbol] = {"UDP": nt.H_UDP, "TCP": nt.H_TCP}
@@ -156,7 +330,7 @@ def header_bytes() -> dict[str, int]:
 
 @dataclass(frozen=True)
 class Protocol:
-    """A discovery protocol: a name and its table of messages.
+    """A discovery protocol: a name, its table of messages and its lease.
 
     Parameters
     ----------
@@ -164,19 +338,25 @@ class Protocol:
         What to call it in tables and figures.
     messages : tuple of Message
         At least one; their names differ.
+    lease : float, optional
+        How long a silent peer counts as alive [s], above 0; for ever if left out.
 
     Raises
     ------
     ValueError
-        If there is no message, or two have the same name.
+        If there is no message, two have the same name, or the lease is out of range.
     TypeError
-        If one is not a Message.
+        If the name is not text, one is not a Message, or the lease not a number.
     """
 
     name: str
     messages: tuple[Message, ...]
+    lease: float = np.inf
 
     def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        if self.lease != np.inf:
+            _checks.number("lease", self.lease, 0, above=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
         names = [message.name for message in self.messages]
         if len(set(names)) < len(names):
@@ -199,13 +379,33 @@ class Protocol:
             _checks.choice("phase", phase, self.phases, f" for {self.name}, or None")
         return tuple(message for message in self.messages if phase in (None, message.phase))
 
-    def load(self, phase: str | None = None) -> sp.Expr:
-        r"""Return the number of messages that go up, which is also the number that go down.
+    @property
+    def repeats(self) -> bool:
+        """Whether it sends anything with a period."""
+        return any(message.schedule.per_second for message in self.messages)
+
+    def message(self, name: str) -> Message:
+        """Return the message of that name.
+
+        Raises
+        ------
+        ValueError
+            If the protocol has no such message.
+        """
+        _checks.choice("name", name, [message.name for message in self.messages])
+        return next(message for message in self.messages if message.name == name)
+
+    def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
+        r"""Return the number of messages of an average second of the first ones.
+
+        Each goes up and down again, unless its row says otherwise.
 
         Parameters
         ----------
         phase : str, optional
             One of `phases`; all of them if left out.
+        window : float or sympy.Expr, optional
+            How many seconds are averaged [s], above 0; the paper's one if left out.
 
         Returns
         -------
@@ -215,7 +415,7 @@ class Protocol:
         Raises
         ------
         ValueError
-            If the protocol has no such phase.
+            If the protocol has no such phase, or the window is out of range.
 
         Examples
         --------
@@ -223,26 +423,53 @@ class Protocol:
         >>> ds.DDS.load("SPDP")
         N_H*N_P
         """
-        return sp.factor(sum(message.load() for message in self.of_phase(phase)))
+        span = _window(window)
+        return sp.factor(
+            sum(message.schedule.mean(span) * message.load() for message in self.of_phase(phase))
+        )
 
-    def cost(self, unit: Unit, phase: str | None = None, model: Model = "linear") -> sp.Expr:
-        """Return the airtime that each `unit` adds, up and down [s]."""
+    def cost(
+        self,
+        unit: Unit,
+        phase: str | None = None,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> sp.Expr:
+        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
+        span = _window(window)
+        return self._cost(unit, phase, model, lambda schedule: schedule.mean(span))
+
+    def _cost(
+        self, unit: Unit, phase: str | None, model: Model, times: Callable[[Schedule], Any]
+    ) -> sp.Expr:
         _checks.instance("unit", unit, Unit)
         return sp.Add(
             *(
-                message.per_unit * (message.airtime_up(model) + message.airtime_down(model))
+                message.per_unit * times(message.schedule) * message.airtime(model)
                 for message in self.of_phase(phase)
                 if message.unit == unit
             )
         )
 
-    def utilization(
-        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
-    ) -> sp.Expr:
-        r"""Return the fraction of one second of channel time that discovery takes.
+    def units(self, phase: str | None = None) -> tuple[Unit, ...]:
+        """Return what the messages of a phase, or all, are counted by."""
+        return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
 
-        .. math:: U_\Phi = \sum_{\phi \in \Phi} L_\phi (\mathcal{T}^{up}_\phi +
-            \mathcal{T}^{down}_\phi) / 1\,\mathrm{s}
+    def utilization(
+        self,
+        phase: str | None = None,
+        fleet: Fleet = SWARM,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> sp.Expr:
+        r"""Return the fraction of channel time that discovery takes of the first seconds.
+
+        .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
+            L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
+
+        A message that is sent K times at the start, the last time at :math:`t_K`, and then
+        with period P counts :math:`x = K - t_K / P` times besides its period. The paper's
+        messages are sent once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
         Parameters
         ----------
@@ -252,6 +479,9 @@ class Protocol:
             The paper's swarm if left out.
         model : {"linear", "padded", "aggregated"}, optional
             How a frame becomes airtime; the `model` of a `Wifi`.
+        window : float or sympy.Expr, optional
+            The seconds that are averaged [s], above 0; the paper's one if left out, infinity
+            for the steady state.
 
         Returns
         -------
@@ -261,13 +491,34 @@ class Protocol:
         Raises
         ------
         ValueError
-            If the protocol has no such phase, or there is no such model.
+            If the protocol has no such phase, the window is out of range, or there is no
+            such model.
         TypeError
-            If `fleet` is not a Fleet.
+            If `fleet` is not a Fleet, or the window not a number.
         """
+        span = _window(window)
+        return self._utilization(phase, fleet, model, lambda schedule: schedule.mean(span))
+
+    def burst(
+        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
+    ) -> sp.Expr:
+        """Return the airtime [s] of what the start sends beyond the steady state.
+
+        Messages that are only sent with their period are not in it. The parameters are
+        those of `utilization`.
+        """
+        return self._utilization(phase, fleet, model, lambda schedule: _plain(schedule.extra))
+
+    def _utilization(
+        self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]
+    ) -> sp.Expr:
         _checks.instance("fleet", fleet, Fleet)
-        units = dict.fromkeys(message.unit for message in self.of_phase(phase))
-        return sp.Add(*(unit.count(fleet) * self.cost(unit, phase, model) for unit in units))
+        return sp.Add(
+            *(
+                unit.count(fleet) * self._cost(unit, phase, model, times)
+                for unit in self.units(phase)
+            )
+        )
 
     def values(self) -> dict[sp.Symbol, float]:
         """Return the nominal value of each payload and header symbol [B]."""

@@ -59,6 +59,7 @@ O_AGG = _define(
     "O_agg", "fixed airtime of an A-MPDU", "s", "IEEE Std 802.11-2020, 9.3.1.8", zero=True
 )
 
+W = _define("W", "window over which utilization is averaged", "s", "paper, Sec. IV-B: 1 s")
 U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100%)", "1", "paper, Sec. IV-C")
 
 

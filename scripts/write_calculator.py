@@ -15,9 +15,8 @@ import discostorm as ds
 from discostorm import _checks, figures, notation as nt, timeline
 from discostorm._numeric import share
 from discostorm.fleet import LEAST
-from discostorm.messages import Protocol
+from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.scalability import saturation
-from discostorm.timeline import Product
 from discostorm.wifi import Model, Wifi
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
@@ -25,11 +24,8 @@ TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
-#: Which products run a protocol, with their default periods.
-PRODUCTS = {
-    ds.DDS: (timeline.FAST_DDS, timeline.CYCLONE_DDS),
-    ds.ZENOH: (timeline.ZENOH_PEER,),
-}
+#: The tables that are always compared: the paper's.
+COMPARED = (ds.DDS, ds.ZENOH)
 
 #: Channels of the standard on which frames to one receiver share exchanges.
 AGGREGATED = (
@@ -55,6 +51,11 @@ Code = str | dict[str, "Code"] | list["Code"]
 def data(value: object) -> str:
     """Return a value as JavaScript."""
     return json.dumps(value, ensure_ascii=False)
+
+
+def number(value: float) -> str:
+    """Return a number as JavaScript, which JSON cannot hold if it is infinite."""
+    return data(value) if value < sp.oo else "Infinity"
 
 
 def function(expression: sp.Expr) -> str:
@@ -99,7 +100,7 @@ def field(
         "scale": data(scale),  # from the unit of the field to SI
         "start": data(f"{start:.12g}"),
         "low": data(low),
-        "high": data(high) if high < sp.oo else "Infinity",
+        "high": number(high),
         "above": data(above),
         "allowed": data(words.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
     }
@@ -147,20 +148,29 @@ def fields() -> Code:
     return {"swarm": swarm, "own": own}
 
 
-def product(own: Product, model: Model) -> Code:
-    """Return the burst and the traffic that stays of a product."""
+def products(protocol: Protocol) -> list[Protocol]:
+    """Return which tables with periods are shown with a protocol: those that start alike."""
+    if protocol not in COMPARED:
+        return [protocol]
+    first = protocol.messages[0].name
+    return [own for own in ds.PROTOCOLS.values() if own.repeats and own.messages[0].name == first]
+
+
+def product(own: Protocol, model: Model) -> Code:
+    """Return the burst and the steady state of a product, and the sizes of its messages."""
     return {
-        "burst": function(own.burst().utilization(model=model)),
-        "steady": function(own.steady().utilization(model=model)),
+        "values": values(own.values().items()),
+        "burst": function(own.burst(model=model)),
+        "steady": function(own.utilization(model=model, window=sp.oo)),
     }
 
 
-def outlooks(own: Product) -> Code:
+def outlooks(own: Protocol) -> Code:
     """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
     *words, never = timeline.OUTLOOKS
-    limits = (data(timeline.PAPER_WINDOW), data(own.lease), "Infinity")
+    limits = (data(PAPER_WINDOW), number(own.lease), "Infinity")
     return {
-        "lease": data(own.lease),
+        "lease": number(own.lease),
         "until": [[limit, data(word)] for limit, word in zip(limits, words, strict=True)],
         "never": data(never),
     }
@@ -170,8 +180,9 @@ def formulas(protocol: Protocol, model: Model) -> Code:
     """Return the functions of a protocol on one kind of channel."""
     costs: dict[str, Code] = {}
     for message in protocol.messages:
-        up = message.load() * message.airtime_up(model)
-        down = message.load() * message.airtime_down(model)
+        load = message.load() * message.schedule.mean(PAPER_WINDOW)
+        up = load * message.airtime_up(model) if "up" in message.hops else sp.Integer(0)
+        down = load * message.airtime_down(model) if "down" in message.hops else sp.Integer(0)
         costs[message.name] = {
             "up": function(up),
             "down": function(down),
@@ -181,29 +192,26 @@ def formulas(protocol: Protocol, model: Model) -> Code:
         "utilization": function(protocol.utilization(model=model)),
         "saturation": function(saturation(protocol, model)),
         "costs": costs,
-        "products": {own.name: product(own, model) for own in PRODUCTS[protocol]},
+        "products": {own.name: product(own, model) for own in products(protocol)},
     }
 
 
 def about(protocol: Protocol) -> Code:
     """Return all that the calculator knows of a protocol."""
-    known = dict(protocol.values())
-    for own in PRODUCTS[protocol]:
-        known |= own.burst().values() | own.steady().values()
     messages: list[Code] = [
         {
             "name": data(message.name),
             "phase": data(message.phase),
             "cast": data(message.cast),
-            "load": function(message.load()),
+            "load": function(message.load() * message.schedule.mean(PAPER_WINDOW)),
         }
         for message in protocol.messages
     ]
     return {
         "color": data(figures.COLORS[protocol.name]),
-        "values": values(known.items()),
+        "values": values(protocol.values().items()),
         "messages": messages,
-        "outlooks": {own.name: outlooks(own) for own in PRODUCTS[protocol]},
+        "outlooks": {own.name: outlooks(own) for own in products(protocol)},
         "models": {model: formulas(protocol, model) for model in get_args(Model)},
     }
 
@@ -213,10 +221,11 @@ def model() -> Code:
     return {
         "fields": fields(),
         "channels": [channel(wifi) for wifi in (ds.PAPER, *ds.WIFI.values(), *AGGREGATED)],
+        "compared": data([protocol.name for protocol in COMPARED]),
         "limit": values([(nt.U_LIMIT, 1.0)]),
         "largest": function(LARGEST),
         "drain": function(timeline.DRAIN),
-        "protocols": {protocol.name: about(protocol) for protocol in PRODUCTS},
+        "protocols": {name: about(protocol) for name, protocol in ds.PROTOCOLS.items()},
     }
 
 

@@ -183,24 +183,10 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
     fails(TypeError, "unit must be a Unit; got 'pair'", ds.DDS.cost, unit="pair")
     for call in (ds.DDS.utilization, ds.DDS.messages[0].load):
         fails(TypeError, "fleet must be a Fleet; got 3", call, fleet=3)
+    text = "protocol must be a Protocol; got 'x'"
     for call in (timeline.drain_time, timeline.outlook, timeline.first_idle):
-        fails(TypeError, "product must be a Product; got", call, product=ds.DDS, **SWARM)
-    swarm = {"processes": 2, "endpoints": 10}
-    fails(
-        TypeError,
-        "product must be a Product; got 'x'",
-        timeline.demand,
-        product="x",
-        time=1,
-        **SWARM,
-    )
-    fails(
-        TypeError,
-        "product must be a Product; got 'x'",
-        timeline.critical_hosts,
-        product="x",
-        **swarm,
-    )
+        fails(TypeError, text, call, protocol="x", **SWARM)
+    fails(TypeError, text, timeline.demand, protocol="x", time=1, **SWARM)
     fails(TypeError, "padding must be a Padding; got 3", ds.Link, rate=1e6, overhead=0, padding=3)
     link = ds.Link(6e6, 0, ds.Padding(24, 4e-6, 4e-6))
     text = "aggregation must be an Aggregation; got 3"

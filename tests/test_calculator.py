@@ -84,11 +84,11 @@ def expected(entries: dict[str, str]) -> dict[str, float]:
         numbers[f"{name} saturation"] = full
         numbers[f"{name} largest"] = largest
     for name, products in {
-        "DDS": (timeline.FAST_DDS, timeline.CYCLONE_DDS),
-        "Zenoh": (timeline.ZENOH_PEER,),
+        "DDS": ("Cyclone DDS", "Fast DDS"),
+        "Zenoh": ("Zenoh peer",),
     }.items():
-        for product in products:
-            steady = ds.utilization(product.steady(), *swarm, wifi)
+        for product in (ds.PROTOCOLS[own] for own in products):
+            steady = ds.utilization(product, *swarm, wifi, window=math.inf)
             numbers[f"{name} steady {product.name}"] = float(steady)
             drain = timeline.drain_time(product, *swarm, wifi)
             numbers[f"{name} drain {product.name}"] = float(drain)

@@ -3,6 +3,7 @@
 import csv
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any, cast
 
@@ -13,20 +14,20 @@ import sympy as sp
 import discostorm as ds
 from discostorm import timeline
 from discostorm.data import data_path
-from discostorm.messages import PROCESS, Message, Payload
-from discostorm.timeline import (
-    CYCLONE_DDS,
-    FAST_DDS,
-    FAST_DDS_MULTICAST,
-    ONCE,
-    PRODUCTS,
-    ZENOH_PEER,
-    Product,
-    Schedule,
-    Timed,
-)
+from discostorm.messages import ONCE, PROCESS, Message, Payload, Protocol, Schedule
+from discostorm.protocols.defaults import defaults
+from discostorm.scalability import burst
 
-ALL = (*PRODUCTS, FAST_DDS_MULTICAST)
+FAST_DDS, CYCLONE_DDS, ZENOH_PEER = PRODUCTS = tuple(
+    ds.PROTOCOLS[name] for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer")
+)
+#: Fast DDS if it announced itself by multicast alone, as the paper counts SPDP.
+MULTICAST_ONLY = replace(
+    FAST_DDS,
+    name="Fast DDS, multicast only",
+    messages=tuple(m for m in FAST_DDS.messages if m.name != "UnicastSPDP"),
+)
+ALL = (*PRODUCTS, MULTICAST_ONLY)
 Swarm = tuple[int, int, int]
 SWARMS: list[Swarm] = [(3, 2, 10), (7, 2, 10), (12, 2, 10), (30, 2, 10), (4, 1, 678), (2, 5, 0)]
 
@@ -41,9 +42,9 @@ def instants(product: str, name: str, until: float) -> list[float]:
         ("Cyclone DDS", "DirectedSPDP"): [0, 1, 2, 3],
         ("Cyclone DDS", "Liveliness"): [8 * n for n in second],
         ("Cyclone DDS", "LivelinessACK"): [8 * n for n in second],
-        ("Zenoh", "Scout"): [0, 1, 3] + [7 + 8 * n for n in second],
-        ("Zenoh", "Hello"): [0, 1, 3] + [7 + 8 * n for n in second],
-        ("Zenoh", "KeepAlive"): [2.5 * (n + 1) for n in second],
+        ("Zenoh peer", "Scout"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh peer", "Hello"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh peer", "KeepAlive"): [2.5 * (n + 1) for n in second],
     }
     return known.get((product, name), [0])
 
@@ -80,7 +81,7 @@ def events(
             *["SPDP", "DirectedSPDP", "SEDP", "Heartbeat", "ACKNACK"],
             *["Liveliness", "LivelinessACK"],
         ],
-        "Zenoh": ["Scout", "Hello", "Declare", "KeepAlive"],
+        "Zenoh peer": ["Scout", "Hello", "Declare", "KeepAlive"],
     }[product]
     return sorted(
         (time, sizes[name][2] * frame_seconds(*sizes[name][:2], name in ("SPDP", "Scout")))
@@ -92,7 +93,7 @@ def events(
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
 @pytest.mark.parametrize("swarm", SWARMS)
-def test_demand_is_the_sum_of_all_that_is_sent(product: Product, swarm: Swarm) -> None:
+def test_demand_is_the_sum_of_all_that_is_sent(product: Protocol, swarm: Swarm) -> None:
     times = [0, 0.05, 0.1, 0.3, 0.5, 1, 2.5, 3.49, 3.5, 8, 8.1, 15, 23, 60]
     expected = [sum(cost for _, cost in events(product.name, *swarm, time)) for time in times]
     # Both add up a few dozen terms in float64, in another order.
@@ -101,7 +102,9 @@ def test_demand_is_the_sum_of_all_that_is_sent(product: Product, swarm: Swarm) -
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
 @pytest.mark.parametrize("swarm", SWARMS)
-def test_first_idle_is_that_of_a_queue_served_without_a_gap(product: Product, swarm: Swarm) -> None:
+def test_first_idle_is_that_of_a_queue_served_without_a_gap(
+    product: Protocol, swarm: Swarm
+) -> None:
     free = 0.0
     for time, cost in events(product.name, *swarm, 200):
         if time > free + 1e-12:
@@ -113,48 +116,48 @@ def test_first_idle_is_that_of_a_queue_served_without_a_gap(product: Product, sw
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
 @pytest.mark.parametrize("swarm", SWARMS)
 def test_drain_time_is_a_bound_and_met_by_the_line_it_comes_from(
-    product: Product, swarm: Swarm
+    product: Protocol, swarm: Swarm
 ) -> None:
     bound = timeline.drain_time(product, *swarm)
-    burst = ds.utilization(product.burst(), *swarm)
-    steady = ds.utilization(product.steady(), *swarm)
-    assert burst + steady * bound == pytest.approx(bound, rel=1e-12)
+    extra = burst(product, *swarm)
+    steady = ds.utilization(product, *swarm, window=np.inf)
+    assert extra + steady * bound == pytest.approx(bound, rel=1e-12)
     assert timeline.first_idle(product, *swarm) <= bound * (1 + 1e-12)
     # The line of burst and steady traffic is above the steps everywhere.
     times = np.linspace(0, 100, 4001)
     steps = timeline.demand(product, times, *swarm)
-    assert np.all(steps <= (burst + steady * times) * (1 + 1e-9))
+    assert np.all(steps <= (extra + steady * times) * (1 + 1e-9))
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
 @pytest.mark.parametrize("window", [1, 3, 10, 20, 1e4])
-def test_critical_swarm_needs_just_the_window(product: Product, window: float) -> None:
-    hosts = timeline.critical_hosts(product, 2, 10, window)
+def test_critical_swarm_needs_just_the_window(product: Protocol, window: float) -> None:
+    hosts = ds.saturation_hosts(product, 2, 10, window=window)
     assert timeline.drain_time(product, hosts, 2, 10) == pytest.approx(window, rel=1e-9)
-    assert ds.utilization(product.over(window), hosts, 2, 10) == pytest.approx(1, rel=1e-9)
+    assert ds.utilization(product, hosts, 2, 10, window=window) == pytest.approx(1, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ds.WIFI)
 def test_critical_swarm_on_any_channel(name: str) -> None:
     wifi = ds.WIFI[name]
     for product in PRODUCTS:
-        hosts = timeline.critical_hosts(product, 2, 10, product.lease, wifi)
+        hosts = ds.saturation_hosts(product, 2, 10, wifi, window=product.lease)
         lasts = timeline.drain_time(product, hosts, 2, 10, wifi)
         assert lasts == pytest.approx(product.lease, rel=1e-9)
 
 
 def test_windows_may_be_an_array() -> None:
-    hosts = timeline.critical_hosts(CYCLONE_DDS, 2, 10, [1, 10, np.inf])
-    each = [timeline.critical_hosts(CYCLONE_DDS, 2, 10, window) for window in (1, 10, np.inf)]
+    hosts = ds.saturation_hosts(CYCLONE_DDS, 2, 10, window=[1, 10, np.inf])
+    each = [ds.saturation_hosts(CYCLONE_DDS, 2, 10, window=window) for window in (1, 10, np.inf)]
     np.testing.assert_array_equal(hosts, each)
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
-def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Product) -> None:
-    most = float(timeline.critical_hosts(product, 2, 10))
+def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Protocol) -> None:
+    most = float(ds.saturation_hosts(product, 2, 10, window=np.inf))
     below, above = math.floor(most), math.ceil(most)
-    assert ds.utilization(product.steady(), below, 2, 10) < 1
-    assert ds.utilization(product.steady(), above, 2, 10) > 1
+    assert ds.utilization(product, below, 2, 10, window=np.inf) < 1
+    assert ds.utilization(product, above, 2, 10, window=np.inf) > 1
     np.testing.assert_array_equal(
         np.isinf(timeline.drain_time(product, [below, above], 2, 10)), [False, True]
     )
@@ -164,47 +167,45 @@ def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Prod
 
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
-def test_outlook_changes_at_the_paper_second_and_at_the_lease(product: Product) -> None:
+def test_outlook_changes_at_the_paper_second_and_at_the_lease(product: Protocol) -> None:
     for window, before, after in [
         (1, "within a second", "starts slowly"),
         (product.lease, "starts slowly", "leases at risk"),
     ]:
-        hosts = float(timeline.critical_hosts(product, 2, 10, window))
+        hosts = float(ds.saturation_hosts(product, 2, 10, window=window))
         assert timeline.outlook(product, hosts * 0.999, 2, 10) == before
         assert timeline.outlook(product, hosts * 1.001, 2, 10) == after
 
 
 def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
     age = Schedule((0,), 1e15)
-    rows = tuple(timeline.Timed(message, age) for message in ds.DDS.messages)
-    paper = Product("paper", 20, rows)
-    assert sp.simplify(paper.burst().utilization() - ds.DDS.utilization()) == 0
+    rows = tuple(replace(message, schedule=age) for message in ds.DDS.messages)
+    paper = Protocol("paper", rows, 20)
+    assert sp.simplify(paper.burst() - ds.DDS.utilization()) == 0
     # What stays is about 1e-15 of the channel.
     assert timeline.drain_time(paper, 7, 2, 10) == pytest.approx(
         ds.utilization(ds.DDS, 7, 2, 10), rel=1e-12
     )
-    assert timeline.critical_hosts(paper, 2, 10, window=1) == pytest.approx(
+    assert ds.saturation_hosts(paper, 2, 10) == pytest.approx(
         ds.saturation_hosts(ds.DDS, 2, 10), rel=1e-12
     )
 
 
 def test_extra_and_rate_of_schedules_worked_out_by_hand() -> None:
-    fast, cyclone, scout = (
-        product.rows[0].schedule for product in (FAST_DDS, CYCLONE_DDS, ZENOH_PEER)
-    )
+    fast, cyclone, scout = (product.messages[0].schedule for product in PRODUCTS)
     assert fast.extra == pytest.approx(6 - 0.5 / 3)
     assert fast.per_second == pytest.approx(1 / 3)
     assert cyclone.extra == pytest.approx(2 - 0.1 / 8)
     assert scout.starts == (0, 1, 3, 7)
     assert scout.extra == pytest.approx(4 - 7 / 8)
-    keep_alive = ZENOH_PEER.rows[-1].schedule
+    keep_alive = ZENOH_PEER.messages[-1].schedule
     assert (keep_alive.extra, keep_alive.period) == (0, 2.5)
     assert (ONCE.extra, ONCE.per_second) == (1, 0)
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
-def test_sent_counts_the_times(product: Product) -> None:
-    for row in product.rows:
+def test_sent_counts_the_times(product: Protocol) -> None:
+    for row in product.messages:
         times = row.schedule.times(50)
         assert all(a <= b for a, b in pairwise(times))
         # At its own instants a message counts as sent, whatever the rounding.
@@ -221,7 +222,7 @@ def test_sent_keeps_the_shape() -> None:
 def test_leases_and_periods_are_those_of_the_data_file() -> None:
     assert [product.lease for product in PRODUCTS] == [20, 10, 10]
     assert [
-        sorted({row.schedule.period for row in product.rows} - {np.inf}) for product in PRODUCTS
+        sorted({row.schedule.period for row in product.messages} - {np.inf}) for product in PRODUCTS
     ] == [[3], [8], [2.5, 8]]
 
 
@@ -254,39 +255,41 @@ def test_every_default_names_where_it_comes_from() -> None:
         (lambda: Schedule((0,), 0), ValueError, "period must be a finite number above 0.*got 0"),
         (lambda: Schedule((0,), math.nan), ValueError, "period must be.*got nan"),
         (lambda: ONCE.sent(-1), ValueError, "time must be a finite number of at least 0; got -1"),
-        (lambda: Product("x", 0, ()), ValueError, "lease must be a finite number above 0; got 0"),
-        (lambda: Product("x", 1, ()), ValueError, "rows must hold at least one Timed"),
         (
-            lambda: Product("x", 1, FAST_DDS.rows[2:]),
+            lambda: Protocol("x", ds.DDS.messages, 0),
             ValueError,
-            "rows must hold a message that is sent with a finite period; got none",
+            "lease must be a finite number above 0; got 0",
         ),
-        (lambda: FAST_DDS.over(0), ValueError, "window must be a finite number above 0; got 0"),
         (
-            lambda: FAST_DDS.over(cast(float, "1")),
+            lambda: ds.utilization(FAST_DDS, 3, 2, 10, window=0),
+            ValueError,
+            "window must be a finite number above 0.*; got 0",
+        ),
+        (
+            lambda: FAST_DDS.utilization(window=cast(float, "1")),
             TypeError,
             "window must be a finite number above 0.*'1'",
         ),
-        (lambda: timeline.defaults("OpenDDS"), ValueError, "product must be 'Fast DDS' or.*Open"),
+        (lambda: defaults("OpenDDS"), ValueError, "product must be 'Fast DDS' or.*Open"),
         (
             lambda: timeline.drain_time(FAST_DDS, 0, 2, 10),
             ValueError,
             "hosts must be a finite number of at least 1 and at most 1e[+]09; got 0",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, math.nan, 1),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, math.nan),
             ValueError,
             "endpoints must be.*got nan",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, 0),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=0),
             ValueError,
             "window must be a finite number above 0.*got 0",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, [1, 1e-3]),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=[1, 1e-3]),
             ValueError,
-            "window must be at least as long as the start of a single host, 0.0.*got 0.001",
+            "limit must be at least the utilization of a single host with Fast DDS, 10.*; got 1",
         ),
         (
             lambda: timeline.first_idle(FAST_DDS, cast(float, [3, 4]), 2, 10),
@@ -294,41 +297,45 @@ def test_every_default_names_where_it_comes_from() -> None:
             "hosts must be one number, not an array",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, [1, 100, 2], 10, window=[1e-4, 20, 2e-4]),
+            lambda: ds.saturation_hosts(FAST_DDS, [1, 100, 2], 10, window=[1e-4, 20, 2e-4]),
             ValueError,
-            "start of a single host, 0.005.* s; got 0.0001$",
+            "utilization of a single host with Fast DDS, 5.*; got 1",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 1e5, 10),
+            lambda: ds.saturation_hosts(FAST_DDS, 1e5, 10, window=np.inf),
             ValueError,
-            "processes and endpoints must be so few .* with Fast DDS does not fill the channel",
+            "limit must be at least the utilization of a single host with Fast DDS, .*; got 1",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, [1, 2], 10, window=[1, 2, 3]),
+            lambda: ds.saturation_hosts(FAST_DDS, [1, 2], 10, window=[1, 2, 3]),
             ValueError,
             r"broadcast.*processes \(2,\), window \(3,\)",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, cast(float, "20")),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=cast(float, "20")),
             TypeError,
             "window must be a finite number above 0.*'20'",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, -math.inf),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=-math.inf),
             ValueError,
             "window must be a finite number above 0; got -inf",
         ),
         (
-            lambda: timeline.critical_hosts(FAST_DDS, 2, 10, wifi=cast(Any, "x")),
+            lambda: ds.saturation_hosts(FAST_DDS, 2, 10, wifi=cast(Any, "x")),
             TypeError,
             "wifi must be a Wifi; got 'x'",
         ),
         (lambda: Schedule((20,), 8), ValueError, "starts must be times in order, from zero on"),
-        (lambda: Timed(cast(Any, "x"), ONCE), TypeError, "message must be a Message; got 'x'"),
         (
-            lambda: Timed(ds.DDS.messages[0], cast(Any, 0)),
+            lambda: replace(ds.DDS.messages[0], schedule=cast(Any, 0)),
             TypeError,
             "schedule must be a Schedule; got 0",
+        ),
+        (
+            lambda: replace(ds.DDS.messages[0], hops=cast(Any, ("up", "up"))),
+            ValueError,
+            r"hops must be 'up', 'down' or both, each once; got \('up', 'up'\)",
         ),
         (
             lambda: timeline.outlook(FAST_DDS, 3, -2, 10),
@@ -359,7 +366,7 @@ def test_drain_time_in_symbols(steady: sp.Expr, time: sp.Expr) -> None:
 def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:
     # A frame of 1024 bits at 2048 bit/s, up and down: exactly a second in every second.
     message = Message("m", "p", "multicast", "UDP", Payload(64, 64, 64, "made up"), PROCESS, 1)
-    product = timeline.Product("made up", 1, (timeline.Timed(message, Schedule((0,), 1)),))
+    product = Protocol("made up", (replace(message, schedule=Schedule((0,), 1)),), 1)
     wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
     assert timeline.drain_time(product, 1, 1, 0, wifi) == math.inf
     assert timeline.drain_time(product, [1, 1], 1, 0, wifi).tolist() == [math.inf, math.inf]
@@ -397,7 +404,7 @@ def test_times_up_to_a_moment(until: float, times: list[float]) -> None:
 
 
 def test_rows_may_be_given_in_any_order_of_things() -> None:
-    again = Product(FAST_DDS.name, FAST_DDS.lease, cast(Any, (row for row in FAST_DDS.rows)))
+    again = Protocol(FAST_DDS.name, cast(Any, iter(FAST_DDS.messages)), FAST_DDS.lease)
     assert again == FAST_DDS
     assert hash(again) == hash(FAST_DDS)
 
@@ -405,17 +412,19 @@ def test_rows_may_be_given_in_any_order_of_things() -> None:
 def test_a_channel_is_idle_at_once_if_nothing_is_sent_at_zero() -> None:
     message = ds.DDS.messages[0]
     for starts in ((1,), (8,)):
-        late = Product("late", 10, (Timed(message, Schedule(starts, 8.5)),))
+        late = Protocol("late", (replace(message, schedule=Schedule(starts, 8.5)),), 10)
         assert timeline.first_idle(late, 3, 2, 10) == 0
-    soon = Product("soon", 10, (Timed(message, Schedule((0.5,), 8.5)),))
+    soon = Protocol("soon", (replace(message, schedule=Schedule((0.5,), 8.5)),), 10)
     assert timeline.drain_time(soon, 1000, 2, 10) > 0.5
     assert timeline.first_idle(soon, 1000, 2, 10) == 0
 
 
 def test_the_window_of_a_single_host_is_the_least() -> None:
     alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
-    assert timeline.critical_hosts(FAST_DDS, 2, 10, alone) == pytest.approx(1, abs=1e-9)
-    few = timeline.critical_hosts(FAST_DDS, 2, 10, [alone, 1.5 * float(alone)])
+    # A window longer by rounding alone.
+    least = alone * (1 + 1e-12)
+    assert ds.saturation_hosts(FAST_DDS, 2, 10, window=least) == pytest.approx(1, abs=1e-9)
+    few = ds.saturation_hosts(FAST_DDS, 2, 10, window=[least, 1.5 * float(alone)])
     assert np.all(few < 2)
 
 
@@ -430,13 +439,34 @@ def test_starts_may_coincide_and_be_a_period_apart() -> None:
 
 
 def test_fast_dds_by_multicast_alone_sends_what_the_paper_counts() -> None:
-    names = [row.message.name for row in timeline.FAST_DDS_MULTICAST.rows]
-    assert names == [message.name for message in ds.DDS.messages]
+    assert [m.name for m in MULTICAST_ONLY.messages] == [m.name for m in ds.DDS.messages]
 
 
 def test_a_window_too_short_for_one_host_is_refused_with_what_it_takes() -> None:
-    alone = timeline.drain_time(timeline.FAST_DDS, 1, 2, 10)
-    with pytest.raises(ValueError, match=rf"single host, {alone:g} s; got {alone / 2:g}$"):
-        timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=alone / 2)
-    longer = timeline.drain_time(timeline.FAST_DDS, 1.5, 2, 10)
-    assert 1 < timeline.critical_hosts(timeline.FAST_DDS, 2, 10, window=longer) < 2
+    alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
+    with pytest.raises(ValueError, match=r"single host with Fast DDS, .*; got 1.0$"):
+        ds.saturation_hosts(FAST_DDS, 2, 10, window=alone / 2)
+    longer = timeline.drain_time(FAST_DDS, 1.5, 2, 10)
+    assert 1 < ds.saturation_hosts(FAST_DDS, 2, 10, window=longer) < 2
+
+
+def test_tables_without_periods_have_a_burst_and_no_steady_state() -> None:
+    assert ds.utilization(ds.DDS, 7, 2, 10, window=math.inf) == 0
+    assert ds.saturation_hosts(ds.DDS, 2, 10, window=math.inf) == math.inf
+    assert timeline.drain_time(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
+    assert ds.utilization(ds.DDS, 7, 2, 10, window=4) == pytest.approx(
+        ds.utilization(ds.DDS, 7, 2, 10) / 4, rel=1e-15
+    )
+
+
+def test_a_hop_that_is_wired_takes_no_air() -> None:
+    wired = {
+        hops: Protocol("wired", tuple(replace(m, hops=hops) for m in ds.DDS.messages))
+        for hops in (("up",), ("down",))
+    }
+    up, down = (ds.utilization(protocol, 7, 2, 10) for protocol in wired.values())
+    assert up + down == pytest.approx(ds.utilization(ds.DDS, 7, 2, 10), rel=1e-14)
+    costs = ds.breakdown(ds.DDS, 7, 2, 10)
+    assert up == pytest.approx(costs["uplink_s"].sum(), rel=1e-14)
+    assert down == pytest.approx(costs["downlink_s"].sum(), rel=1e-14)
+    assert ds.breakdown(wired["down",], 7, 2, 10)["uplink_s"].sum() == 0

@@ -8,7 +8,8 @@
   const PAPER = "paper";
   const OWN = "own";
   // Curves and markers differ in shape too, not in colour alone.
-  const DASHES = { DDS: [], Zenoh: [9, 6] };
+  const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
+  const dashOf = (name) => DASHES[NAMES.indexOf(name) % DASHES.length];
   const CURVE_POINTS = 120;
 
   const byId = (id) => document.getElementById(`calc-${id}`);
@@ -175,8 +176,9 @@
         both: formulas.costs[message.name].both(values),
       })),
       products: Object.entries(formulas.products).map(([product, formula]) => {
-        const burst = formula.burst(values);
-        const steady = formula.steady(values);
+        const own = { ...values, ...formula.values };
+        const burst = formula.burst(own);
+        const steady = formula.steady(own);
         const drain = MODEL.drain({ B: burst, rho: steady });
         const { lease, until, never } = protocol.outlooks[product];
         const found = drain < Infinity && until.find(([limit]) => drain <= limit);
@@ -186,7 +188,8 @@
   }
 
   function compute(settings) {
-    const all = NAMES.map((name) => answerOf(name, settings.channel, settings.values));
+    const names = NAMES.filter((name) => name === settings.middleware || MODEL.compared.includes(name));
+    const all = names.map((name) => answerOf(name, settings.channel, settings.values));
     const front = all.find((one) => one.name === settings.middleware);
     return { settings, hosts: settings.values.N_H, all, front };
   }
@@ -230,7 +233,7 @@
     );
     const products = (one, show) =>
       one.products.map((product) =>
-        make("div", {}, `${product.name === one.name ? `${product.name} peer` : product.name}: `, ...show(product, one)),
+        make("div", {}, `${product.name}: `, ...show(product, one)),
       );
     const rows = [
       ["Utilization", (one) => [exact(one.utilization, percent(one.utilization), `${one.name} utilization`)]],
@@ -301,7 +304,7 @@
     };
     const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
     const stroke = MODEL.protocols[one.name].color;
-    const dash = DASHES[one.name].join(" ");
+    const dash = dashOf(one.name).join(" ");
     svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke, "stroke-width": 3, "stroke-dasharray": dash }));
     return svg;
   }
@@ -415,7 +418,7 @@
     plot = null;
     const points = answer.all.map((one) => one.utilization);
     const what =
-      `Channel utilization against the number of hosts: ${NAMES.join(" and ")} curve upwards and cross ` +
+      `Channel utilization against the number of hosts: ${answer.all.map((one) => one.name).join(" and ")} curve upwards and cross ` +
       `the line of 100 percent. Your swarm is a point on each curve.`;
     if (!points.every((value) => value < 1e300)) {
       box.setAttribute("aria-label", "No curve: the numbers are too large to draw.");
@@ -461,7 +464,7 @@
           ...order.map((index) => ({
             stroke: MODEL.protocols[answer.all[index].name].color,
             width: answer.all[index] === answer.front ? 3 : 2,
-            dash: DASHES[answer.all[index].name],
+            dash: dashOf(answer.all[index].name),
             points: { show: false },
             pxAlign: 0,
           })),
