@@ -16,9 +16,7 @@ from discostorm.messages import (
 from discostorm.planner import Plan, Remedy, Share, plan
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
-from discostorm.wifi import PAPER, Link, Padding, Wifi
-from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.radio import WIFI, wifi_preset
+from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 __version__ = "0.1.0"
 
@@ -41,6 +39,7 @@ __all__ = [
     "Payload",
     "Plan",
     "Protocol",
+    "Radio",
     "Remedy",
     "Schedule",
     "Share",
@@ -51,5 +50,4 @@ __all__ = [
     "plan",
     "saturation_hosts",
     "utilization",
-    "wifi_preset",
 ]

@@ -72,10 +72,12 @@ def number(
     return float(checked)
 
 
-def whole(name: str, value: Any, low: float) -> None:
-    """Raise an error unless ``value`` is one whole number of at least ``low``; see `number`."""
-    if number(name, value, low) % 1:
-        raise ValueError(f"{name} must be a whole number; got {value!r}")
+def whole(name: str, value: Any, low: float, high: float = np.inf, note: str = "") -> None:
+    """Raise an error unless ``value`` is one whole number in the range; see `number`."""
+    given = number(name, value, low)
+    if given % 1 or given > high:
+        allowed = "" if np.isinf(high) else f" of at least {low:g} and at most {high:g}{note}"
+        raise ValueError(f"{name} must be a whole number{allowed}; got {value!r}")
 
 
 def one_each(named: Iterable[tuple[str, Any]]) -> None:

@@ -25,7 +25,7 @@ def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]
     hidden: dict[sp.Expr, sp.Symbol] = {}
     parts = sp.preorder_traversal(expression)
     for part in parts:
-        if isinstance(part, (sp.ceiling, sp.floor, sp.Min)):
+        if isinstance(part, (sp.ceiling, sp.floor, sp.Max, sp.Min)):
             parts.skip()
             hidden.setdefault(part, sp.Symbol(f"rounded_{len(hidden)}"))
     return expression.xreplace(hidden), {symbol: part for part, symbol in hidden.items()}

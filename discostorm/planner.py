@@ -20,8 +20,7 @@ from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import as_fleet, breakdown, utilization
-from discostorm.wifi import PAPER, Link, Wifi
-from discostorm.wifi.radio import variant, wifi_preset
+from discostorm.wifi import PAPER, Link, Radio, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -43,7 +42,7 @@ PARTS = (2, 3)
 #: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
 #: 17.2.2.3), and frames in an A-MPDU [1].
 MULTICAST_RATE, MPDUS = 24e6, 64
-#: Other radios: arguments of `wifi_preset`.
+#: Other radios: arguments of `Radio`.
 RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
     {"standard": "802.11ac", "width": 80e6},
@@ -327,7 +326,7 @@ def plan(
         `DDS`, `ZENOH`, or a table of your own.
     wifi : Wifi, optional
         The channel; the paper's if left out. A channel given by rates and overheads alone
-        keeps its overheads when the radio is changed; one of `wifi_preset` changes in
+        keeps its overheads when the radio is changed; one of `Radio` changes in
         all that its standard says.
     nodes : float or sequence of float, optional
         Nodes with parameter services in each process [1], at least 0; a sequence has one
@@ -488,15 +487,15 @@ def _other_wifis(wifi: Wifi) -> Iterator[tuple[Kind, str, Wifi] | str]:
         faster = (
             replace(wifi, multicast=Link(MULTICAST_RATE, wifi.multicast.overhead))
             if linear
-            else variant(wifi, multicast_rate=MULTICAST_RATE)
+            else _variant(wifi, multicast_rate=MULTICAST_RATE)
         )
         if faster is None:
-            yield "multicast rate: known only of channels made by wifi_preset"
+            yield "multicast rate: known only of channels made by a Radio"
         else:
             rates = f"{MULTICAST_RATE / 1e6:g} instead of {now / 1e6:g} Mbit/s"
             yield "multicast rate", f"sending multicast at {rates}", faster
     for radio in RADIOS:
-        preset = wifi_preset(**radio, streams=STREAMS)
+        preset = Radio(**radio, streams=STREAMS).wifi()
         if preset.unicast.rate <= wifi.unicast.rate:
             continue
         if linear:
@@ -505,16 +504,17 @@ def _other_wifis(wifi: Wifi) -> Iterator[tuple[Kind, str, Wifi] | str]:
             link = Link(preset.unicast.rate, wifi.unicast.overhead)
             yield "radio", what, replace(wifi, unicast=link)
         else:
-            made_from = dict(wifi.made_from)
-            kept = {name: made_from[name] for name in ("aifsn",) if name in made_from}
-            if (made_from.get("multicast_rate") or 0) >= 6e6:
-                kept["multicast_rate"] = made_from["multicast_rate"]
+            kept: dict[str, Any] = {}
+            if wifi.radio is not None:
+                kept["aifsn"] = wifi.radio.aifsn
+                if (wifi.radio.multicast_rate or 0) >= 6e6:
+                    kept["multicast_rate"] = wifi.radio.multicast_rate
             if wifi.aggregation is not None:
                 kept["mpdus"] = min(wifi.aggregation.mpdus, MPDUS)
             yield (
                 "radio",
                 f"another radio ({preset.name})",
-                wifi_preset(**radio, streams=STREAMS, **kept),
+                Radio(**radio, streams=STREAMS, **kept).wifi(),
             )
     if linear:
         yield (
@@ -523,14 +523,21 @@ def _other_wifis(wifi: Wifi) -> Iterator[tuple[Kind, str, Wifi] | str]:
         )
     elif wifi.aggregation is None or wifi.aggregation.mpdus < MPDUS:
         try:
-            aggregated = variant(wifi, mpdus=MPDUS)
+            aggregated = _variant(wifi, mpdus=MPDUS)
         except ValueError as error:
             yield f"aggregation: {error}"
         else:
             if aggregated is None:
-                yield "aggregation: known only of channels made by wifi_preset"
+                yield "aggregation: known only of channels made by a Radio"
             else:
                 yield "aggregation", f"aggregating up to {MPDUS} frames", aggregated
+
+
+def _variant(wifi: Wifi, **changes: Any) -> Wifi | None:
+    """Return the channel of its radio with changes; None if it is not that of its radio."""
+    if wifi.radio is None or wifi.radio.wifi() != wifi:
+        return None
+    return replace(wifi.radio, name=None, **changes).wifi()
 
 
 def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:

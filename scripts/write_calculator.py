@@ -29,9 +29,9 @@ COMPARED = (ds.DDS, ds.ZENOH)
 
 #: Channels of the standard on which frames to one receiver share exchanges.
 AGGREGATED = (
-    ds.wifi_preset("802.11n", streams=2, mpdus=64),
-    ds.wifi_preset("802.11ac", streams=2, width=80e6, mpdus=64),
-    ds.wifi_preset("802.11ax", streams=2, width=80e6, mpdus=64),
+    ds.Radio("802.11n", streams=2, mpdus=64).wifi(),
+    ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi(),
+    ds.Radio("802.11ax", streams=2, width=80e6, mpdus=64).wifi(),
 )
 
 #: Where the calculator starts: the largest swarm of Fig. 2 that has room, on the paper's channel.

@@ -30,7 +30,7 @@ def by_hand(channel: ds.Wifi, octets: int) -> tuple[int, float]:
 
 
 CHANNELS = [
-    ds.wifi_preset(standard, width=width, streams=streams, mcs=mcs, mpdus=mpdus)
+    ds.Radio(standard, width=width, streams=streams, mcs=mcs, mpdus=mpdus).wifi()
     for standard, width in (("802.11n", 20e6), ("802.11ac", 80e6), ("802.11ax", 80e6))
     for streams, mcs in ((1, 0), (2, 7), (2, None))
     for mpdus in (2, 3, 16, 64)
@@ -66,22 +66,22 @@ def test_no_exchange_passes_the_limits(channel: ds.Wifi) -> None:
 
 
 def test_slow_frames_are_bounded_by_time_and_fast_ones_by_number() -> None:
-    slow = ds.wifi_preset("802.11n", mcs=0, guard_interval=0.8e-6, mpdus=64)
-    fast = ds.wifi_preset("802.11n", streams=2, mpdus=64)
+    slow = ds.Radio("802.11n", mcs=0, guard_interval=0.8e-6, mpdus=64).wifi()
+    fast = ds.Radio("802.11n", streams=2, mpdus=64).wifi()
     assert by_hand(slow, 464)[0] == 9
     assert by_hand(fast, 464)[0] == 64
     assert parts(fast)[1].most_bytes == 65535
 
 
 def test_the_block_acknowledgement_takes_a_symbol_more_than_the_ack() -> None:
-    channel = ds.wifi_preset("802.11n", streams=2, mpdus=2)
+    channel = ds.Radio("802.11n", streams=2, mpdus=2).wifi()
     extra = parts(channel)[1].overhead - channel.unicast.overhead
     assert extra == pytest.approx(4e-6, abs=1e-12)
 
 
 def test_multicast_down_is_not_aggregated() -> None:
-    plain = ds.wifi_preset("802.11n", streams=2)
-    many = ds.wifi_preset("802.11n", streams=2, mpdus=64)
+    plain = ds.Radio("802.11n", streams=2).wifi()
+    many = ds.Radio("802.11n", streams=2, mpdus=64).wifi()
     before, after = (
         ds.breakdown(ds.DDS, 7, 2, 10, wifi)[["uplink_s", "downlink_s"]].to_numpy()
         for wifi in (plain, many)
@@ -95,12 +95,12 @@ def test_multicast_down_is_not_aggregated() -> None:
 @pytest.mark.parametrize("protocol", [ds.DDS, ds.ZENOH])
 def test_more_frames_together_never_cost_more_by_more_than_padding(protocol: ds.Protocol) -> None:
     hosts = [
-        ds.saturation_hosts(protocol, 2, 10, ds.wifi_preset("802.11n", streams=2, mpdus=n))
+        ds.saturation_hosts(protocol, 2, 10, ds.Radio("802.11n", streams=2, mpdus=n).wifi())
         for n in (1, 2, 4, 8, 16, 32, 64)
     ]
     assert hosts == sorted(hosts)
     for n, at in zip((2, 64), (hosts[1], hosts[-1]), strict=True):
-        channel = ds.wifi_preset("802.11n", streams=2, mpdus=n)
+        channel = ds.Radio("802.11n", streams=2, mpdus=n).wifi()
         assert ds.utilization(protocol, at, 2, 10, channel) == pytest.approx(1, rel=1e-12)
 
 

@@ -72,7 +72,7 @@ def standard_utilization() -> float:
 
 
 def with_ampdus(mpdus: int) -> Any:
-    return ds.utilization(ds.DDS, 7, 2, 10, ds.wifi_preset("802.11n", streams=2, mpdus=mpdus))
+    return ds.utilization(ds.DDS, 7, 2, 10, ds.Radio("802.11n", streams=2, mpdus=mpdus).wifi())
 
 
 # Quantities of the ledger, in another way.
@@ -147,7 +147,7 @@ def test_payloads_move_the_saturation_point_by_less_than_all_parameters() -> Non
 def test_remarks_about_aggregation_hold() -> None:
     told = [c for c in claims.claims() if "full A-MPDUs of 802.11n" in c.remark]
     assert len(told) == 5
-    wifi = ds.wifi_preset("802.11n", streams=2, mpdus=64)
+    wifi = ds.Radio("802.11n", streams=2, mpdus=64).wifi()
     for protocol, swarm in [
         (ds.DDS, (10, 2, 10)),
         (ds.DDS, (100, 1, 0)),
@@ -155,7 +155,7 @@ def test_remarks_about_aggregation_hold() -> None:
         (ds.DDS, (3, 1, 678)),
         (ds.ZENOH, (3, 1, 678)),
     ]:
-        alone = ds.utilization(protocol, *swarm, wifi=ds.wifi_preset("802.11n", streams=2))
+        alone = ds.utilization(protocol, *swarm, wifi=ds.Radio("802.11n", streams=2).wifi())
         assert ds.utilization(protocol, *swarm, wifi=wifi) < 1 < alone
 
 

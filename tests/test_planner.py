@@ -16,7 +16,6 @@ from discostorm import planner
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
-from discostorm.wifi.radio import variant
 
 #: Hosts, each a list with the endpoints of each of its processes.
 Hosts = Sequence[Sequence[float]]
@@ -196,8 +195,8 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
     base = ds.WIFI["802.11n 20 MHz 2x2"]
     plan = ds.plan(NAV2, ds.DDS, base)
     expected = {
-        "multicast rate": ds.wifi_preset("802.11n", streams=2, multicast_rate=MULTICAST_RATE),
-        "aggregation": ds.wifi_preset("802.11n", streams=2, mpdus=MPDUS),
+        "multicast rate": ds.Radio("802.11n", streams=2, multicast_rate=MULTICAST_RATE).wifi(),
+        "aggregation": ds.Radio("802.11n", streams=2, mpdus=MPDUS).wifi(),
     }
     for kind, wifi in expected.items():
         found = remedy(plan, kind)
@@ -212,14 +211,15 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
 
 
 def test_another_radio_keeps_what_was_chosen_beside_it() -> None:
-    base = ds.wifi_preset("802.11n", streams=2, multicast_rate=12e6, aifsn=3, mpdus=16)
+    base = ds.Radio("802.11n", streams=2, multicast_rate=12e6, aifsn=3, mpdus=16).wifi()
     radios = [found.wifi for found in ds.plan(NAV2, ds.DDS, base).remedies if found.kind == "radio"]
     assert len(radios) == 3
     for wifi in radios:
-        made = dict(wifi.made_from)
-        assert (made["multicast_rate"], made["aifsn"], made["mpdus"]) == (12e6, 3, 16)
+        radio = wifi.radio
+        assert radio is not None
+        assert (radio.multicast_rate, radio.aifsn, radio.mpdus) == (12e6, 3, 16)
     # 1 Mbit/s is of the 2.4 GHz band alone.
-    slow = ds.wifi_preset("802.11n", band=2.4e9, multicast_rate=1e6)
+    slow = ds.Radio("802.11n", band=2.4e9, multicast_rate=1e6).wifi()
     assert {f.kind for f in ds.plan(NAV2, ds.DDS, slow).remedies} >= {"radio", "multicast rate"}
 
 
@@ -230,28 +230,15 @@ def test_what_cannot_be_changed_is_named() -> None:
     own = replace(preset, unicast=replace(preset.unicast, overhead=1e-4))
     reasons = ds.plan(NAV2, ds.DDS, own).left_out
     assert reasons == (
-        "multicast rate: known only of channels made by wifi_preset",
-        "aggregation: known only of channels made by wifi_preset",
+        "multicast rate: known only of channels made by a Radio",
+        "aggregation: known only of channels made by a Radio",
     )
     few = ds.plan(FIG3).left_out
     assert any("not every part would have two hosts" in reason for reason in few)
     assert any(reason.startswith("parameter services: no process") for reason in few)
-    best = ds.wifi_preset("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64)
+    best = ds.Radio("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64).wifi()
     kinds = {found.kind for found in ds.plan(NAV2, ds.DDS, best).remedies}
     assert kinds == {"endpoints", "channels", "domains", "middleware"}
-
-
-def test_a_variant_is_what_the_changed_arguments_give() -> None:
-    base = ds.wifi_preset("802.11ac", width=40e6, streams=2, aifsn=3, name="mine")
-    assert variant(base, mpdus=8) == ds.wifi_preset(
-        "802.11ac", width=40e6, streams=2, aifsn=3, mpdus=8
-    )
-    assert variant(ds.PAPER, mpdus=8) is None
-    assert variant(replace(base, multicast=ds.PAPER.multicast, unicast=ds.PAPER.unicast)) is None
-    # What a channel was made from is not a part of what it is.
-    assert replace(base, made_from=()) == base
-    with pytest.raises(ValueError, match="mpdus must be"):
-        variant(base, mpdus=1000)
 
 
 def test_nodes_of_the_parameter_services() -> None:
@@ -508,7 +495,7 @@ def test_what_does_not_help_is_told_apart() -> None:
 
 
 def test_nothing_may_help() -> None:
-    best = ds.wifi_preset("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64)
+    best = ds.Radio("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64).wifi()
     advice = ds.plan(ds.Fleet.swarm(2, 1, 5), ds.ZENOH, best).advice()
     assert "Nothing that was tried helps:\n- Switching to DDS adds" in advice
     assert "What would" not in advice

@@ -23,8 +23,7 @@ from discostorm.paper import enumeration
 from discostorm.protocols import DDS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
-from discostorm.wifi import PAPER, airtime as airtime_of_frame
-from discostorm.wifi.radio import wifi_preset
+from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -297,7 +296,7 @@ def ht_rate(mcs: float) -> float:
 
 def ht_rate_of_streams(mcs: float, streams: float) -> float:
     """Return the fastest rate in 20 MHz with an MCS of each of some streams [bit/s]."""
-    return wifi_preset("802.11n", streams=int(streams), mcs=int(mcs)).unicast.rate
+    return Radio("802.11n", streams=int(streams), mcs=int(mcs)).wifi().unicast.rate
 
 
 def ht_rates_above(streams: float, width: float) -> int:
@@ -305,7 +304,7 @@ def ht_rates_above(streams: float, width: float) -> int:
     # The paper's 144.4 stands for 144.44: what exceeds it by less is the same rate.
     threshold = PAPER.unicast.rate * 1.001
     return sum(
-        wifi_preset("802.11n", streams=int(streams), width=width * 1e6, mcs=mcs).unicast.rate
+        Radio("802.11n", streams=int(streams), width=width * 1e6, mcs=mcs).wifi().unicast.rate
         > threshold
         for mcs in range(8)
     )
@@ -313,12 +312,12 @@ def ht_rates_above(streams: float, width: float) -> int:
 
 def lowest_basic_rate(band: float) -> float:
     """Return the lowest basic rate of 802.11n in a band in GHz [bit/s]."""
-    return wifi_preset("802.11n", band=band * 1e9).multicast.rate
+    return Radio("802.11n", band=band * 1e9).wifi().multicast.rate
 
 
 def overhead_with_backoff(cast: str) -> float:
     """Return the overhead of a frame from 802.11n timing, two streams in 5 GHz [s]."""
-    wifi = wifi_preset("802.11n", streams=2)
+    wifi = Radio("802.11n", streams=2).wifi()
     return (wifi.multicast if cast == "multicast" else wifi.unicast).overhead
 
 
@@ -332,7 +331,7 @@ def aggregation_bound(
             hosts,
             processes,
             endpoints,
-            wifi_preset("802.11n", streams=2, mpdus=mpdus),
+            Radio("802.11n", streams=2, mpdus=mpdus).wifi(),
         )
         for mpdus in (64, 1)
     )
@@ -341,7 +340,7 @@ def aggregation_bound(
 
 def standard_bound(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
-    exact = utilization(protocol, hosts, processes, endpoints, wifi_preset("802.11n", streams=2))
+    exact = utilization(protocol, hosts, processes, endpoints, Radio("802.11n", streams=2).wifi())
     return float(exact / utilization(protocol, hosts, processes, endpoints))
 
 

@@ -4,7 +4,6 @@ from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import (
     BITS_PER_BYTE,
     MULTICAST,
-    PAPER,
     UNICAST,
     Cast,
     Link,
@@ -17,7 +16,7 @@ from discostorm.wifi.channel import (
     downlink_airtime,
     uplink_airtime,
 )
-from discostorm.wifi.radio import WIFI, wifi_preset
+from discostorm.wifi.radio import PAPER, WIFI, Radio
 
 __all__ = [
     "BITS_PER_BYTE",
@@ -30,11 +29,11 @@ __all__ = [
     "Link",
     "Model",
     "Padding",
+    "Radio",
     "Wifi",
     "aggregated_airtime",
     "airtime",
     "data_time",
     "downlink_airtime",
     "uplink_airtime",
-    "wifi_preset",
 ]

@@ -24,16 +24,21 @@ class Aggregation:
     overhead : float
         Airtime that each exchange costs whatever its length [s], at least 0: waiting,
         preamble, block acknowledgement.
+    least_bytes : int, optional
+        Least length of a subframe [B], at least 0: so long that receivers which need time
+        between the starts of two frames have it.
     """
 
     mpdus: int
     most_bytes: int
     overhead: float
+    least_bytes: int = 0
 
     def __post_init__(self) -> None:
         _checks.whole("mpdus", self.mpdus, 1)
         _checks.whole("most_bytes", self.most_bytes, 1)
         _checks.number("overhead", self.overhead, 0)
+        _checks.whole("least_bytes", self.least_bytes, 0)
 
 
 def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
@@ -43,18 +48,20 @@ def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
     paper's frames lack. A delimiter of 4 octets goes before it, and padding after it up
     to a multiple of 4:
 
-    .. math:: A = 4 + 4 \left\lceil\frac{S + 2}{4}\right\rceil
+    .. math:: A = \max\left(A_{least}, 4 + 4 \left\lceil\frac{S + 2}{4}\right\rceil\right)
+
+    Empty delimiters make up what a short frame lacks of the least length.
 
     The last subframe of an HT PPDU may leave its padding out; here, as in VHT and HE
     PPDUs, it does not.
 
     References
     ----------
-    IEEE Std 802.11-2020, 9.2.4.5 and 9.7.1.
+    IEEE Std 802.11-2020, 9.2.4.5, 9.7.1 and 10.12.3 (minimum MPDU start spacing).
     """
     padding = _BYTES["A-MPDU padding"]
     frame = frame_bytes + _BYTES["QoS Control"]
-    return _BYTES["MPDU delimiter"] + padding * sp.ceiling(frame / padding)
+    return sp.Max(nt.A_LEAST, _BYTES["MPDU delimiter"] + padding * sp.ceiling(frame / padding))
 
 
 def mpdus(frame_bytes: sp.Expr) -> sp.Expr:

@@ -2,12 +2,16 @@
 
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import sympy as sp
 
 from discostorm import _checks, notation as nt
+from discostorm.data import read_data
 from discostorm.wifi import aggregation as agg
+
+if TYPE_CHECKING:
+    from discostorm.wifi.radio import Radio
 
 Cast = Literal["multicast", "unicast"]
 
@@ -131,9 +135,9 @@ class Wifi:
         If given, frames to one receiver share exchanges: all that go up to the access
         point, and down the unicast ones. Needs links with padding; its overhead stands in
         for that of the unicast link.
-    made_from : tuple of (str, object), optional
-        The arguments of `wifi_preset` that gave it; empty for a channel of your own. Two
-        channels are equal whatever they were made from.
+    radio : Radio, optional
+        The radio whose rates these are, with the standard's timing in parts; None for a
+        channel of your own. Two channels are equal whatever their radios.
 
     Raises
     ------
@@ -145,7 +149,7 @@ class Wifi:
     unicast: Link
     multicast: Link
     aggregation: agg.Aggregation | None = None
-    made_from: tuple[tuple[str, Any], ...] = field(default=(), compare=False, repr=False)
+    radio: "Radio | None" = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         _checks.instance("unicast", self.unicast, Link)
@@ -186,6 +190,7 @@ class Wifi:
                 nt.N_AGG: float(self.aggregation.mpdus),
                 nt.A_MOST: float(self.aggregation.most_bytes),
                 nt.O_AGG: self.aggregation.overhead,
+                nt.A_LEAST: float(self.aggregation.least_bytes),
             }
         return values
 
@@ -196,12 +201,14 @@ UNICAST = (nt.N_DBPS_UNI, nt.N_ADD_UNI, nt.K_UNI, nt.T_GRID_UNI)
 MULTICAST = (nt.N_DBPS_MULTI, nt.N_ADD_MULTI, nt.K_MULTI, nt.T_GRID_MULTI)
 
 
-#: The paper's channel: IEEE 802.11n, 2x2 MIMO, MCS 7 a stream (paper, Sec. IV-A and IV-B).
-PAPER = Wifi(
-    "paper (802.11n)",
-    unicast=Link(rate=144.4e6, overhead=180e-6),
-    multicast=Link(rate=6e6, overhead=120e-6),
-)
+def _printed(cast: Cast) -> Link:
+    """Return the rate and overhead that the paper prints for frames of one kind."""
+    (row,) = (row for row in read_data("paper/rates.csv") if row["rate"] == cast)
+    return Link(float(row["printed_Mbit_s"]) * 1e6, float(row["printed_overhead_us"]) / 1e6)
+
+
+#: The links of the paper's channel (paper, Sec. IV-A and IV-B).
+PAPER_LINKS = {"unicast": _printed("unicast"), "multicast": _printed("multicast")}
 
 
 def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
