@@ -88,7 +88,8 @@ def wifi_preset(
     + \text{preamble} + \text{SIFS} + \text{ACK}`; of a multicast frame the first three.
     The back-off is that of an idle channel without collisions; there is no RTS, and in
     2.4 GHz no protection for 802.11b stations. An HE PPDU is counted without packet
-    extension and without the extra symbol that LDPC needs now and then: a lower bound.
+    extension and without the extra symbol that LDPC needs now and then: for a single exchange
+    a lower bound, but not for stations that count down together.
 
     Parameters
     ----------
