@@ -8,7 +8,7 @@ import pytest
 import yaml
 from test_browser import TOC, toc_files
 
-from discostorm import timeline
+import discostorm as ds
 
 ROOT = Path(__file__).parents[1]
 
@@ -77,7 +77,7 @@ def test_every_page_that_speaks_of_what_is_left_out_links_to_the_list() -> None:
 
 
 def test_whoever_names_a_product_says_that_its_messages_differ() -> None:
-    names = "|".join(product.name for product in timeline.PRODUCTS if product.name != "Zenoh")
+    names = "|".join(name for name, protocol in ds.PROTOCOLS.items() if protocol.repeats)
     timed = {
         page: text
         for page, text in PAGES.items()

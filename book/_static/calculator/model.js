@@ -202,36 +202,36 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
         "Fast DDS": {
           "lease": 20.0,
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               20.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -386,18 +386,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -555,18 +555,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -757,18 +757,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               20.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -923,18 +923,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
