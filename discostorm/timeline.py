@@ -4,8 +4,10 @@ The paper divides the airtime of a start-up burst by one second. The tables of p
 of each message when it is sent, and how long their lease is; so the burst and the steady
 state come apart, and any window can take the place of the second.
 
-Assumptions: all processes start at time 0, nothing is lost or sent again, and the channel
-carries without a gap whatever waits. Answers are sent at the time of what they answer.
+Assumptions: all processes start at time 0, nothing is lost or sent again, nobody collides, and
+the channel carries without a gap whatever waits. Answers are sent at the time of what they
+answer. So times are those of a start at its best, as far as losses, collisions and queues are
+concerned; the book's page "What the model leaves out" lists what else errs, and which way.
 """
 
 from dataclasses import replace
@@ -35,7 +37,7 @@ def drain_time(
     endpoints: ArrayLike,
     wifi: Wifi = PAPER,
 ) -> Value:
-    r"""Return by when the channel has caught up with the start.
+    r"""Return by when the channel has caught up with the start, without losses or collisions.
 
     .. math:: t = \frac{B}{1 - \rho}
 
@@ -193,8 +195,8 @@ def first_idle(
     return float(carried[np.argmax(carried <= following)])
 
 
-#: What `outlook` says, from best to worst.
-OUTLOOKS = ("within a second", "starts slowly", "leases at risk", "never recovers")
+#: What `outlook` says, from best to worst: of a start without losses, collisions or full queues.
+OUTLOOKS = ("within a second at best", "slow at best", "leases at risk", "never catches up")
 
 
 def outlook(
@@ -204,7 +206,7 @@ def outlook(
     endpoints: float,
     wifi: Wifi = PAPER,
 ) -> str:
-    """Return in words how the start of a swarm ends.
+    """Return in words how the start of a swarm ends, without losses or collisions.
 
     Parameters
     ----------
@@ -214,10 +216,10 @@ def outlook(
     Returns
     -------
     str
-        "within a second" if the burst is carried in the paper's one second; "starts slowly"
-        if it is carried within the lease; "leases at risk" if it takes longer, so that
-        peers may be dropped and the burst be sent again before it was carried; "never
-        recovers" if the traffic that stays fills the channel.
+        "within a second at best" if the burst is carried in the paper's one second if nothing
+        is lost; "slow at best" if it then is carried within the lease; "leases at risk" if it
+        takes longer even so, and peers may be dropped and the burst be sent again before it
+        was carried; "never catches up" if the traffic that stays fills the channel.
 
     Raises
     ------
@@ -235,7 +237,7 @@ def outlook(
     >>> import discostorm as ds
     >>> from discostorm import timeline
     >>> timeline.outlook(ds.PROTOCOLS["Zenoh peer"], 12, 2, 10)
-    'starts slowly'
+    'slow at best'
     """
     _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(protocol, hosts, processes, endpoints, wifi)

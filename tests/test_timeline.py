@@ -163,14 +163,14 @@ def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Prot
     )
     assert timeline.first_idle(product, above, 2, 10) == np.inf
     assert timeline.outlook(product, below, 2, 10) == "leases at risk"
-    assert timeline.outlook(product, above, 2, 10) == "never recovers"
+    assert timeline.outlook(product, above, 2, 10) == "never catches up"
 
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
 def test_outlook_changes_at_the_paper_second_and_at_the_lease(product: Protocol) -> None:
     for window, before, after in [
-        (1, "within a second", "starts slowly"),
-        (product.lease, "starts slowly", "leases at risk"),
+        (1, "within a second at best", "slow at best"),
+        (product.lease, "slow at best", "leases at risk"),
     ]:
         hosts = float(ds.saturation_hosts(product, 2, 10, window=window))
         assert timeline.outlook(product, hosts * 0.999, 2, 10) == before

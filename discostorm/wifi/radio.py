@@ -30,7 +30,8 @@ class Radio:
     `dataclasses.replace` changes one thing, `wifi` gives the channel of the closed form. All
     that follows from the parameters is a property in SI units. There is no RTS, and in 2.4 GHz
     no protection for 802.11b stations. An HE or EHT PPDU is counted without packet extension
-    and without the extra symbol that LDPC needs now and then: a lower bound.
+    and without the extra symbol that LDPC needs now and then: of a single exchange a lower
+    bound, but not of stations that count down together.
 
     Parameters
     ----------

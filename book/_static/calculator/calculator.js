@@ -216,12 +216,21 @@
     byId("answer").replaceChildren(
       make("strong", {}, sentence(answer.front)),
       ` ${others.map(sentence).join(" ")} `,
-      make("span", { class: "calc-hint" }, `For ${swarm}`),
+      make("span", { class: "calc-hint" }, `For ${swarm} ${assumed(answer.settings.channel)}`),
     );
   }
 
   const channelName = (channel) =>
     channel.name === OWN ? "own rates and overheads" : channel === channels.get(PAPER) ? "the paper's Wi-Fi" : channel.name;
+
+  /** What every number of this page assumes. */
+  function assumed(channel) {
+    const frames =
+      channel.model === "aggregated"
+        ? `${count(channel.values.n_agg)} frames in every exchange where that many fit`
+        : "each message a frame of its own";
+    return `Assumed: the paper's messages, all sent in one second; ${frames}; no losses or collisions.`;
+  }
 
   function showBoth(answer) {
     const table = byId("both");
@@ -250,7 +259,7 @@
         (one) => [exact(one.largest, plural(one.largest, "host", "hosts"), `${one.name} largest`)],
       ],
       [
-        "The start is over after (default periods)",
+        "The start takes at best (the paper's messages, default periods of)",
         (one) =>
           products(one, ({ name, drain, outlook, lease }) => [
             exact(drain, drain < Infinity ? `${seconds(drain)}, ${outlook}` : outlook, `${one.name} drain ${name}`),
@@ -258,7 +267,7 @@
           ]),
       ],
       [
-        "What is repeated takes",
+        "What is repeated takes (the paper's messages, default periods of)",
         (one) =>
           products(one, ({ name, steady }) => [exact(steady, percent(steady), `${one.name} steady ${name}`)]),
       ],

@@ -212,36 +212,36 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
         "Fast DDS": {
           "lease": 20.0,
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               20.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -396,18 +396,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -565,18 +565,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -767,18 +767,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               20.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
@@ -933,18 +933,18 @@ const DISCOSTORM = {
           "until": [
             [
               1.0,
-              "within a second",
+              "within a second at best",
             ],
             [
               10.0,
-              "starts slowly",
+              "slow at best",
             ],
             [
               Infinity,
               "leases at risk",
             ],
           ],
-          "never": "never recovers",
+          "never": "never catches up",
         },
       },
       "models": {
