@@ -43,6 +43,11 @@ class Unit:
     name: str
     count: Callable[[Fleet], Count]
 
+    def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        if not callable(self.count):
+            raise TypeError(f"count must take a Fleet and return how many; got {self.count!r}")
+
 
 PROCESS = Unit("process", Fleet.processes)
 PAIR = Unit("ordered pair of processes on different hosts", Fleet.pairs)

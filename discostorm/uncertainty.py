@@ -7,7 +7,7 @@ protocol's messages, those of the others from ``data/paper/parameter_ranges.csv`
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from numbers import Integral
@@ -63,13 +63,13 @@ def _assumed() -> Ranges:
     }
 
 
-def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> Ranges:
-    """Return the range of every parameter that the protocols' utilization depends on.
+def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ranges:
+    """Return the range of every parameter that a protocol's utilization depends on.
 
     Parameters
     ----------
-    *protocols : Protocol
-        One or more; parameters they share are listed once.
+    protocol : Protocol
+        One of `PROTOCOLS`, or a table of your own.
     given : mapping, optional
         Ranges that replace the assumed ones: symbol or its name to (low, high), in
         bytes, seconds or bit/s.
@@ -82,9 +82,9 @@ def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> 
     Raises
     ------
     ValueError
-        If a name is unknown, a range is not one, or the protocols disagree on a payload.
+        If a name is unknown, or a range is not one.
     TypeError
-        If an end of a range is not a real number, or a protocol is not one.
+        If an end of a range is not a real number, or the protocol is not one.
 
     References
     ----------
@@ -97,16 +97,13 @@ def parameter_ranges(*protocols: Protocol, given: GivenRanges | None = None) -> 
     >>> uncertainty.parameter_ranges(ds.DDS)[notation.R_UNI]
     (65000000.0, 144400000.0)
     """
-    found: Ranges = {}
-    for protocol in protocols:
-        _checks.instance("protocol", protocol, Protocol)
-        for message in protocol.messages:
-            name, payload = message.payload_symbol, message.payload
-            ends = payload.low, payload.high
-            if found.setdefault(name, ends) != ends:
-                raise ValueError(f"{name} has two ranges in the protocols: {found[name]}, {ends}")
-        used = protocol.utilization().free_symbols
-        found |= {name: ends for name, ends in _assumed().items() if name in used}
+    _checks.instance("protocol", protocol, Protocol)
+    found: Ranges = {
+        message.payload_symbol: (message.payload.low, message.payload.high)
+        for message in protocol.messages
+    }
+    used = protocol.utilization().free_symbols
+    found |= {name: ends for name, ends in _assumed().items() if name in used}
     for name, ends in _by_symbol("ranges", {} if given is None else given, found).items():
         try:
             low, high = ends
@@ -392,7 +389,8 @@ def sensitivity(
 
 
 def sample(
-    *protocols: Protocol,
+    protocol: Protocol,
+    *,
     size: int = 1_000_000,
     seed: int = 2026,
     ranges: GivenRanges | None = None,
@@ -401,8 +399,8 @@ def sample(
 
     Parameters
     ----------
-    *protocols : Protocol
-        One or more; parameters they share are drawn once, as they share the channel.
+    protocol : Protocol
+        One of `PROTOCOLS`, or a table of your own.
     size : int, optional
         Number of samples, from 1 to 1e8.
     seed : int, optional
@@ -421,7 +419,7 @@ def sample(
     ValueError
         If `size` or `seed` is out of range, or a name is unknown.
     TypeError
-        If `size` or `seed` is not an integer, or a protocol is not one.
+        If `size` or `seed` is not an integer, or the protocol is not one.
 
     Examples
     --------
@@ -433,12 +431,56 @@ def sample(
     >>> u(7, 2, 10, *drawn.values()).shape
     (1000,)
     """
+    _checks.instance("protocol", protocol, Protocol)
+    (drawn,) = sample_together([protocol], size=size, seed=seed, ranges=[ranges])
+    return drawn
+
+
+def sample_together(
+    protocols: Sequence[Protocol],
+    *,
+    size: int = 1_000_000,
+    seed: int = 2026,
+    ranges: Sequence[GivenRanges | None] | None = None,
+) -> tuple[dict[sp.Symbol, NDArray[np.float64]], ...]:
+    """Draw the parameters of several protocols that share a channel.
+
+    What they share is drawn once: the parameters of the channel, and payloads of the same
+    name and range. Messages of the same name whose ranges differ are drawn apart.
+
+    Parameters
+    ----------
+    protocols : sequence of Protocol
+        At least one.
+    size, seed
+        As for `sample`.
+    ranges : sequence of mapping, optional
+        For each protocol the ranges that replace the assumed ones, or None.
+
+    Returns
+    -------
+    tuple of dict
+        For each protocol what `sample` returns.
+
+    Raises
+    ------
+    ValueError
+        If `size` or `seed` is out of range, or a name is unknown.
+    TypeError
+        If `size` or `seed` is not an integer, or a protocol is not one.
+    """
     size = _whole("size", size, 1, MOST_SAMPLES)
     generator = np.random.default_rng(_whole("seed", seed, 0))
-    return {
-        name: generator.uniform(low, high, size)
-        for name, (low, high) in parameter_ranges(*protocols, given=ranges).items()
-    }
+    tables = _checks.members("protocols", protocols, Protocol)
+    drawn: dict[tuple[sp.Symbol, Range], NDArray[np.float64]] = {}
+    samples = []
+    for protocol, given in zip(tables, ranges or [None] * len(tables), strict=True):
+        own = parameter_ranges(protocol, given=given)
+        for name, (low, high) in own.items():
+            if (name, (low, high)) not in drawn:
+                drawn[name, (low, high)] = generator.uniform(low, high, size)
+        samples.append({name: drawn[name, ends] for name, ends in own.items()})
+    return tuple(samples)
 
 
 def _whole(name: str, value: object, low: int, high: int | None = None) -> int:
