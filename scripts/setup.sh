@@ -42,7 +42,10 @@ if command -v uv >/dev/null 2>&1; then
     echo "Setting up .venv with uv (once) ..."
     # uv stops where it cannot keep what it fetched; here that is only for the next time.
     cache=$(uv cache dir)
-    mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ] || export UV_NO_CACHE=1
+    if ! mkdir -p "$cache" 2>/dev/null || ! [ -w "$cache" ]; then
+        export UV_NO_CACHE=1
+        [ -d "$(uv python dir)" ] || export UV_PYTHON_INSTALL_DIR="$PWD/.python"
+    fi
     try "make .venv" uv venv --quiet --no-project --python "${PYTHON:->=3.11}" .venv
     .venv/bin/python -c 'import sys; sys.exit(sys.version_info < (3, 11))' ||
         stop "$(.venv/bin/python --version) $old"

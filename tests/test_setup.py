@@ -102,11 +102,15 @@ def test_set_up_says_what_to_install(
 
 
 #: A uv that makes a Python which does nothing; as the real one, it stops where it can write no
-#: cache. What it says to the command `pip` follows.
+#: cache or cannot look for Pythons. What it does for the command `pip` follows.
 UV = """
-[ "$UV_NO_CACHE" ] || [ "$1" = cache ] || [ -d "$HOME/uv" ] || { echo no cache >&2; exit 2; }
 case "$1" in
-    cache) echo "$HOME/uv";;
+    cache) echo "$HOME/uv"; exit;;
+    python) echo "$HOME/python"; exit;;
+esac
+[ "$UV_NO_CACHE" ] || [ -d "$HOME/uv" ] || { echo no cache >&2; exit 2; }
+[ "$UV_PYTHON_INSTALL_DIR" ] || [ -d "$HOME" ] || { echo no Pythons >&2; exit 2; }
+case "$1" in
     venv) mkdir -p .venv/bin; echo "#!/bin/sh" >.venv/bin/python; chmod +x .venv/bin/python;;
     pip) """
 
@@ -136,7 +140,6 @@ def test_uv_needs_no_home(tmp_path: Path) -> None:
     done = set_up(tmp_path, {"uv": f"{UV} ;;\nesac"}, HOME="/dev/null/home")
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / ".venv" / ".ready").exists()
-    assert not (tmp_path / ".venv" / "uv").exists()
 
 
 @pytest.mark.parametrize(
