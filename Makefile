@@ -70,10 +70,11 @@ calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the
 notebooks: $(READY) ## execute every notebook in place
 	@$(BIN)/python scripts/run_notebooks.py
 
-lint: $(READY) ## check style and types
+lint: $(READY) ## check style, types and which module imports which
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo --cache-dir .venv/import-linter
 
 bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/bench.py
