@@ -12,6 +12,7 @@ export IPYTHONDIR := $(CURDIR)/.venv/ipython
 SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
+MODULES ?=
 OUT ?= build/figures
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
@@ -79,9 +80,10 @@ lint: $(READY) ## check style, types and which module imports which
 bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/bench.py
 
-mutation: $(READY) ## see whether the tests notice small changes of the package (takes an hour)
+mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
-	@PYTHONPATH=build/mutation $(BIN)/python scripts/mutation.py
+	@PATH="$$PWD/$(BIN):$$PWD/build/mutation/bin:$$PATH" PYTHONPATH="$$PWD/build/mutation" \
+		python scripts/mutation.py $(MODULES)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest
