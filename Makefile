@@ -12,7 +12,6 @@ export IPYTHONDIR := $(CURDIR)/.venv/ipython
 SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
-MODULES ?=
 OUT ?= build/figures
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)

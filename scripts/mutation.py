@@ -83,7 +83,7 @@ def execute(config: Path) -> None:
 
 def wait(port: int) -> None:
     """Return when something answers at a port of this machine."""
-    for _ in range(100):
+    for _ in range(600):
         with suppress(OSError):
             socket.create_connection(("127.0.0.1", port)).close()
             return
