@@ -5,11 +5,18 @@
 .NOTPARALLEL:
 # Packages from elsewhere, as a sourced ROS 2 brings them, are not those of the lock.
 unexport PYTHONPATH PYTHONHOME
+# What the user has set up for Matplotlib and IPython changes nothing here; HOME may be read-only.
+unexport MATPLOTLIBRC
+export MPLCONFIGDIR := $(CURDIR)/.venv/matplotlib
+export IPYTHONDIR := $(CURDIR)/.venv/ipython
 SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
 OUT ?= build/figures
-BUILD = $(BIN)/jupyter-book build . -W --keep-going -n
+# Given to the shell as they are, with quotes and dollars.
+override export OUT := $(value OUT)
+override export PYTHON := $(value PYTHON)
+BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
@@ -19,7 +26,7 @@ COSMIC_RAY := cosmic-ray==8.7.0
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
-	@PYTHON="$(PYTHON)" sh scripts/setup.sh
+	@sh scripts/setup.sh
 
 .PHONY: help book test pdf release figures calculator notebooks lint bench mutation test-oldest test-newest serve lock clean
 
@@ -31,9 +38,10 @@ book: $(READY) ## execute every notebook and build the HTML book
 	@$(BIN)/python scripts/run_notebooks.py --times _build/run_times.csv
 	@$(BUILD)
 	@touch _build/.done
-	@echo; echo "The book is ready: open $(CURDIR)/_build/html/index.html"
+	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
 test: $(READY) ## run all tests, notebooks included
+	@$(BIN)/python scripts/loopback.py
 	@$(BIN)/pytest -n 2 --nbval
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
@@ -45,7 +53,7 @@ pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 		latexmk -xelatex -halt-on-error -interaction=nonstopmode -quiet discostorm.tex >latex.out 2>&1 \
 		|| { tail -n 40 latex.out; exit 1; }
 	@mkdir -p build && cp _build/latex/discostorm.pdf build/
-	@echo; echo "The PDF is ready: open $(CURDIR)/build/discostorm.pdf"
+	@echo; echo "The PDF is ready: open $$PWD/build/discostorm.pdf"
 
 release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks, figures and data
 	@rm -rf _build/html _build/.doctrees build/release
@@ -54,7 +62,7 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
-	@$(BIN)/discostorm figures --out "$(OUT)"
+	@$(BIN)/discostorm figures --out "$$OUT"
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/write_calculator.py
@@ -62,17 +70,19 @@ calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the
 notebooks: $(READY) ## execute every notebook in place
 	@$(BIN)/python scripts/run_notebooks.py
 
-lint: $(READY) ## check style and types
+lint: $(READY) ## check style, types and which module imports which
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo --cache-dir .venv/import-linter
 
 bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/bench.py
 
-mutation: $(READY) ## see whether the tests notice small changes of the package (takes an hour)
+mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
-	@PYTHONPATH=build/mutation $(BIN)/python scripts/mutation.py
+	@PATH="$$PWD/$(BIN):$$PWD/build/mutation/bin:$$PATH" PYTHONPATH="$$PWD/build/mutation" \
+		python scripts/mutation.py $(MODULES)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

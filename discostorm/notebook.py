@@ -6,17 +6,27 @@ import shlex
 from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from textwrap import wrap
 
 import matplotlib.pyplot as plt
 import pandas as pd
 import sympy as sp
-from IPython.display import SVG, Markdown
-from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import NOTATION
+
+try:
+    from IPython.display import SVG, Markdown
+    from matplotlib_inline.backend_inline import set_matplotlib_formats
+
+    import_module("tabulate")  # by which pandas writes tables
+except ImportError as error:
+    raise ImportError(
+        f"discostorm.notebook needs {error.name}; to get it: pip install discostorm[book]",
+        name=error.name,
+    ) from error
 
 
 def setup() -> None:

@@ -1,7 +1,8 @@
 """Execute notebooks in place; what an unchanged notebook holds comes out the same.
 
 All of notebooks/ if none is named. A notebook that fails is named with its cell and left
-as it was, and the exit status is 1.
+as it was, and the exit status is 1. Whatever a cell writes to standard error is a failure:
+warnings are not for readers, and differ between machines.
 """
 
 import argparse
@@ -13,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import nbformat
+from loopback import check
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
@@ -41,13 +43,23 @@ def run(path: Path) -> float:
         client.execute()
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
         # Cells run in order: the last one that was counted is the one that failed.
-        last = max(
-            index for index, cell in enumerate(notebook.cells) if cell.get("execution_count")
-        )
-        raise RuntimeError(f"{path.name}, cell {last + 1}:\n{error}") from error
+        counted = (n for n, cell in enumerate(notebook.cells, 1) if cell.get("execution_count"))
+        raise RuntimeError(f"{path.name}, cell {max(counted, default=1)}:\n{error}") from error
+    for number, cell in enumerate(notebook.cells, 1):
+        for output in cell.get("outputs", []):
+            if output.get("name") == "stderr":
+                raise RuntimeError(
+                    f"{path.name}, cell {number}, wrote to standard error:\n{output['text']}"
+                )
     # The kernel reports its own Python version, which would differ from reader to reader.
     notebook.metadata["language_info"] = {"name": "python"}
-    nbformat.write(notebook, path)
+    # Beside it first, as a full disk would leave half of it.
+    beside = path.with_suffix(".tmp")
+    try:
+        nbformat.write(notebook, beside)
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
     return time.perf_counter() - start
 
 
@@ -62,6 +74,7 @@ def main(arguments: list[str]) -> int:
     if missing or not paths:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
+    check()
     seconds: dict[str, float] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
@@ -74,7 +87,8 @@ def main(arguments: list[str]) -> int:
                 print(f"{start} {seconds[name]:.1f} s", flush=True)
             else:
                 print(f"{start} FAILED", flush=True)
-                print(f"{error}\n", file=sys.stderr, flush=True)
+                kind = "" if type(error) is RuntimeError else f"{name}: {type(error).__name__}: "
+                print(f"{kind}{error}\n", file=sys.stderr, flush=True)
     if options.times:
         options.times.parent.mkdir(parents=True, exist_ok=True)
         with options.times.open("w", encoding="utf-8", newline="") as file:

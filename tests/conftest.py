@@ -64,6 +64,14 @@ def missing(message: str) -> NoReturn:
     pytest.skip(message)
 
 
+def unshare(*namespaces: str) -> list[str]:
+    """Return the start of a command that runs the rest in namespaces of its own."""
+    start = ["unshare", *namespaces, *([] if os.geteuid() == 0 else ["--map-root-user"])]
+    if shutil.which("unshare") is None or subprocess.run([*start, "true"], check=False).returncode:
+        missing(f"this needs leave for {' '.join(start)}")
+    return start
+
+
 @pytest.fixture(scope="module")
 def book(browser: Browser) -> Path:  # noqa: ARG001 - without a browser there is no need to build
     """Return the folder of the built book; build it unless it is newer than its sources."""

@@ -11,6 +11,12 @@ import pytest
 
 import discostorm as ds
 
+#: Every module of the package, also in folders; __main__ would run the command.
+MODULES = [
+    importlib.import_module(module.name)
+    for module in pkgutil.walk_packages(ds.__path__, "discostorm.")
+    if not module.name.endswith("__main__")
+]
 PUBLIC: list[Callable[..., object]] = [
     value for name in ds.__all__ if callable(value := getattr(ds, name))
 ]
@@ -50,6 +56,24 @@ def test_every_parameter_is_described_and_every_number_has_a_unit(
             assert re.search(r"\[.+?\]", description), f"{name} has no unit in brackets"
 
 
+#: What else, in any module, tells of its parameters must tell of all of them.
+TELLING: list[Callable[..., object]] = [
+    value
+    for module in MODULES
+    for name, value in vars(module).items()
+    if not name.startswith("_")
+    and getattr(value, "__module__", "") == module.__name__
+    and (inspect.isfunction(value) or inspect.isclass(value))
+    and value not in PUBLIC
+    and "Parameters" in sections(value)
+]
+
+
+@pytest.mark.parametrize("of", TELLING, ids=name_of)
+def test_what_tells_of_parameters_tells_of_each(of: Callable[..., object]) -> None:
+    assert set(described(sections(of)["Parameters"])) == set(inspect.signature(of).parameters)
+
+
 @pytest.mark.parametrize("of", [*FUNCTIONS, *METHODS], ids=name_of)
 def test_what_is_returned_and_raised(of: Callable[..., object]) -> None:
     found = sections(of)
@@ -68,14 +92,14 @@ def test_what_is_public() -> None:
         assert hasattr(ds, name)
 
 
+def test_modules_in_folders_are_found() -> None:
+    names = {module.__name__ for module in MODULES}
+    assert {"discostorm.fleet", "discostorm.wifi", "discostorm.wifi.aggregation"} < names
+
+
 def test_every_dataclass_is_frozen() -> None:
-    modules = [
-        importlib.import_module(f"discostorm.{module.name}")
-        for module in pkgutil.iter_modules(ds.__path__)
-        if module.name != "__main__"
-    ]
     classes = {
-        value for module in modules for value in vars(module).values() if is_dataclass(value)
+        value for module in MODULES for value in vars(module).values() if is_dataclass(value)
     }
     classes = {value for value in classes if value.__module__.startswith("discostorm")}
     assert len(classes) > 10

@@ -1,28 +1,37 @@
 """Running notebooks in place: the same bytes every time, and errors that can be found."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import nbformat
 import pytest
+from conftest import unshare
 from nbformat import v4
 
 pytestmark = pytest.mark.book
 
-SCRIPT = Path(__file__).parents[1] / "scripts" / "run_notebooks.py"
+ROOT = Path(__file__).parents[1]
+SCRIPT = ROOT / "scripts" / "run_notebooks.py"
+
+
+def write(path: Path, *sources: str) -> None:
+    cells = [v4.new_markdown_cell("# Title")] + [v4.new_code_cell(source) for source in sources]
+    nbformat.write(v4.new_notebook(cells=cells), path)
 
 
 def run(path: Path, *sources: str) -> "subprocess.CompletedProcess[str]":
-    cells = [v4.new_markdown_cell("# Title")] + [v4.new_code_cell(source) for source in sources]
-    nbformat.write(v4.new_notebook(cells=cells), path)
+    write(path, *sources)
     return again(path)
 
 
 def again(path: Path) -> "subprocess.CompletedProcess[str]":
-    return subprocess.run(
-        [sys.executable, SCRIPT, path], text=True, capture_output=True, check=False
-    )
+    return command(sys.executable, SCRIPT, path)
+
+
+def command(*words: str | Path) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(words, text=True, capture_output=True, check=False)
 
 
 def test_a_notebook_comes_out_the_same(tmp_path: Path) -> None:
@@ -53,3 +62,58 @@ def test_a_missing_notebook_is_named(tmp_path: Path) -> None:
     done = again(tmp_path / "none.ipynb")
     assert done.returncode == 2
     assert "none.ipynb" in done.stderr
+
+
+def test_nothing_on_standard_error_gets_into_a_notebook(tmp_path: Path) -> None:
+    path = tmp_path / "loud.ipynb"
+    source = "import warnings; warnings.warn('a word')"
+    done = run(path, "1", source)
+    assert done.returncode == 1
+    assert "loud.ipynb, cell 3, wrote to standard error:" in done.stderr
+    assert "a word" in done.stderr
+    assert "a word" not in path.read_text().replace(source, "")
+
+
+def test_a_home_that_cannot_be_written_changes_no_notebook(tmp_path: Path) -> None:
+    """As for accounts without a home; Matplotlib and IPython would keep their things there."""
+    for name in ("scripts", "Makefile", "pyproject.toml", "requirements.lock"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    (tmp_path / ".venv").symlink_to(Path(sys.prefix))
+    (tmp_path / "notebooks").mkdir()
+    path = tmp_path / "notebooks" / "one.ipynb"
+    write(path, "import matplotlib.pyplot as plt\nplt.rcParams['figure.dpi']")
+    taken = ("MPLCONFIGDIR", "IPYTHONDIR", "MAKEFLAGS", "MAKELEVEL")
+    env = {name: value for name, value in os.environ.items() if name not in taken}
+    done = subprocess.run(
+        ["make", "notebooks", "--assume-old=.venv/.ready"],
+        cwd=tmp_path,
+        env=env | {"HOME": "/dev/null/home"},
+        text=True,
+        capture_output=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert [len(cell.outputs) for cell in nbformat.read(path, as_version=4).cells[1:]] == [1]
+
+
+def test_without_loopback_it_says_so_at_once(tmp_path: Path) -> None:
+    path = tmp_path / "good.ipynb"
+    write(path, "1")
+    done = command(*unshare("--net"), "timeout", "20", sys.executable, SCRIPT, path)
+    assert done.returncode == 1
+    assert "127.0.0.1 does not answer ([Errno 101] Network is unreachable)" in done.stderr
+    assert "ip link set lo up" in done.stderr
+
+
+def test_a_full_disk_leaves_the_notebook_as_it_was(tmp_path: Path) -> None:
+    path = tmp_path / "big.ipynb"
+    write(path, "'x' * 30_000")
+    small = f"""
+        mount -t tmpfs -o size=16k small {tmp_path}/small
+        cd {tmp_path}/small && cp ../big.ipynb . && {sys.executable} {SCRIPT} big.ipynb
+        echo $?; ls; cmp big.ipynb ../big.ipynb && echo the same
+    """
+    (tmp_path / "small").mkdir()
+    done = command(*unshare("--mount"), "sh", "-c", small)
+    assert "big.ipynb: OSError: [Errno 28] No space left on device" in done.stderr
+    assert done.stdout.splitlines()[1:] == ["1", "big.ipynb", "the same"]

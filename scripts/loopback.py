@@ -1,0 +1,23 @@
+"""Say at once if programs of this machine cannot talk to each other through 127.0.0.1.
+
+Notebooks reach their kernels that way, and browser tests the book: both would wait for minutes.
+"""
+
+import socket
+import sys
+
+
+def check() -> None:
+    """Exit with a message unless a connection from this machine to itself works."""
+    try:
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            socket.create_connection(server.getsockname(), timeout=5).close()
+    except OSError as error:
+        sys.exit(
+            "discostorm: notebooks need the loopback interface, but 127.0.0.1 does not answer"
+            f" ({error}); on Linux: ip link set lo up"
+        )
+
+
+if __name__ == "__main__":
+    check()

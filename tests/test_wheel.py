@@ -1,0 +1,93 @@
+"""The wheel: every module works with what it asks for, or says which extra has the rest."""
+
+import re
+import subprocess
+import sys
+import zipfile
+from importlib.metadata import Distribution, PathDistribution, distribution
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+pytestmark = pytest.mark.book
+
+ROOT = Path(__file__).parents[1]
+
+#: Imports each named module and prints it with the error, if there is one.
+IMPORT = """
+import importlib, sys
+sys.path += sys.argv[1:3]
+for name in sys.argv[3:]:
+    try:
+        importlib.import_module(name)
+    except ImportError as error:
+        print(name, error, sep=": ")
+"""
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the wheel and return the folder that it is installed into."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", folder]
+    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    (file,) = folder.glob("*.whl")
+    with zipfile.ZipFile(file) as archive:
+        archive.extractall(folder / "site")  # all that an installer does for pure Python
+    return folder / "site"
+
+
+def needed(package: Distribution, extras: set[str]) -> set[str]:
+    """Return the names of the distributions that one needs, and all that these need."""
+    found: set[str] = set()
+    todo = [(package, frozenset(extras))]
+    seen = set()
+    while todo:
+        package, wanted = todo.pop()
+        for requirement in map(Requirement, package.requires or []):
+            if requirement.marker and not any(
+                requirement.marker.evaluate({"extra": extra}) for extra in {"", *wanted}
+            ):
+                continue
+            name = canonicalize_name(requirement.name)
+            key = name, frozenset(requirement.extras)
+            if key not in seen:
+                seen.add(key)
+                found.add(name)
+                todo.append((distribution(name), key[1]))
+    return found
+
+
+def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
+    """Import all modules of the wheel beside what it needs alone; return the errors by module."""
+    (info,) = wheel.glob("*.dist-info")
+    for name in needed(PathDistribution(info), set(extras)):
+        for file in distribution(name).files or []:
+            top = file.parts[0]
+            if top not in ("..", "__pycache__") and not (folder / top).exists():
+                (folder / top).symlink_to(Path(str(distribution(name).locate_file(top))))
+    modules = sorted(
+        ".".join(path.relative_to(wheel).with_suffix("").parts).removesuffix(".__init__")
+        for path in (wheel / "discostorm").rglob("*.py")
+    )
+    assert "discostorm.notebook" in modules
+    modules.remove("discostorm.__main__")
+    # Without the site-packages of this Python.
+    command = [sys.executable, "-I", "-S", "-c", IMPORT, wheel, folder, *modules]
+    done = subprocess.run(command, cwd=folder, text=True, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return dict(line.split(": ", 1) for line in done.stdout.splitlines())
+
+
+def test_a_module_without_its_extra_says_which(tmp_path: Path, wheel: Path) -> None:
+    errors = fresh(tmp_path, wheel)
+    assert "discostorm.notebook" in errors
+    for module, error in errors.items():
+        extra = "book" if module == "discostorm.notebook" else "simulation"
+        assert re.search(rf"pip install discostorm\[{extra}\]", error), f"{module}: {error}"
+
+
+def test_with_its_extras_every_module_works(tmp_path: Path, wheel: Path) -> None:
+    assert fresh(tmp_path, wheel, "book", "simulation") == {}
