@@ -15,7 +15,7 @@ import sympy as sp
 
 from discostorm.data import data_path
 from discostorm.messages import Protocol
-from discostorm.notation import NOTATION
+from discostorm.notation import N_H, NOTATION
 
 try:
     from IPython.display import SVG, Markdown
@@ -52,6 +52,18 @@ def latex(expression: sp.Expr) -> str:
             words = below.replace("_", " ")
             names[symbol] = rf"{sp.latex(sp.Symbol(letter))}_\text{{{words}}}"
     return str(sp.latex(expression, symbol_names=names))
+
+
+def of_all_hosts(of_one_host: sp.Expr) -> sp.Sum:
+    """Return what all hosts send if each of them sends that.
+
+    Examples
+    --------
+    >>> from discostorm.notation import N_P
+    >>> of_all_hosts(N_P).doit()
+    N_H*N_P
+    """
+    return sp.Sum(of_one_host, (sp.Symbol("i", integer=True), 1, N_H))
 
 
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
