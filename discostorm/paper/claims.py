@@ -1,11 +1,18 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
 The claims stand in ``data/paper/claims.csv``. A claim carries a *test*, such as
-``saturation_hosts DDS 2 10 ≈ 7 ± 0.5``: a quantity of this module with its arguments, a
+``saturation_hosts DDS 2 10 ≈ 7``: a quantity of this module with its arguments, a
 relation, and the value that the paper gives. Some carry a *weaker* test as well, what
-remains of the claim when the first fails. Verdicts are computed from the tests.
+remains of the same sentence when the first fails. Verdicts are computed from the tests.
+
+Where the paper has a soft word instead of a number, the test has the word:
+``control_share DDS 7 2 10 is significant``. What we read into it stands in
+``data/paper/soft_words.csv``, once for each word, and holds for every claim.
+
+A remark may hold a quantity, ``{share DDS unicast 7 2 10|.1%}``, which is filled in.
 """
 
+import math
 import operator
 import re
 from collections import Counter
@@ -21,6 +28,7 @@ from discostorm.data import read_data
 from discostorm.messages import Message, Protocol, header_bytes
 from discostorm.paper import enumeration
 from discostorm.protocols import DDS, ZENOH
+from discostorm.protocols.defaults import defaults, products
 from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
@@ -47,11 +55,14 @@ _SYMBOLS = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
 
 
 def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
-    """Return the messages meant by phases, casts, or messages (``SEDP_message``)."""
+    """Return the messages meant by phases, casts, messages (``SEDP_message``), or all."""
     called = {
-        message: {message.phase, message.cast, message.name + "_message"}
+        message: {"all", message.phase, message.cast, message.name + "_message"}
         for message in protocol.messages
     }
+    for message, own in called.items():
+        if message.name + "_message" in _CONTROL[protocol.name]:
+            own.add("control")
     known = set().union(*called.values())
     if unknown := set(names) - known:
         raise ValueError(
@@ -71,19 +82,9 @@ def host_load(protocol: Protocol, *names: str) -> sp.Expr:
     return sp.factor(load(protocol, *names) / nt.N_H)
 
 
-def degree(protocol: Protocol, variable: str) -> int:
-    """Return the degree of the utilization in one of N_H, N_P, N_E."""
-    return int(sp.degree(sp.expand(protocol.utilization()), _SYMBOLS[variable]))
-
-
 def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     """Return the degree of the messages of one host in one of N_H, N_P, N_E."""
     return int(sp.degree(host_load(protocol, *names), _SYMBOLS[variable]))
-
-
-def load_degree(protocol: Protocol, variable: str, *names: str) -> int:
-    """Return the degree of the messages of all hosts in one of N_H, N_P, N_E."""
-    return int(sp.degree(sp.expand(load(protocol, *names)), _SYMBOLS[variable]))
 
 
 def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
@@ -91,9 +92,9 @@ def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) 
     return sp.simplify(load(one, name) - load(other, other_name))
 
 
-def control_ratio() -> sp.Expr:
-    """Return the control messages of Zenoh relative to those of DDS."""
-    return sp.simplify(load(ZENOH, *_CONTROL["Zenoh"]) / load(DDS, *_CONTROL["DDS"]))
+def control_saved() -> sp.Expr:
+    """Return the part of DDS's control messages that Zenoh does without."""
+    return 1 - sp.simplify(load(ZENOH, "control") / load(DDS, "control"))
 
 
 def load_variables(protocol: Protocol) -> int:
@@ -148,8 +149,7 @@ def share_of_phase(
 
 def control_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return the share of all airtime that the control messages take."""
-    at = (hosts, processes, endpoints)
-    return sum(share(protocol, name, *at) for name in _CONTROL[protocol.name])
+    return share(protocol, "control", hosts, processes, endpoints)
 
 
 def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
@@ -202,17 +202,70 @@ def scouting_above_spdp(first: float, last: float, processes: float, endpoints: 
     )
 
 
-def trajectory_degree(protocol: Protocol, *names: str) -> int:
-    """Return the degree of the load in N_P when the endpoints of a host stay the same."""
-    endpoints_of_host = sp.Symbol("M", positive=True)
-    chosen = load(protocol, *names).subs(nt.N_E, endpoints_of_host / nt.N_P)
-    return int(sp.degree(sp.expand(chosen), nt.N_P))
+def growth_exponent(
+    protocol: Protocol,
+    name: str,
+    hosts: float,
+    hosts_to: float,
+    processes: float,
+    processes_to: float,
+    endpoints: float,
+    endpoints_to: float,
+) -> float:
+    """Return the power of hosts, or else of processes, by which an airtime grows."""
+    before = airtime(protocol, name, hosts, processes, endpoints)
+    after = airtime(protocol, name, hosts_to, processes_to, endpoints_to)
+    times = hosts_to / hosts if hosts_to != hosts else processes_to / processes
+    return math.log(after / before) / math.log(times)
 
 
-def load_ratio(protocol: Protocol, name: str, processes: float, fewer: float) -> float:
-    """Return by how much a message's load falls when processes are composed into fewer."""
-    at = load(protocol, name)
-    return float(sp.simplify(at.subs(nt.N_P, processes) / at.subs(nt.N_P, fewer)))
+def split_ratio(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
+    """Return how many times the airtime of one process it takes to split it into several."""
+    split = airtime(protocol, "all", hosts, processes, in_all / processes)
+    return split / airtime(protocol, "all", hosts, 1, in_all)
+
+
+def saved_by_composing(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
+    """Return the part of the airtime of several processes that one with all endpoints saves."""
+    return 1 - 1 / split_ratio(protocol, hosts, processes, in_all)
+
+
+def part_of_increase(
+    protocol: Protocol, name: str, hosts: float, processes: float, in_all: float
+) -> float:
+    """Return what some messages add, of all that is added when a process is split."""
+
+    def added(name: str) -> float:
+        split = airtime(protocol, name, hosts, processes, in_all / processes)
+        return split - airtime(protocol, name, hosts, 1, in_all)
+
+    return added(name) / added("all")
+
+
+def hosts_gained(protocol: Protocol, processes: float, in_all: float) -> int:
+    """Return how many more whole hosts fit when several processes become one."""
+    split = largest_swarm(protocol, processes, in_all / processes)
+    return largest_swarm(protocol, 1, in_all) - split
+
+
+def kinds_over(transport: str, protocol: Protocol, name: str) -> int:
+    """Return how many kinds of the messages that a name means go over a transport."""
+    return sum(message.transport == transport for message in _chosen(protocol, [name]))
+
+
+def default(product: str | Protocol, quantity: str) -> float:
+    """Return a product's default; its name has _ for a space."""
+    named = {name.replace(" ", "_"): name for name in products()}
+    asked = product if isinstance(product, str) else product.name
+    if asked not in named:
+        raise ValueError(f"product must be one of {', '.join(named)}; got {asked!r}")
+    return defaults(named[asked])[quantity]
+
+
+def timestamps_bytes() -> float:
+    """Return what the timestamps option adds to the headers of a TCP message [B]."""
+    (row,) = (row for row in read_data("paper/parameter_ranges.csv") if "timestamps" in row["part"])
+    return float(row["high"])
 
 
 def _message(name: str) -> Message:
@@ -321,6 +374,12 @@ def overhead_with_backoff(cast: str) -> float:
     return (wifi.multicast if cast == "multicast" else wifi.unicast).overhead
 
 
+def overhead_of_named_intervals(cast: str) -> float:
+    """Return that overhead without the back-off, which the paper does not name [s]."""
+    (band,) = (row for row in read_data("wifi/bands.csv") if row["band_GHz"] == "5")
+    return overhead_with_backoff(cast) - float(band["cw_min"]) / 2 * float(band["slot_us"]) * 1e-6
+
+
 def aggregation_bound(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -380,9 +439,12 @@ _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
     "≥": operator.ge,
 }
 _TEST = re.compile(
-    r"(?P<quantity>\w+)(?P<arguments>.*) (?P<relation>[=≈<≤>≥]) "
-    r"(?P<paper>.+?)( ± (?P<tolerance>.+))?"
+    r"(?P<quantity>\w+)(?P<arguments>.*) "
+    r"((?P<relation>[=≈<≤>≥]) (?P<paper>.+?)( ± (?P<tolerance>.+))?"
+    r"|is (?P<negated>not )?(?P<word>[\w-]+))"
 )
+_OPPOSITE = {"<": "≥", "≤": ">", ">": "≤", "≥": "<"}
+_FILLED = re.compile(r"\{(?P<quantity>[^|}]+)\|(?P<spec>[^}]+)\}")
 
 
 def _argument(word: str) -> Any:
@@ -403,8 +465,40 @@ def _value(quantity: str) -> Any:
 
 
 @dataclass(frozen=True)
+class SoftWord:
+    """A word that a number can test, and the one threshold that we read into it."""
+
+    word: str
+    forms: str
+    relation: str
+    threshold: float
+    reading: str
+
+
+@cache
+def soft_words() -> dict[str, SoftWord]:
+    """Return the soft words of the paper, each with what we read into it."""
+    return {
+        row["word"]: SoftWord(
+            row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
+        )
+        for row in read_data("paper/soft_words.csv")
+    }
+
+
+def _soft_word(word: str) -> SoftWord:
+    if word not in soft_words():
+        raise ValueError(f"word must be one of {', '.join(soft_words())}; got {word!r}")
+    return soft_words()[word]
+
+
+@dataclass(frozen=True)
 class Test:
-    """What decides a claim: a quantity of this module, a relation, and the paper's value."""
+    """What decides a claim: a quantity of this module, a relation, and the paper's value.
+
+    The value may be a soft word instead, ``is marginal`` or ``is not dominant``, and
+    ``≈ 7`` without a tolerance is about 7, as far as the word "approximately" goes.
+    """
 
     text: str
 
@@ -412,13 +506,25 @@ class Test:
         match = _TEST.fullmatch(self.text)
         if match is None:
             raise ValueError(
-                f"test must read 'quantity arguments relation value'; got {self.text!r}"
+                "test must read 'quantity arguments relation value' or 'quantity arguments is "
+                f"word'; got {self.text!r}"
             )
         return match[name] or ""
 
     @property
+    def word(self) -> SoftWord | None:
+        """The soft word that it reads, if any."""
+        if self._part("relation") == "≈" and not self._part("tolerance"):
+            return _soft_word("approximately")
+        return _soft_word(self._part("word")) if self._part("word") else None
+
+    @property
     def paper(self) -> str:
         """The paper's value, with the relation to it."""
+        if self._part("word"):
+            word = _soft_word(self._part("word"))
+            relation = _OPPOSITE[word.relation] if self._part("negated") else word.relation
+            return f"{self._part('negated')}{word.word}: {relation} {word.threshold:g}"
         return self.text[self.text.index(f" {self._part('relation')} ") + 1 :]
 
     @property
@@ -432,10 +538,15 @@ class Test:
 
     def holds(self) -> bool:
         """Return whether the relation between our value and the paper's holds."""
-        paper = sp.sympify(self._part("paper"), locals=_SYMBOLS)
         ours = self.ours()
+        if self._part("word"):
+            word = _soft_word(self._part("word"))
+            found = _RELATIONS[word.relation](ours, word.threshold)
+            return bool(found) is not bool(self._part("negated"))
+        paper = sp.sympify(self._part("paper"), locals=_SYMBOLS)
         if self._part("relation") == "≈":
-            return bool(abs(ours - float(paper)) <= float(self._part("tolerance")))
+            about = _soft_word("approximately").threshold * abs(float(paper))
+            return bool(abs(ours - float(paper)) <= float(self._part("tolerance") or about))
         return bool(_RELATIONS[self._part("relation")](ours, paper))
 
 
@@ -456,7 +567,7 @@ class Claim:
     test : Test or None
         What decides it; None if nothing in the paper does.
     weaker_test : Test or None
-        What is left of it if `test` fails.
+        What is left of the same sentence if `test` fails.
     remark : str
         The qualification, how it is contradicted, or why it cannot be checked.
     link : str
@@ -471,6 +582,13 @@ class Claim:
     weaker_test: Test | None
     remark: str
     link: str
+
+    @property
+    def reading(self) -> str:
+        """What we read into the soft words of the statement; empty if it has none."""
+        tests = [test for test in (self.test, self.weaker_test) if test]
+        words = dict.fromkeys(test.word for test in tests if test.word)
+        return "; ".join(f"we read {word.word}: {word.reading}" for word in words)
 
     def verdict(self) -> Verdict:
         """Return the verdict, computed from the tests."""
@@ -498,11 +616,17 @@ def claims() -> tuple[Claim, ...]:
             row["statement"],
             test(row["test"]),
             test(row["weaker_test"]),
-            row["remark"],
+            _FILLED.sub(_fill, row["remark"]),
             row["link"],
         )
         for row in read_data("paper/claims.csv")
     )
+
+
+def _fill(found: re.Match[str]) -> str:
+    """Return a quantity within a remark as text; the format ``µs`` is for seconds."""
+    value, spec = float(_value(found["quantity"])), found["spec"]
+    return f"{value * 1e6:.0f} µs" if spec == "µs" else format(value, spec)
 
 
 def ledger() -> "pd.DataFrame":
@@ -511,8 +635,8 @@ def ledger() -> "pd.DataFrame":
     Returns
     -------
     pandas.DataFrame
-        Indexed by id, with columns where, section, statement, quantity, paper, ours, verdict,
-        remark and link.
+        Indexed by id, with columns where, section, statement, reading, quantity, paper, ours,
+        verdict, remark and link.
     """
     import pandas as pd
 
@@ -522,6 +646,7 @@ def ledger() -> "pd.DataFrame":
             "where": claim.where,
             "section": claim.section,
             "statement": claim.statement,
+            "reading": claim.reading,
             "quantity": claim.test.quantity if claim.test else "",
             "paper": claim.test.paper if claim.test else "",
             "ours": claim.test.ours() if claim.test else "",
@@ -549,9 +674,17 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         enumeration_ratio,
         enumerated_down_for_up,
         bits_per_byte,
-        control_ratio,
+        control_saved,
         control_share,
-        degree,
+        default,
+        growth_exponent,
+        hosts_gained,
+        kinds_over,
+        overhead_of_named_intervals,
+        part_of_increase,
+        saved_by_composing,
+        split_ratio,
+        timestamps_bytes,
         frame_bytes,
         gap,
         gap_from_control,
@@ -564,9 +697,7 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         host_load_degree,
         host_load_variables,
         load,
-        load_degree,
         load_difference,
-        load_ratio,
         load_variables,
         lowest_basic_rate,
         messages_per_direction,
@@ -579,7 +710,6 @@ QUANTITIES: dict[str, Callable[..., Any]] = {
         scouting_above_spdp,
         share,
         share_of_phase,
-        trajectory_degree,
         utilization,
     )
 }
@@ -613,6 +743,8 @@ def report(section: str) -> str:
     lines = []
     for claim in chosen:
         lines.append(f"{claim.id}. {claim.where}: {claim.statement}")
+        if claim.reading:
+            lines.append(f"   {claim.reading}")
         for test, kind in ((claim.test, "the paper"), (claim.weaker_test, "weaker")):
             if test:
                 lines.append(f"   {test.quantity} is {shown(test.ours())}; {kind}: {test.paper}")

@@ -3,13 +3,20 @@
 from discostorm.data import read_data
 
 
+def products() -> list[str]:
+    """Return the products whose defaults are known, in the order of the data file."""
+    return list(
+        dict.fromkeys(row["product"] for row in read_data("vendors/middleware_defaults.csv"))
+    )
+
+
 def defaults(product: str) -> dict[str, float]:
     """Return a product's default periods, leases, counts and sizes by the name of the quantity.
 
     Parameters
     ----------
     product : str
-        "Fast DDS", "Cyclone DDS" or "Zenoh".
+        "Fast DDS", "Cyclone DDS", "Zenoh" or "rmw_zenoh".
 
     Returns
     -------
@@ -27,9 +34,8 @@ def defaults(product: str) -> dict[str, float]:
     >>> defaults("Zenoh")["lease"]
     10.0
     """
-    rows = read_data("vendors/middleware_defaults.csv")
-    known = dict.fromkeys(row["product"] for row in rows)
-    if product not in known:
-        names = " or ".join(repr(name) for name in known)
+    if product not in products():
+        names = " or ".join(repr(name) for name in products())
         raise ValueError(f"product must be {names}; got {product!r}")
+    rows = read_data("vendors/middleware_defaults.csv")
     return {row["quantity"]: float(row["value"]) for row in rows if row["product"] == product}
