@@ -290,7 +290,7 @@ def test_every_soft_word_is_used() -> None:
     assert used - {None} == set(claims.soft_words().values())
 
 
-def test_a_weaker_test_weakens_the_same_quantity_or_says_why() -> None:
+def test_a_weaker_test_is_another_one_and_says_why() -> None:
     """Without a remark a reader could not tell that both tests are of one sentence."""
     for claim in claims.claims():
         if claim.weaker_test:
