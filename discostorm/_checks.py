@@ -1,5 +1,6 @@
 """Checks of what a user passes in: the error names parameter, value and allowed range."""
 
+import sys
 from collections.abc import Iterable, Sequence
 from numbers import Real
 from reprlib import repr as short
@@ -10,6 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 #: Largest count taken: far beyond any fleet, and its powers still fit a float64.
 MOST = 1e9
+#: Rates [bit/s], sizes [B] and times [s] taken: far beyond any radio, and what is computed
+#: from them is finite.
+LEAST_RATE, MOST_RATE = 1.0, 1e15
+MOST_BYTES = 1e9
+LEAST_SECONDS, MOST_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
 MOST_UTILIZATION = 1e100
 
@@ -21,13 +27,73 @@ def wanted(low: float, high: float = np.inf, above: bool = False) -> str:
     return f"a finite number{'' if np.isinf(low) else start}{end}"
 
 
+def real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
+    """Return ``value`` as an array of real numbers; whoever calls it checks their range.
+
+    Raises
+    ------
+    TypeError
+        If it is not made of real numbers, or has labels that NumPy would drop.
+    ValueError
+        If the rows differ in length, or a number is beyond all floats.
+    """
+    if np.ma.is_masked(value):
+        raise TypeError(f"{name} must be {allowed}, or an array of them without masked elements")
+    if hasattr(value, "to_numpy"):
+        # As in pandas and xarray: by position, values of different labels would meet.
+        raise TypeError(
+            f"{name} must be {allowed}, or an array of them; got a {type(value).__name__}, whose "
+            f"labels would be lost: give its .to_numpy()"
+        )
+    try:
+        given = np.asarray(value)
+    except ValueError as error:
+        raise ValueError(
+            f"{name} must be {allowed}, or an array of them; got {short(value)}"
+        ) from error
+    if given.dtype.kind in "iuf":
+        return given
+    if given.dtype.kind != "O" or not all(
+        isinstance(item, Real) and not isinstance(item, bool) for item in given.flat
+    ):
+        raise TypeError(f"{name} must be {allowed}, or an array of them; got {short(value)}")
+    try:
+        given.astype(np.float64)
+    except OverflowError as error:  # an integer beyond all floats
+        raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
+    return given
+
+
+def within(
+    name: str, given: NDArray[Any], low: float, high: float = np.inf, *, above: bool = False
+) -> NDArray[np.float64]:
+    """Return real numbers as float64 if every element is finite and within the range.
+
+    Raises
+    ------
+    ValueError
+        If an element is NaN, infinite or out of range.
+    """
+    array = given.astype(np.float64, copy=False)
+    if array.size:
+        # As array.min() and max(), which take longer to get there.
+        least, most = np.minimum.reduce(array, axis=None), np.maximum.reduce(array, axis=None)
+        # A comparison with NaN is false, so both tests are put the positive way round.
+        if not ((least > low if above else least >= low) and most <= high and most < np.inf):
+            good = np.isfinite(array) & (array <= high) & (array > low if above else array >= low)
+            raise ValueError(
+                f"{name} must be {wanted(low, high, above)}; got {given[~good].item(0)!r}"
+            )
+    return array
+
+
 def numbers(
     name: str, value: ArrayLike, low: float, high: float = np.inf, *, above: bool = False
 ) -> float | NDArray[np.float64]:
     """Return ``value`` as float64 if every element is finite and within the range.
 
-    A scalar or 0-d array gives a float, which NumPy handles faster. ``above`` excludes
-    the lower end.
+    A scalar or 0-d array gives a float, which Python computes with faster. ``above``
+    excludes the lower end.
 
     Raises
     ------
@@ -36,30 +102,15 @@ def numbers(
     ValueError
         If an element is NaN, infinite or out of range, or the rows differ in length.
     """
-    allowed = wanted(low, high, above)
-    if np.ma.is_masked(value):
-        raise TypeError(f"{name} must be {allowed}, or an array of them without masked elements")
-    try:
-        given = np.asarray(value)
-    except ValueError as error:
-        raise ValueError(
-            f"{name} must be {allowed}, or an array of them; got {short(value)}"
-        ) from error
-    if given.dtype.kind not in "iuf" and not (
-        given.dtype.kind == "O"
-        and all(isinstance(item, Real) and not isinstance(item, bool) for item in given.flat)
+    # Most calls give plain numbers that are right.
+    if (
+        isinstance(value, (float, int))
+        and not isinstance(value, bool)
+        and (value > low if above else value >= low)
+        and value <= min(high, sys.float_info.max)
     ):
-        raise TypeError(f"{name} must be {allowed}, or an array of them; got {short(value)}")
-    try:
-        array = given.astype(np.float64, copy=False)
-    except OverflowError as error:  # an integer beyond all floats
-        raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
-    if array.size:
-        least, most = array.min(), array.max()
-        # A comparison with NaN is false, so both tests are put the positive way round.
-        if not ((least > low if above else least >= low) and most <= high and most < np.inf):
-            good = np.isfinite(array) & (array <= high) & (array > low if above else array >= low)
-            raise ValueError(f"{name} must be {allowed}; got {given[~good].item(0)!r}")
+        return float(value)
+    array = within(name, real(name, value, wanted(low, high, above)), low, high, above=above)
     return array if array.ndim else array.item()
 
 
@@ -95,7 +146,11 @@ def shape(**given: Any) -> tuple[int, ...]:
     ValueError
         If they do not; the message names each with its shape.
     """
-    shapes = {name: np.shape(value) for name, value in given.items()}
+    shapes = {
+        name: np.shape(value) for name, value in given.items() if not isinstance(value, float)
+    }
+    if not shapes:
+        return ()
     try:
         return np.broadcast_shapes(*shapes.values())
     except ValueError:
@@ -132,6 +187,6 @@ def members(name: str, values: Any, kind: type) -> tuple[Any, ...]:
 
 def choice(name: str, value: Any, allowed: Sequence[str], note: str = "") -> None:
     """Raise a ValueError unless ``value`` is one of the allowed words."""
-    if value not in allowed:
+    if not isinstance(value, str) or value not in allowed:
         known = " or ".join(repr(word) for word in allowed)
         raise ValueError(f"{name} must be {known}{note}; got {short(value)}")

@@ -4,6 +4,7 @@ import tomllib
 from collections import Counter
 from dataclasses import dataclass
 from functools import reduce
+from itertools import accumulate
 from operator import add
 from os import PathLike, fspath
 from pathlib import Path
@@ -13,8 +14,9 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks, notation as nt
+from discostorm._numeric import Polynomial
 
-#: A number, an array or a sympy expression: a fleet counts any of them alike.
+#: A number, an array, a polynomial or a sympy expression: a fleet counts any of them alike.
 Count = Any
 
 #: What a group counts, and the least that is allowed; the most is `_checks.MOST`.
@@ -22,7 +24,7 @@ LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(LEAST)
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class HostGroup:
     """Hosts that run the same software.
 
@@ -63,15 +65,30 @@ class HostGroup:
             if not is_symbolic(value):
                 value = _checks.numbers(count, value, least, _checks.MOST)
                 if isinstance(value, np.ndarray):
-                    value = value.copy()
+                    value = value + 0.0  # a copy, in which no zero is negative
                     value.flags.writeable = False
                 object.__setattr__(self, count, value)
         _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         _checks.instance("name", self.name, str)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, HostGroup):
+            return NotImplemented
+        return self is other or self._key() == other._key()
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        # By way of the constructor, which makes the arrays read-only: also those of copies.
+        return HostGroup, (*self.counts(), self.name)
+
+    def _key(self) -> tuple[Any, ...]:
+        return (self.name, *map(_comparable, self.counts()))
+
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
-        return tuple(getattr(self, count) for count in COUNTS)
+        return self.hosts, self.processes, self.endpoints
 
     def __repr__(self) -> str:
         parts = [
@@ -112,13 +129,7 @@ class Fleet:
         names = Counter(group.name for group in self.groups if group.name)
         if twice := [name for name, times in names.items() if times > 1]:
             raise ValueError(f"groups must have names that differ; got {twice[0]!r} twice")
-        _checks.shape(
-            **{
-                f"groups[{index}].{name}": count
-                for index, group in enumerate(self.groups)
-                for name, count in zip(COUNTS, group.counts(), strict=True)
-            }
-        )
+        _checks.shape(**self.arrays())
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":
@@ -197,26 +208,60 @@ class Fleet:
         pairs = zip(self._pairs_from(), self.groups, strict=True)
         return reduce(add, (count * group.endpoints for count, group in pairs))
 
+    def without(self, groups: range) -> "Fleet":
+        """Return one fleet for each of some groups, which lacks its hosts: as arrays.
+
+        Unlike that of any other fleet, a number of hosts may be 0.
+        """
+        lacking = []
+        for index, group in enumerate(self.groups):
+            hosts = np.where(np.arange(groups.start, groups.stop) == index, 0.0, group.hosts)
+            copy = object.__new__(HostGroup)
+            vars(copy).update(vars(group) | {"hosts": hosts})
+            lacking.append(copy)
+        return Fleet(tuple(lacking))
+
+    def arrays(self) -> dict[str, Count]:
+        """Return the counts that are not single numbers, with their names."""
+        return {
+            f"groups[{index}].{name}": count
+            for index, group in enumerate(self.groups)
+            for name, count in zip(COUNTS, group.counts(), strict=True)
+            if not isinstance(count, float)
+        }
+
     def _pairs_from(self) -> list[Count]:
         """Return, for each group, its processes times the processes on other hosts."""
+        own = [group.hosts * group.processes for group in self.groups]
+        # What comes before and after is added up rather than subtracted from the total, which
+        # would cancel.
+        before, after = list(accumulate(own)), list(accumulate(reversed(own)))[::-1]
         pairs = []
         for index, group in enumerate(self.groups):
-            # Added up rather than subtracted from the total, which would cancel.
             remote = (group.hosts - 1) * group.processes
-            for other in self.groups[:index] + self.groups[index + 1 :]:
-                remote = remote + other.hosts * other.processes
-            pairs.append(group.hosts * group.processes * remote)
+            if index:
+                remote = remote + before[index - 1]
+            if index + 1 < len(own):
+                remote = remote + after[index + 1]
+            pairs.append(own[index] * remote)
         return pairs
 
 
 def is_symbolic(value: Any) -> bool:
-    """Return whether it is a sympy expression with symbols, so that it has no value yet."""
-    return isinstance(value, sp.Expr) and bool(value.free_symbols)
+    """Return whether it is an expression with an unknown, so that it has no value yet."""
+    return isinstance(value, Polynomial) or (
+        isinstance(value, sp.Expr) and bool(value.free_symbols)
+    )
 
 
 def symbolic_group(index: int) -> HostGroup:
     """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
+
+
+def _comparable(count: Count) -> Any:
+    """Return what two counts have in common if they are the same number, array or expression."""
+    return (count.shape, count.tobytes()) if isinstance(count, np.ndarray) else count
 
 
 def _brief(count: Count) -> str:

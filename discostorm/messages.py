@@ -15,6 +15,9 @@ from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.wifi import Cast, Model, downlink_airtime, uplink_airtime
 
+#: Fewest messages for each unit [1].
+LEAST_PER_UNIT = 1e-9
+
 Transport = Literal["UDP", "TCP"]
 
 #: From a host to the access point, and from there on.
@@ -63,7 +66,7 @@ class Payload:
     nominal : float
         The size to compute with [B], from `low` to `high`.
     low, high : float
-        The range of sizes [B], at least 0.
+        The range of sizes [B], from 0 to 1e9.
     source : str
         Where the numbers come from.
 
@@ -81,9 +84,11 @@ class Payload:
     source: str
 
     def __post_init__(self) -> None:
-        _checks.number("low", self.low, 0)
-        _checks.number("high", self.high, self.low)
-        _checks.number("nominal", self.nominal, self.low, self.high)
+        low = _checks.number("low", self.low, 0, _checks.MOST_BYTES)
+        high = _checks.number("high", self.high, low, _checks.MOST_BYTES)
+        nominal = _checks.number("nominal", self.nominal, low, high)
+        for name, value in (("nominal", nominal), ("low", low), ("high", high)):
+            object.__setattr__(self, name, value)
 
 
 def _plain(count: float) -> float:
@@ -97,7 +102,7 @@ def _window(window: sp.Expr | float) -> Any:
         return window
     if window in (np.inf, sp.oo):
         return np.inf
-    return _checks.number("window", window, 0, above=True)
+    return _checks.number("window", window, _checks.LEAST_SECONDS)
 
 
 @dataclass(frozen=True)
@@ -110,7 +115,7 @@ class Schedule:
         Times after the start [s], at least 0 and in order; the first no later than the
         period, and no two further apart.
     period : float
-        Time between two later ones [s], above 0; infinity if none comes later.
+        Time between two later ones [s], at least 1e-9; infinity if none comes later.
 
     Raises
     ------
@@ -135,9 +140,9 @@ class Schedule:
         if not self.starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
         for time in self.starts:
-            _checks.number("starts", time, 0)
+            _checks.number("starts", time, 0, _checks.MOST_SECONDS)
         if self.period != np.inf:
-            _checks.number("period", self.period, 0, above=True)
+            _checks.number("period", self.period, _checks.LEAST_SECONDS)
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
@@ -241,7 +246,7 @@ class Message:
     unit : Unit
         What it is counted by.
     per_unit : float
-        How many are sent for each unit [1], above 0, each time the schedule names.
+        How many are sent for each unit [1], from 1e-9 to 1e9, each time the schedule names.
     schedule : Schedule, optional
         When they are sent; once, at the start, if left out.
     hops : tuple of {"up", "down"}, optional
@@ -278,7 +283,7 @@ class Message:
         _checks.choice("transport", self.transport, get_args(Transport))
         _checks.instance("payload", self.payload, Payload)
         _checks.instance("unit", self.unit, Unit)
-        _checks.number("per_unit", self.per_unit, 0, above=True)
+        _checks.number("per_unit", self.per_unit, LEAST_PER_UNIT, _checks.MOST)
         _checks.instance("schedule", self.schedule, Schedule)
         object.__setattr__(self, "hops", _checks.members("hops", self.hops, str))
         if not (0 < len(set(self.hops)) == len(self.hops) and set(self.hops) <= set(HOPS)):
@@ -410,7 +415,7 @@ class Protocol:
         phase : str, optional
             One of `phases`; all of them if left out.
         window : float or sympy.Expr, optional
-            How many seconds are averaged [s], above 0; the paper's one if left out.
+            How many seconds are averaged [s], at least 1e-9; the paper's one if left out.
 
         Returns
         -------
@@ -485,7 +490,7 @@ class Protocol:
         model : {"linear", "padded", "aggregated"}, optional
             How a frame becomes airtime; the `model` of a `Wifi`.
         window : float or sympy.Expr, optional
-            The seconds that are averaged [s], above 0; the paper's one if left out, infinity
+            The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
             for the steady state.
 
         Returns

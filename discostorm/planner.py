@@ -19,7 +19,7 @@ from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, ZENOH
-from discostorm.scalability import as_fleet, breakdown, utilization
+from discostorm.scalability import as_fleet, message_costs, utilization, without_each
 from discostorm.wifi import PAPER, Link, Radio, Wifi
 
 if TYPE_CHECKING:
@@ -50,6 +50,8 @@ RADIOS: tuple[dict[str, Any], ...] = (
 )
 STREAMS = 2
 
+#: Groups that are named.
+_GROUPS = 5
 #: Changes of less than this are not told apart [1].
 _NOTHING = 0.005
 #: Gains from this on are told with both times [1].
@@ -282,8 +284,10 @@ class Plan:
         if len(groups) > 1:
             lines += [
                 f"- The group {group.name} takes part in {_part(group.share)} of it."
-                for group in groups
+                for group in groups[:_GROUPS]
             ]
+        if len(groups) > _GROUPS:
+            lines.append(f"- {_many(len(groups) - _GROUPS, 'further group')} less each.")
         helpful = [remedy for remedy in self.remedies if remedy.saved >= _NOTHING]
         if helpful:
             lines += ["", "What would help, most first:"]
@@ -364,7 +368,7 @@ def plan(
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-        _checks.whole("hosts", group.hosts, LEAST["hosts"])
+        _checks.whole(f"hosts{_of(group)}", group.hosts, LEAST["hosts"])
     before = float(utilization(protocol, fleet, wifi=wifi))
     remedies: list[Remedy] = []
     left_out: list[str] = []
@@ -540,6 +544,10 @@ def _variant(wifi: Wifi, **changes: Any) -> Wifi | None:
     return replace(wifi.radio, name=None, **changes).wifi()
 
 
+def _of(group: HostGroup) -> str:
+    return f" of {group.name}" if group.name else ""
+
+
 def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:
     """Return the nodes with parameter services in a process of each group."""
     each = parameter_service_endpoints()
@@ -553,7 +561,7 @@ def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, 
     for group, count in zip(fleet.groups, own, strict=True):
         if count * each > group.endpoints:
             raise ValueError(
-                f"nodes must be at most {group.endpoints / each:g} for processes of "
+                f"nodes{_of(group)} must be at most {group.endpoints / each:g} for processes of "
                 f"{group.endpoints:g} endpoints, as the parameter services of a node have "
                 f"{each}; got {count:g}"
             )
@@ -561,19 +569,20 @@ def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, 
 
 
 def _shares(fleet: Fleet, protocol: Protocol, wifi: Wifi, whole: float) -> Iterator[Share]:
-    table = breakdown(protocol, fleet, wifi=wifi)
-    airtime = table["uplink_s"] + table["downlink_s"]
-    yield from _largest("message", zip(map(str, table.index), airtime.tolist(), strict=True), whole)
+    messages = [
+        (row["message"], row["uplink_s"] + row["downlink_s"])
+        for row in message_costs(protocol, fleet, wifi)
+    ]
+    yield from _largest("message", messages, whole)
     phases = [
         (phase, float(utilization(protocol, fleet, wifi=wifi, phase=phase)))
         for phase in protocol.phases
     ]
     yield from _largest("phase", phases, whole)
-    taking_part = []
-    for index, name in enumerate(_group_names(fleet)):
-        others = fleet.groups[:index] + fleet.groups[index + 1 :]
-        rest = float(utilization(protocol, Fleet(others), wifi=wifi)) if others else 0.0
-        taking_part.append((name, whole - rest))
+    rests = without_each(protocol, fleet, wifi)
+    taking_part = [
+        (name, whole - rest) for name, rest in zip(_group_names(fleet), rests, strict=True)
+    ]
     yield from _largest("group", taking_part, whole)
 
 

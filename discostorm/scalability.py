@@ -2,25 +2,38 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import TYPE_CHECKING
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache, lru_cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Value, evaluate
+from discostorm._numeric import (
+    Polynomial,
+    Program,
+    Value,
+    coefficients,
+    compiled,
+    evaluate,
+    evaluate_each,
+    in_blocks,
+    program,
+)
 from discostorm.fleet import (
     COUNTS,
+    LEAST,
     SWARM,
-    Count,
     Fleet,
     HostGroup,
     is_symbolic,
     symbolic_group,
 )
-from discostorm.messages import HOPS, PAPER_WINDOW, Protocol
+from discostorm.messages import HOPS, PAPER_WINDOW, Protocol, Unit
 from discostorm.wifi import PAPER, Model, Wifi
 
 if TYPE_CHECKING:
@@ -42,28 +55,18 @@ def as_fleet(
             if value is None:
                 raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
         fleet = Fleet.swarm(hosts, processes, endpoints)
-    for name, count in _named_counts(fleet):
-        _reject_symbols(name, count)
+    _reject_symbols(fleet)
     return fleet
 
 
-def _named_counts(fleet: Fleet) -> list[tuple[str, Count]]:
-    return list(zip(COUNTS * len(fleet.groups), fleet.counts(), strict=True))
-
-
-def _reject_symbols(name: str, count: Count) -> None:
-    if is_symbolic(count):
-        raise TypeError(
-            f"{name} must be a number here, not an expression; got {count}. "
-            "In symbols: Protocol.utilization"
-        )
-
-
-@cache
-def _utilization(
-    protocol: Protocol, phase: str | None, groups: int, model: Model, window: sp.Expr | float
-) -> sp.Expr:
-    return protocol.utilization(phase, Fleet.symbolic(groups), model, window)
+def _reject_symbols(fleet: Fleet) -> None:
+    for group in fleet.groups:
+        for name, count in zip(COUNTS, group.counts(), strict=True):
+            if is_symbolic(count):
+                raise TypeError(
+                    f"{name} must be a number here, not an expression; got {count}. "
+                    "In symbols: Protocol.utilization"
+                )
 
 
 @cache
@@ -71,18 +74,106 @@ def _burst(protocol: Protocol, model: Model) -> sp.Expr:
     return protocol.burst(model=model)
 
 
-def _over(window: ArrayLike) -> tuple[sp.Expr | float, dict[sp.Symbol, Value]]:
-    """Return a window for an expression, the paper's as a number; and what it stands for."""
+def _seconds(window: ArrayLike) -> Value:
+    """Return the window [s] as float64, of which infinity is the longest."""
     span = np.asarray(window)
     longest = span == np.inf if span.dtype.kind == "f" else np.False_
-    given = _checks.numbers(
-        "window", np.where(longest, 1.0, span) if longest.any() else window, 0, above=True
+    if not longest.any():
+        return _checks.numbers("window", window, _checks.LEAST_SECONDS)
+    others = _checks.numbers("window", np.where(longest, 1.0, span), _checks.LEAST_SECONDS)
+    return np.where(longest, np.inf, others) if span.ndim else math.inf
+
+
+#: What is counted, and the airtime that each adds to an average second [s].
+Costs = dict[Unit, Value]
+
+
+def _costs(protocol: Protocol, phase: str | None, wifi: Wifi, window: Value) -> Costs:
+    """Return what each unit costs: all that utilization takes from the symbols."""
+    units = protocol.units(phase)
+    if isinstance(window, float):
+        return dict(zip(units, _prices(protocol, phase, wifi, window), strict=True))
+    values = protocol.values() | wifi.values() | {nt.W: window}
+    return {unit: evaluate(protocol.cost(unit, phase, wifi.model, nt.W), values) for unit in units}
+
+
+@lru_cache(maxsize=1024)
+def _prices(protocol: Protocol, phase: str | None, wifi: Wifi, window: float) -> tuple[float, ...]:
+    costs = [protocol.cost(unit, phase, wifi.model, window) for unit in protocol.units(phase)]
+    with np.errstate(divide="ignore"):
+        prices = evaluate_each(costs, protocol.values() | wifi.values())
+    if wifi.aggregation is not None and math.inf in prices:
+        raise ValueError(
+            f"most_bytes of the channel's aggregation must hold every frame of {protocol.name}; "
+            f"got {wifi.aggregation.most_bytes!r}"
+        )
+    return prices
+
+
+def _in_symbols(units: tuple[Unit, ...]) -> tuple[tuple[sp.Symbol, ...], sp.Expr]:
+    """Return a symbol for the cost of each unit, and with them the utilization of a swarm."""
+    costs = sp.symbols(f"c:{len(units)}", positive=True)
+    return costs, sp.Add(
+        *(cost * unit.count(SWARM) for unit, cost in zip(units, costs, strict=True))
     )
-    if longest.any():
-        return nt.W, {nt.W: np.where(longest, np.inf, given)}
-    if isinstance(given, float) and given == PAPER_WINDOW:
-        return PAPER_WINDOW, {}
-    return nt.W, {nt.W: given}
+
+
+@cache
+def _swarm(units: tuple[Unit, ...]) -> Program:
+    """Return utilization of a swarm as a function of its counts, then of the cost of each unit."""
+    costs, total = _in_symbols(units)
+    # What the units have in common is multiplied with once.
+    shared, (total,) = sp.cse([sp.factor_terms(total)])
+    for symbol, part in reversed(shared):
+        total = sp.collect(total, symbol).subs(symbol, part)
+    return program((*SWARM.counts(), *costs), total)
+
+
+@cache
+def _full_swarm(units: tuple[Unit, ...]) -> Callable[..., Value]:
+    """Return the N_H of `saturation` as a function of N_P, N_E, U_limit and these costs."""
+    costs, total = _in_symbols(units)
+    return compiled((nt.N_P, nt.N_E, nt.U_LIMIT, *costs), solve_hosts(total))
+
+
+def _added_up(costs: Costs, fleet: Fleet) -> Any:
+    """Return the utilization of a fleet: its units are counted, whatever its counts are."""
+    return sum(cost * unit.count(fleet) for unit, cost in costs.items())
+
+
+def _of_fleet(costs: Costs, fleet: Fleet, shape: tuple[int, ...]) -> Value:
+    if len(fleet.groups) == 1:
+        return _of_swarms(costs, dict(zip(COUNTS, fleet.counts(), strict=True)), shape)
+    with np.errstate(under="ignore"):
+        total: Value = _added_up(costs, fleet)
+    return np.array(np.broadcast_to(total, shape)) if shape else total
+
+
+def _of_swarms(costs: Costs, arguments: dict[str, Any], shape: tuple[int, ...]) -> Value:
+    """Return the utilization of swarms, whose counts are checked where they are needed.
+
+    Arrays are read once and not copied, as a fleet has to.
+    """
+    allowed = {name: (least, _checks.MOST) for name, least in LEAST.items()}
+    given = {
+        name: _checks.real(name, value, _checks.wanted(*allowed[name]))
+        if np.ndim(value)
+        else _checks.numbers(name, value, *allowed[name])
+        for name, value in arguments.items()
+    }
+    swarm = _swarm(tuple(costs))
+    if not shape:
+        return swarm.of_numbers(*map(float, (*given.values(), *costs.values())))
+    spare: list[Any] = []
+
+    def block(out: Any, hosts: Any, processes: Any, endpoints: Any, *prices: Value) -> None:
+        checked = (
+            count if isinstance(count, float) else _checks.within(name, count, *allowed[name])
+            for name, count in zip(given, (hosts, processes, endpoints), strict=True)
+        )
+        swarm.into(out, spare, *checked, *prices)
+
+    return in_blocks(block, (*given.values(), *costs.values()), shape)
 
 
 def utilization(
@@ -118,7 +209,7 @@ def utilization(
     phase : str, optional
         One of the protocol's phases; all of them if left out.
     window : array_like, optional
-        The seconds that are averaged [s], above 0; infinity for the steady state.
+        The seconds that are averaged [s], at least 1e-9; infinity for the steady state.
 
     Returns
     -------
@@ -155,11 +246,13 @@ def utilization(
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
     protocol.of_phase(phase)  # raises if there is none
+    seconds = _seconds(window)
+    costs = _costs(protocol, phase, wifi, seconds)
+    arguments = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    if all(isinstance(value, (np.ndarray, float, int)) for value in arguments.values()):
+        return _of_swarms(costs, arguments, _checks.shape(**arguments, window=seconds))
     fleet = as_fleet(hosts, processes, endpoints)
-    span, given = _over(window)
-    expression = _utilization(protocol, phase, len(fleet.groups), wifi.model, span)
-    counts = zip(Fleet.symbolic(len(fleet.groups)).counts(), fleet.counts(), strict=True)
-    return evaluate(expression, dict(counts) | given | protocol.values() | wifi.values())
+    return _of_fleet(costs, fleet, _checks.shape(**fleet.arrays(), window=seconds))
 
 
 def burst(
@@ -228,9 +321,16 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
         quadratic.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
     )
     if quadratic.diff(more, 3) != 0 or (a == 0 and b == 0):
-        raise ValueError("utilization must grow with hosts, linearly or as their square")
-    rest = nt.U_LIMIT - c
-    return 1 + 2 * rest / (b + sp.sqrt(b**2 + 4 * a * rest))
+        raise ValueError(_GROWS)
+    return _root(a, b, nt.U_LIMIT - c, sp.sqrt)
+
+
+_GROWS = "utilization must grow with hosts, linearly or as their square"
+
+
+def _root(a: Any, b: Any, rest: Any, sqrt: Callable[[Any], Any]) -> Any:
+    """Return the hosts that take the ``rest`` of the channel; see `solve_hosts`."""
+    return 1 + 2 * rest / (b + sqrt(b**2 + 4 * a * rest))
 
 
 @cache
@@ -279,7 +379,7 @@ def saturation_hosts(
         Other hosts that share the channel, such as an operator's laptop; they are not
         counted in the result. None if left out.
     window : array_like, optional
-        The seconds over which utilization is averaged [s], above 0; the paper's one if left
+        The seconds over which utilization is averaged [s], at least 1e-9; the paper's one if left
         out, infinity for the steady state.
 
     Returns
@@ -317,13 +417,13 @@ def saturation_hosts(
     if beside is not None:
         _checks.instance("beside", beside, Fleet)
     others = beside.groups if beside else ()
-    span, over = _over(window)
-    if beside is None:
-        _checks.shape(processes=processes, endpoints=endpoints, window=window)
-    single = utilization(protocol, Fleet((host, *others)), wifi=wifi, window=window)
+    fleet = Fleet((host, *others))
+    _reject_symbols(fleet)
+    seconds = _seconds(window)
+    single = utilization(protocol, fleet, wifi=wifi, window=seconds)
     most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
     shapes = {"processes": processes, "endpoints": endpoints, "window": window}
-    _checks.shape(**(shapes if beside is None else {"utilization": single}), limit=most)
+    shape = _checks.shape(**(shapes if beside is None else {"utilization": single}), limit=most)
     short = np.less(most, single)
     if short.any():
         low, needed = _checks.first_where(short, most, single)
@@ -331,14 +431,56 @@ def saturation_hosts(
             f"limit must be at least the utilization of a single host"
             f"{' beside the fleet' if beside else ''} with {protocol.name}, {needed!r}; got {low!r}"
         )
-    given = {nt.N_P: host.processes, nt.N_E: host.endpoints, nt.U_LIMIT: most} | over
-    for index, group in enumerate(others, start=1):
-        given |= zip(symbolic_group(index).counts(), group.counts(), strict=True)
-    closed_form = saturation(protocol, wifi.model, len(others), span)
-    with np.errstate(divide="ignore"):
-        hosts = evaluate(closed_form, given | protocol.values() | wifi.values())
-    # At the least limit allowed, rounding could give a little less than one host.
-    return max(hosts, 1.0) if isinstance(hosts, float) else np.maximum(hosts, 1.0)
+    costs = _costs(protocol, None, wifi, seconds)
+    try:
+        with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
+            if beside is not None:
+                found = _beside(costs, host, others, most - single)
+            else:
+                found = _alone(costs, host, most, shape)
+    except ZeroDivisionError:
+        found = math.inf
+    # At the least limit allowed, rounding could give a little less than one host, and a
+    # channel that hosts do not fill would have any number.
+    found = np.where(np.isnan(found), math.inf, np.maximum(found, 1.0))
+    return np.array(np.broadcast_to(found, shape)) if shape else float(found)
+
+
+def _alone(costs: Costs, host: HostGroup, most: Value, shape: tuple[int, ...]) -> Value:
+    """Return how many such hosts use the channel up to a limit."""
+    function = _full_swarm(tuple(costs))
+    values = (host.processes, host.endpoints, most, *costs.values())
+    if not shape:
+        return function(*values)
+
+    def block(out: Any, *values: Value) -> None:
+        out[...] = function(*values)
+
+    return in_blocks(block, values, shape)
+
+
+def _beside(costs: Costs, host: HostGroup, others: tuple[HostGroup, ...], rest: Value) -> Value:
+    """Return how many such hosts beside others take the rest; see `solve_hosts`."""
+    fleet = Fleet((replace(host, hosts=Polynomial((1.0, 1.0))), *others))
+    _, b, a, *more = (*coefficients(_added_up(costs, fleet)), 0.0, 0.0)
+    if any(map(np.any, more)):
+        raise ValueError(_GROWS)
+    found: Value = _root(a, b, rest, np.sqrt)
+    return found
+
+
+#: Groups that are left out at once: all at once would fill the memory for many.
+_AT_ONCE = 256
+
+
+def without_each(
+    protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
+) -> list[float]:
+    """Return the utilization of a fleet of numbers without each of its groups in turn [1]."""
+    costs = _costs(protocol, None, wifi, window)
+    many = len(fleet.groups)
+    parts = (range(start, min(start + _AT_ONCE, many)) for start in range(0, many, _AT_ONCE))
+    return [rest for part in parts for rest in _added_up(costs, fleet.without(part)).tolist()]
 
 
 def breakdown(
@@ -356,7 +498,7 @@ def breakdown(
     protocol, hosts, processes, endpoints, wifi
         As for `utilization`, but one swarm or fleet: numbers, not arrays.
     window : float, optional
-        The seconds that are averaged [s], above 0; the paper's one if left out, infinity
+        The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
         for the steady state.
 
     Returns
@@ -385,16 +527,29 @@ def breakdown(
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
+    fleet = as_fleet(hosts, processes, endpoints)
+    return pd.DataFrame(message_costs(protocol, fleet, wifi, window)).set_index("message")
+
+
+def message_costs(
+    protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
+) -> list[dict[str, Any]]:
+    """Return the rows of `breakdown`, from the name of the message on."""
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    fleet = as_fleet(hosts, processes, endpoints)
-    _checks.one_each(_named_counts(fleet))
+    for group in fleet.groups:
+        _checks.one_each(zip(COUNTS, group.counts(), strict=True))
     _checks.one_each([("window", window)])
-    span = PAPER_WINDOW if _over(window)[0] == PAPER_WINDOW else window
-    values = protocol.values() | wifi.values()
+    seconds = _seconds(window)
+    both = [
+        airtime(wifi.model)
+        for message in protocol.messages
+        for airtime in (message.airtime_up, message.airtime_down)
+    ]
+    airtimes = iter(evaluate_each(both, protocol.values() | wifi.values()))
     rows = []
     for message in protocol.messages:
-        load = float(message.load(fleet) * message.schedule.mean(span))
+        load = float(message.load(fleet) * message.schedule.mean(seconds))
         up, down = (load * (hop in message.hops) for hop in HOPS)
         rows.append(
             {
@@ -403,8 +558,8 @@ def breakdown(
                 "cast": message.cast,
                 "frame_bytes": message.frame_bytes,
                 "uplink_messages": up,
-                "uplink_s": up * evaluate(message.airtime_up(wifi.model), values),
-                "downlink_s": down * evaluate(message.airtime_down(wifi.model), values),
+                "uplink_s": up * next(airtimes),
+                "downlink_s": down * next(airtimes),
             }
         )
-    return pd.DataFrame(rows).set_index("message")
+    return rows

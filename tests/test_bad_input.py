@@ -260,14 +260,20 @@ def test_payload() -> None:
         fields: dict[str, Any] = {"nominal": 350, "low": 300, "high": 400, "source": "here"}
         return ds.Payload(**fields | given)
 
-    fails(ValueError, "low must be a finite number of at least 0; got -1", payload, low=-1)
+    fails(
+        ValueError,
+        "low must be a finite number of at least 0 and at most 1e+09; got -1",
+        payload,
+        low=-1,
+    )
     fails(
         ValueError,
         "nominal must be a finite number of at least 300 and at most 400; got 401",
         payload,
         nominal=401,
     )
-    fails(ValueError, "high must be a finite number of at least 300; got inf", payload, high=np.inf)
+    text = "high must be a finite number of at least 300 and at most 1e+09; got inf"
+    fails(ValueError, text, payload, high=np.inf)
     fails(TypeError, "low must be a finite number of at least 0", payload, low="little")
 
 
@@ -292,7 +298,7 @@ def test_message() -> None:
     fails(ValueError, "transport must be 'UDP' or 'TCP'; got 'QUIC'", message, transport="QUIC")
     fails(TypeError, "payload must be a Payload; got 350", message, payload=350)
     fails(TypeError, "unit must be a Unit; got 'process'", message, unit="process")
-    fails(ValueError, "per_unit must be a finite number above 0; got 0", message, per_unit=0)
+    fails(ValueError, "per_unit must be a finite number of at least 1e-09", message, per_unit=0)
 
 
 def test_protocol() -> None:
@@ -311,7 +317,10 @@ def test_protocol() -> None:
 # The channel
 
 
-@pytest.mark.parametrize(("name", "low"), [("rate", "above 0"), ("overhead", "of at least 0")])
+@pytest.mark.parametrize(
+    ("name", "low"),
+    [("rate", "of at least 1 and at most 1e+15"), ("overhead", "of at least 0 and at most 1e+06")],
+)
 def test_link(name: str, low: str) -> None:
     def link(**given: Any) -> object:
         return ds.Link(**{"rate": 6e6, "overhead": 120e-6} | given)
@@ -324,7 +333,8 @@ def test_link(name: str, low: str) -> None:
 
 
 def test_rate_zero() -> None:
-    fails(ValueError, "rate must be a finite number above 0; got 0", ds.Link, rate=0, overhead=0)
+    text = "rate must be a finite number of at least 1 and at most 1e+15; got 0"
+    fails(ValueError, text, ds.Link, rate=0, overhead=0)
 
 
 def test_wifi() -> None:

@@ -310,7 +310,7 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ("plan|", "path must name a TOML file; got ''"),
         ("plan|none.toml", "none.toml: No such file or directory"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
-        ("plan|fleet.toml|--nodes|8", "fleet.toml: nodes must be at most 7.5 for processes of 90"),
+        ("plan|fleet.toml|--nodes|8", "fleet.toml: nodes of laptop must be at most 7.5"),
         ("plan|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
         ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not one of 'dds', 'zenoh'"),
         ("figures", "Missing option '--out'"),
@@ -359,7 +359,7 @@ def test_hosts_of_a_plan_must_be_whole(folder: Path) -> None:
     (folder / "half.toml").write_text(NAV2.replace("= 10", "= 2.5"), encoding="utf-8")
     result = run("plan", "half.toml")
     assert result.exit_code == 2
-    assert "half.toml: hosts must be a whole number; got 2.5" in result.stderr
+    assert "half.toml: hosts of robots must be a whole number; got 2.5" in result.stderr
 
 
 def every_command() -> dict[str, click.Command]:

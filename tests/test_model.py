@@ -373,12 +373,6 @@ def test_arguments_stay_as_they_were() -> None:
     assert hosts.tolist() == [1, 2, 3]
 
 
-def test_pandas_series_are_taken_by_position() -> None:
-    frame = pd.DataFrame({"hosts": [7, 8], "endpoints": [10, 10]}, index=[5, 3])
-    result = ds.utilization(ds.DDS, frame["hosts"], 2, frame["endpoints"])
-    np.testing.assert_array_equal(result, ds.utilization(ds.DDS, [7, 8], 2, 10))
-
-
 @pytest.mark.parametrize(
     "shape",
     [

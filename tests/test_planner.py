@@ -351,7 +351,7 @@ def test_wrong_arguments_are_named(
         (-1, "nodes must be a finite number of at least 0, or an array of them|nodes .* got -1"),
         ([1, 2, 3], "nodes must be one number, or one for each of 2 groups; got"),
         ([[1, 2]], "nodes must be one number, or one for each of 2 groups; got"),
-        (8, "nodes must be at most 7.5 for processes of 90 endpoints, .* have 12; got 8"),
+        (8, "nodes of laptop must be at most 7.5 for processes of 90 endpoints, .* have 12; got 8"),
         (float("nan"), "nodes must be .*; got nan"),
     ],
 )

@@ -252,7 +252,11 @@ def test_every_default_names_where_it_comes_from() -> None:
         (lambda: Schedule((-1,)), ValueError, "starts must be a finite number of at least 0"),
         (lambda: Schedule((0, 2, 1)), ValueError, r"starts must be times in order.*got \(0, 2, 1"),
         (lambda: Schedule((0, 9), 8), ValueError, "no further apart than the period of 8 s"),
-        (lambda: Schedule((0,), 0), ValueError, "period must be a finite number above 0.*got 0"),
+        (
+            lambda: Schedule((0,), 0),
+            ValueError,
+            "period must be a finite number of at least 1e-09.*got 0",
+        ),
         (lambda: Schedule((0,), math.nan), ValueError, "period must be.*got nan"),
         (lambda: ONCE.sent(-1), ValueError, "time must be a finite number of at least 0; got -1"),
         (
@@ -263,12 +267,12 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.utilization(FAST_DDS, 3, 2, 10, window=0),
             ValueError,
-            "window must be a finite number above 0.*; got 0",
+            "window must be a finite number of at least 1e-09.*; got 0",
         ),
         (
             lambda: FAST_DDS.utilization(window=cast(float, "1")),
             TypeError,
-            "window must be a finite number above 0.*'1'",
+            "window must be a finite number of at least 1e-09.*'1'",
         ),
         (lambda: defaults("OpenDDS"), ValueError, "product must be 'Fast DDS' or.*Open"),
         (
@@ -284,7 +288,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=0),
             ValueError,
-            "window must be a finite number above 0.*got 0",
+            "window must be a finite number of at least 1e-09.*got 0",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=[1, 1e-3]),
@@ -314,12 +318,12 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=cast(float, "20")),
             TypeError,
-            "window must be a finite number above 0.*'20'",
+            "window must be a finite number of at least 1e-09.*'20'",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=-math.inf),
             ValueError,
-            "window must be a finite number above 0; got -inf",
+            "window must be a finite number of at least 1e-09; got -inf",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, wifi=cast(Any, "x")),

@@ -330,9 +330,9 @@ def test_a_channel_that_pads_only_one_link_is_refused() -> None:
 @pytest.mark.parametrize(
     ("args", "text"),
     [
-        ((0, 4e-6, 4e-6), "bits must be a finite number of at least 1; got 0"),
-        ((24.5, 4e-6, 4e-6), "bits must be a whole number; got 24.5"),
-        ((24, 4e-6, 4e-6, -1), "added must be a finite number of at least 0; got -1"),
+        ((0, 4e-6, 4e-6), "bits must be a finite number of at least 1.*; got 0"),
+        ((24.5, 4e-6, 4e-6), "bits must be a whole number.*; got 24.5"),
+        ((24, 4e-6, 4e-6, -1), "added must be a finite number of at least 0.*; got -1"),
         ((24, 3.65e-6, 4e-6), "symbol must be a multiple of 1e-7; got 3.65e-06"),
         ((24, 4e-6, 4.05e-6), "grid must be a multiple of 1e-7"),
         ((8, 2.7e-6, 1e-6), "symbol must be as long as the grid of 1e-06 s, or 0.9 of it; got 2.7"),

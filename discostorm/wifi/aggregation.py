@@ -20,7 +20,7 @@ class Aggregation:
         Most frames (MPDUs) in an exchange [1], at least 1.
     most_bytes : int
         Longest A-MPDU [B] that the standard and the longest PPDU allow, at least 1. A
-        frame that does not fit in cannot be sent: its airtime is infinite.
+        frame that does not fit in cannot be sent.
     overhead : float
         Airtime that each exchange costs whatever its length [s], at least 0: waiting,
         preamble, block acknowledgement.
@@ -35,10 +35,10 @@ class Aggregation:
     least_bytes: int = 0
 
     def __post_init__(self) -> None:
-        _checks.whole("mpdus", self.mpdus, 1)
-        _checks.whole("most_bytes", self.most_bytes, 1)
-        _checks.number("overhead", self.overhead, 0)
-        _checks.whole("least_bytes", self.least_bytes, 0)
+        _checks.whole("mpdus", self.mpdus, 1, _checks.MOST)
+        _checks.whole("most_bytes", self.most_bytes, 1, _checks.MOST_BYTES)
+        _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
+        _checks.whole("least_bytes", self.least_bytes, 0, _checks.MOST_BYTES)
 
 
 def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:

@@ -60,9 +60,9 @@ class Padding:
 
     def __post_init__(self) -> None:
         for name, low in (("bits", 1), ("added", 0)):
-            _checks.whole(name, getattr(self, name), low)
+            _checks.whole(name, getattr(self, name), low, _checks.MOST)
         for name in ("symbol", "grid"):
-            ticks = _checks.number(name, getattr(self, name), TICK) / TICK
+            ticks = _checks.number(name, getattr(self, name), TICK, 1) / TICK
             if abs(ticks - round(ticks)) > 1e-6:
                 raise ValueError(f"{name} must be a multiple of 1e-7; got {getattr(self, name)!r}")
         # Others may lift a whole number over itself when they are multiplied.
@@ -86,9 +86,9 @@ class Link:
     Parameters
     ----------
     rate : float
-        Data rate [bit/s], above 0.
+        Data rate [bit/s], from 1 to 1e15.
     overhead : float
-        Airtime that each frame costs whatever its length [s], at least 0: waiting,
+        Airtime that each frame costs whatever its length [s], from 0 to 1e6: waiting,
         preamble, acknowledgement.
     padding : Padding, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
@@ -107,8 +107,8 @@ class Link:
     padding: Padding | None = None
 
     def __post_init__(self) -> None:
-        _checks.number("rate", self.rate, 0, above=True)
-        _checks.number("overhead", self.overhead, 0)
+        _checks.number("rate", self.rate, _checks.LEAST_RATE, _checks.MOST_RATE)
+        _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
         if self.padding is not None:
             _checks.instance("padding", self.padding, Padding)
             bits = self.rate * self.padding.symbol
@@ -152,6 +152,7 @@ class Wifi:
     radio: "Radio | None" = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
         _checks.instance("unicast", self.unicast, Link)
         _checks.instance("multicast", self.multicast, Link)
         if (self.unicast.padding is None) != (self.multicast.padding is None):

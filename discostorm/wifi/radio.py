@@ -22,6 +22,9 @@ _RESPONSE_RATES = (6, 12, 24)
 
 Row = dict[str, str]
 
+#: What of a `Radio` is no number.
+_WORDS = ("standard", "name")
+
 
 @dataclass(frozen=True)
 class Radio:
@@ -100,6 +103,9 @@ class Radio:
     def __post_init__(self) -> None:
         if self.name is not None:
             _checks.instance("name", self.name, str)
+        _checks.instance("standard", self.standard, str)
+        others = {key: value for key, value in vars(self).items() if key not in _WORDS}
+        _checks.one_each(others.items())
         _parts(self)  # raises if the standard has no such combination
 
     @property

@@ -1,0 +1,98 @@
+"""Fleets of very many groups: the same answers, in time that grows with the groups."""
+
+import time
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import discostorm as ds
+from discostorm._numeric import evaluate
+from discostorm.scalability import saturation, without_each
+
+PROTOCOLS = (ds.DDS, ds.ZENOH)
+
+
+def fleet(groups: int) -> ds.Fleet:
+    return ds.Fleet(
+        tuple(
+            ds.HostGroup(1 + index % 4, 1 + index % 3, 7 * index % 101, name=f"g{index}")
+            for index in range(groups)
+        )
+    )
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
+@pytest.mark.parametrize("wifi", [ds.PAPER, ds.WIFI["802.11ac 80 MHz 2x2"]], ids=["paper", "ac"])
+def test_counted_numbers_are_those_of_the_symbols(protocol: ds.Protocol, wifi: ds.Wifi) -> None:
+    few = fleet(4)
+    symbols = ds.Fleet.symbolic(4).counts()
+    given = dict(zip(symbols, few.counts(), strict=True)) | protocol.values() | wifi.values()
+    for phase in (None, *protocol.phases):
+        closed = evaluate(
+            protocol.utilization(phase, ds.Fleet.symbolic(4), model=wifi.model), given
+        )
+        # Another order of the same sums.
+        assert ds.utilization(protocol, few, wifi=wifi, phase=phase) == pytest.approx(
+            closed, rel=1e-13
+        )
+    host = dict(zip(ds.Fleet.symbolic(1).counts()[1:], (2.0, 10.0), strict=True))
+    (limit,) = (symbol for symbol in saturation(protocol).free_symbols if symbol.name == "U_limit")
+    closed = evaluate(saturation(protocol, wifi.model, 4), given | host | {limit: 99.0})
+    found = ds.saturation_hosts(protocol, 2, 10, wifi=wifi, limit=99, beside=few)
+    assert found == pytest.approx(closed, rel=1e-13)
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
+def test_a_thousand_groups_take_less_than_half_a_second(protocol: ds.Protocol) -> None:
+    for task in (
+        lambda members: ds.utilization(protocol, members),
+        lambda members: ds.saturation_hosts(protocol, 2, 10, limit=1e9, beside=members),
+        lambda members: ds.plan(members, protocol),
+    ):
+        task(fleet(10))  # compiles, and imports what only the first call needs
+        members = fleet(1000)
+        start = time.process_time()  # other processes do not count
+        task(members)
+        assert time.process_time() - start < 0.5
+
+
+def test_without_each_is_the_fleet_without_each() -> None:
+    for groups in (2, 300):
+        members = fleet(groups)
+        rests = without_each(ds.DDS, members)
+        assert len(rests) == groups
+        for index in (0, 1, groups // 2, groups - 1):
+            rest = ds.Fleet(members.groups[:index] + members.groups[index + 1 :])
+            assert rests[index] == pytest.approx(ds.utilization(ds.DDS, rest), rel=1e-12)
+    assert without_each(ds.DDS, fleet(1)) == [0]
+
+
+def test_of_many_groups_the_five_that_matter_are_named() -> None:
+    plan = ds.plan(fleet(50))
+    assert plan.advice().count("takes part in") == 5
+    assert "- 45 further groups less each." in plan.advice()
+    shares = [share.share for share in plan.of_kind("group")]
+    assert len(shares) == 50
+    assert all(one >= another for one, another in pairwise(shares))
+    assert "1 further group less" in ds.plan(fleet(6)).advice()
+    assert "further group" not in ds.plan(fleet(5)).advice()
+
+
+def test_a_fleet_of_arrays_beside_many_hosts_broadcasts() -> None:
+    beside = ds.Fleet((ds.HostGroup([1, 2, 3], 1, 90), ds.HostGroup(1, 1, [[0], [10]])))
+    found = np.asarray(ds.saturation_hosts(ds.DDS, 2, 10, limit=9, beside=beside))
+    assert found.shape == (2, 3)
+    one = ds.Fleet((ds.HostGroup(2, 1, 90), ds.HostGroup(1, 1, 10)))
+    assert found[1, 1] == ds.saturation_hosts(ds.DDS, 2, 10, limit=9, beside=one)
+
+
+def test_what_does_not_depend_on_a_count_still_has_its_shape() -> None:
+    many = ds.Fleet((ds.HostGroup(2, 1, [1, 2, 3]), ds.HostGroup(1, 1, 1)))
+    assert np.shape(ds.utilization(ds.DDS, many, phase="SPDP")) == (3,)
+    announced = ds.Protocol("announced", ds.DDS.messages[:1])
+    laptop = ds.Fleet.swarm(1, 1, 90)
+    for beside in (None, laptop):
+        found = ds.saturation_hosts(announced, 1, [1, 2, 3], beside=beside)
+        assert np.shape(found) == (3,)
+        found += 1  # and belongs to whoever asked for it
