@@ -422,7 +422,7 @@ def test_what_may_be_zero_is_not_taken_for_positive() -> None:
     assert len(symbols) > 20
     assert all(symbol.is_nonnegative for symbol in symbols)
     assert {symbol.name for symbol in symbols if not symbol.is_positive} == {
-        *("N_E", "O_uni", "O_multi", "O_agg", "N_add_uni", "N_add_multi"),
+        *("N_E", "O_uni", "O_multi", "O_agg", "N_add_uni", "N_add_multi", "A_least"),
     }
 
 
