@@ -177,19 +177,29 @@ class Fleet:
         """
         if not fspath(path):
             raise ValueError("path must name a TOML file; got ''")
+        return cls.from_bytes(Path(path).read_bytes(), str(path))
+
+    @classmethod
+    def from_bytes(cls, content: bytes, name: str) -> "Fleet":
+        """Return the fleet that the content of a TOML file describes; see `from_toml`.
+
+        Errors call it by its name.
+        """
         try:
             # With a byte order mark, too, as Windows' editors write it.
-            content = tomllib.loads(Path(path).read_text(encoding="utf-8-sig"))
+            tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
         except ValueError as error:  # neither UTF-8 nor TOML
-            raise ValueError(f"{path} must be a TOML file: {error}") from error
+            raise ValueError(f"{name} must be a TOML file: {error}") from error
+        except RecursionError:
+            raise ValueError(f"{name} must be a TOML file that is not nested as deep") from None
         try:
-            _only_keys(content, ("groups",))
-            groups = content.get("groups")
+            _only_keys(tables, ("groups",))
+            groups = tables.get("groups")
             if not isinstance(groups, list) or not groups:
                 raise ValueError(f"it must have at least one [[groups]] table; got {groups!r}")
             return cls(tuple(_group(index, table) for index, table in enumerate(groups, start=1)))
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{path}: {error}") from error
+            raise ValueError(f"{name}: {error}") from error
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints of one group after the other."""
