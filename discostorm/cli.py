@@ -628,7 +628,7 @@ def saturation(host: Host, protocols: tuple[ds.Protocol, ...], wifi: Wifi, outpu
     callback=_numbers,
     metavar="N[,N...]",
     help="Nodes with parameter services in each process; with commas, one number for each "
-    "group.  [default: 1 where the endpoints are enough]",
+    "group.  [default: those of the file, else 1 where the endpoints are enough]",
 )
 @wifi_options
 @output_options
@@ -643,6 +643,7 @@ def plan(file: str | None, protocol: str, nodes: Any, wifi: Wifi, output: Output
       hosts = 10
       processes = 1       # of each host
       endpoints = 678     # of each process
+      nodes = 13          # with parameter services, in each process; may be left out
 
     \b
     Examples:
