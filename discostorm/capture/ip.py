@@ -117,6 +117,17 @@ def _version_6(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[s
     }
 
 
+def loopback(addresses: Numbers) -> Array:
+    """Return of each address whether it is of a host's own loopback."""
+    return np.array(
+        [
+            key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1"
+            for key in addresses.known
+        ],
+        bool,
+    )
+
+
 def is_piece(found: Columns) -> Array:
     """Return which of the packets that `parse` found are fragments."""
     return (found["offset"] > 0) | found["more"]

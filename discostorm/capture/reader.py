@@ -73,6 +73,7 @@ class _Reader:
         self.segments: list[Columns] = []
         self.pieces: list[Columns] = []
         self.sights: list[Columns] = []
+        self.loopback: list[bool] = []
         self.several = len(set(packets.links)) > 1 or len(packets.links) > 1 or any(
             link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
         )
@@ -179,7 +180,9 @@ class _Reader:
 
     def is_loopback(self, address: int) -> bool:
         """Return whether an address is of a host's own loopback."""
-        return is_loopback(list(self.addresses.known)[address])
+        if address >= len(self.loopback):
+            self.loopback = ip.loopback(self.addresses).tolist()
+        return self.loopback[address]
 
     def announced(self, data: Bytes, found: Columns, announced: Columns) -> None:
         """Keep what is announced of participants and endpoints."""
@@ -218,11 +221,6 @@ class _Reader:
                 pieces, self.packets.data, self.packets.table["time"], self.notes
             )
             self.transport(data, made)
-
-
-def is_loopback(address: bytes) -> bool:
-    """Return whether an address of 4 or 16 bytes is of a host's own loopback."""
-    return address[0] == 127 if len(address) == 4 else address == bytes(15) + b"\1"
 
 
 def read(path: str | PathLike[str]) -> Reading:
