@@ -21,7 +21,7 @@ from discostorm.capture._bytes import (
 )
 
 #: Packets read at a time, so that what is computed on the way stays small.
-_AT_A_TIME = 1 << 17
+_AT_A_TIME = 1 << 15
 #: What is seen twice is seen within this time [ns]: on several interfaces, or up and down.
 _TWICE = 1_000_000_000
 RTPS, ZENOH, TCP = range(3)
@@ -103,7 +103,7 @@ class _Reader:
         if not is_rtps.all():
             others = take(datagrams, ~is_rtps)
             self.note_encrypted(data, others)
-            self.datagrams.append((data, others))
+            self.datagrams.append((data, _kept(others, "parts")))
         segments = ip.segments(data, found)
         if not len(segments["at"]):
             return
@@ -114,7 +114,7 @@ class _Reader:
         tunneled = rtps.over_tcp(data, segments["at"]) & (segments["size"] >= 4)
         if count := int(np.count_nonzero(tunneled)):
             self.notes["TCP segments with RTPS over TCP"] += count
-        self.segments.append(segments)
+        self.segments.append(_kept(segments, "sequence", "flags"))
 
     def note_encrypted(self, data: Bytes, found: Columns) -> None:
         """Count what looks like DTLS or QUIC."""
@@ -223,6 +223,15 @@ class _Reader:
             self.transport(data, made)
 
 
+def _kept(found: Columns, *more: str) -> Columns:
+    """Return what is still needed of datagrams or segments, as small as it can be."""
+    small = ("frame", "size", "wire", "from_port", "to_port")
+    return (
+        {name: found[name].astype(np.int32) for name in small}
+        | {name: found[name] for name in ("at", "source", "target", "way", *more)}
+    )
+
+
 def read(path: str | PathLike[str]) -> Reading:
     """Return what a file tells; see `discostorm.read_capture`."""
     packets = files.read(path)
@@ -235,10 +244,13 @@ def read(path: str | PathLike[str]) -> Reading:
     _read_zenoh(reader, copies)
     cut = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
     time = packets.table["time"]
-    rows = stack([_complete(part) for part in (*reader.rows, _no_rows())])
+    parts = [*reader.rows, _no_rows()]
+    reader.rows = []
+    rows = stack([_complete(parts.pop(0)) for _ in range(len(parts))])
     rows["copy"] = copies[rows["frame"]]
     order = np.argsort(rows["frame"], kind="stable")
-    rows = {name: column[order] for name, column in rows.items()}
+    for name in list(rows):
+        rows[name] = rows[name][order]
     processes = _processes(reader, rows)
     return Reading(rows, time, reader.addresses, processes, reader.notes, size, cut)
 
@@ -317,9 +329,10 @@ def _read_zenoh(reader: _Reader, copies: Array) -> None:
         _read_datagrams(reader, data, found, known)
     reader.datagrams = []
     if reader.segments:
-        segments = stack(reader.segments)
-        reader.segments = []
-        _read_streams(reader, take(segments, ~copies[segments["frame"]]), known)
+        parts, reader.segments = reader.segments, []
+        streams = tcp.streams([take(part, ~copies[part["frame"]]) for part in parts])
+        del parts
+        _read_streams(reader, streams, known)
 
 
 def _process(reader: _Reader, known: dict[bytes, int], zid: bytes, role: int) -> int:
@@ -433,10 +446,9 @@ def _read_udp_sessions(reader: _Reader, data: Bytes, found: Columns) -> None:
     )
 
 
-def _read_streams(reader: _Reader, segments: Columns, known: dict[bytes, int]) -> None:
+def _read_streams(reader: _Reader, streams: tcp.Streams, known: dict[bytes, int]) -> None:
     """Read sessions over TCP."""
     data = reader.packets.data
-    streams = tcp.streams(segments)
     _note_tls(reader, data, streams)
     chosen = zenoh.chosen(data, streams)
     if not len(chosen):

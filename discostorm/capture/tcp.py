@@ -6,7 +6,7 @@ from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, take
+from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, stack, take
 
 FIN, SYN, RST = 1, 2, 4
 
@@ -36,13 +36,15 @@ class Streams:
     complete: Array
 
 
-def streams(segments: Columns) -> Streams:
-    """Return the segments by stream."""
+def streams(parts: list[Columns]) -> Streams:
+    """Return the segments of all parts by stream."""
+    segments = stack(parts)
     ends = [segments[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")]
     there = (ends[0] << 32 | ends[2], ends[1] << 32 | ends[3])
     code, _ = codes(*there)
     order = np.argsort(code, kind="stable")
     table, code = take(segments, order), code[order]
+    del segments
     sequence = table["sequence"]
     syn = table["flags"] & SYN > 0
     new = np.diff(code, prepend=-1) != 0
@@ -65,7 +67,7 @@ def streams(segments: Columns) -> Streams:
     place = place + syn
     complete = syn[first] if len(first) else np.zeros(0, bool)
     place = place - (place[first] if len(first) else place)[stream]
-    table = table | {"place": place, "stream": stream}
+    table = table | {"place": place, "stream": stream.astype(np.int32)}
     # The other direction: the same connection, the same one of those that follow each other.
     forward = [key[order][first] for key in there]
     low, high = np.minimum(*forward), np.maximum(*forward)
@@ -121,64 +123,73 @@ class Content:
 def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     """Return what the chosen streams carry."""
     table = streams_.table
-    at: list[int] = []
+    wanted = np.zeros(len(streams_.first), bool)
+    wanted[chosen] = True
+    rows = np.flatnonzero(wanted[table["stream"]] & (table["wire"] > 0))
+    stream, place, wire, size = (table[key][rows] for key in ("stream", "place", "wire", "size"))
+    new = np.diff(stream, prepend=-1) != 0
+    follows = (size == wire) & (new | (place == np.roll(place + wire, 1)))
+    broken = np.bincount(stream, ~follows, len(wanted)) > 0
+    # Those in order, all at once.
+    easy = ~broken[stream]
+    segment = rows[easy]
+    start = np.flatnonzero(new[easy])
+    length = size[easy]
+    begin = np.cumsum(length) - length
+    total = int(length.sum())
+    runs = {
+        "at": begin[start],
+        "end": np.append(begin[start][1:], [total] * (len(start) > 0)),
+        "stream": stream[easy][start],
+        "start": streams_.complete[stream[easy][start]] & (place[easy][start] == 0),
+    }
+    # The others one by one.
+    skips: list[int] = []
     sizes: list[int] = []
-    segment: list[int] = []
+    segments: list[int] = []
     done: list[int] = []
-    runs: list[tuple[int, int, int, bool]] = []
     old: list[int] = []
-    total = 0
-    for stream in chosen.tolist():
-        rows = np.arange(streams_.first[stream], streams_.last[stream])
-        rows = rows[table["wire"][rows] > 0]
-        if not len(rows):
-            continue
-        place, wire, size = (table[key][rows] for key in ("place", "wire", "size"))
-        whole = bool((size == wire).all()) and bool((place[1:] == (place + wire)[:-1]).all())
-        start = bool(streams_.complete[stream]) and int(place.min()) == 0
-        if whole:
-            at += table["at"][rows].tolist()
-            sizes += size.tolist()
-            segment += rows.tolist()
-            done += rows.tolist()
-            length = int(size.sum())
-            runs.append((total, total + length, stream, start))
-            total += length
-            continue
-        begin = total
-        for which, skip, many, by in _ordered(place.tolist(), wire.tolist(), size.tolist()):
+    more: list[tuple[int, int, int, bool]] = []
+    edge = np.searchsorted(stream, np.flatnonzero(broken))
+    for first, number in zip(edge.tolist(), np.flatnonzero(broken).tolist(), strict=True):
+        last = int(np.searchsorted(stream, number, side="right"))
+        mine = rows[first:last].tolist()
+        places = place[first:last].tolist()
+        from_start = bool(streams_.complete[number]) and min(places) == 0
+        begin_ = total
+        for which, skip, many, by in _ordered(
+            places, wire[first:last].tolist(), size[first:last].tolist()
+        ):
             if many > 0:
-                at.append(int(table["at"][rows[which]]) + skip)
+                skips.append(skip)
                 sizes.append(many)
-                segment.append(int(rows[which]))
-                done.append(int(rows[by]))
+                segments.append(mine[which])
+                done.append(mine[by])
                 total += many
             elif many == 0:
-                old.append(int(rows[which]))
+                old.append(mine[which])
             else:  # a gap
-                if total > begin:
-                    runs.append((begin, total, stream, start))
-                begin, start = total, False
-        if total > begin:
-            runs.append((begin, total, stream, start))
+                if total > begin_:
+                    more.append((begin_, total, number, from_start))
+                begin_, from_start = total, False
+        if total > begin_:
+            more.append((begin_, total, number, from_start))
+    if more:
+        for name, column in zip(runs, zip(*more, strict=True), strict=True):
+            runs[name] = np.append(runs[name], np.array(column))
+    length = np.append(length, np.array(sizes, np.int64))
+    pieces = {
+        "at": np.cumsum(length) - length,
+        "size": length,
+        "segment": np.append(segment, np.array(segments, np.int64)),
+        "done": np.append(segment, np.array(done, np.int64)),
+    }
+    at = table["at"][pieces["segment"]]
+    at[len(segment) :] += np.array(skips, np.int64)
     view = memoryview(data)
-    joined = b"".join([view[a : a + n] for a, n in zip(at, sizes, strict=True)] + [bytes(PAD)])
-    length_ = np.array(sizes, np.int64)
-    columns = list(zip(*runs, strict=True)) or [(), (), (), ()]
-    return Content(
-        np.frombuffer(joined, np.uint8),
-        {
-            "at": np.cumsum(length_) - length_,
-            "size": length_,
-            "segment": np.array(segment, np.int64),
-            "done": np.array(done, np.int64),
-        },
-        {
-            name: np.array(column, bool if name == "start" else np.int64)
-            for name, column in zip(("at", "end", "stream", "start"), columns, strict=True)
-        },
-        np.array(old, np.int64),
-    )
+    parts = [view[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
+    joined = b"".join([*parts, bytes(PAD)])
+    return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
 
 
 def _ordered(

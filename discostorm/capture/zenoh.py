@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from discostorm.capture._bytes import Array, Bytes, Columns, Places, number
+from discostorm.capture._bytes import Array, Bytes, Columns, Places, number, take
 from discostorm.capture.tcp import Content, Streams
 from discostorm.data import read_data
 
@@ -467,41 +467,32 @@ class Session:
     zid: bytes
     role: int
     acknowledges: bool
-    extensions: frozenset[int]
-
-
-def _session(data: Bytes, at: int, end: int) -> Session | None:
-    """Return what an Init says, None if there is none."""
-    if at + 5 > end or data[at + 2] & 0x1F != _INIT:
-        return None
-    last = min(at + 2 + int(number(data, np.array([at]), "<u2")[0]), end)
-    stop = np.array([last])
-    head = int(data[at + 2])
-    after, place = _init(data, np.array([at + 3]), stop, data[at + 2 : at + 3])
-    if after[0] > last:
-        return None
-    found: set[int] = set()
-    place_ = place.copy()
-    while head & _Z and place_[0] < last:
-        first, place_ = _extension(data, place_, stop)
-        found.add(int(first[0]) & 0x0F)
-        if not first[0] & _Z:
-            break
-    length = (int(data[at + 4]) >> 4) + 1
-    zid = data[at + 5 : at + 5 + length].tobytes()
-    return Session(zid, int(data[at + 4]) & 3, bool(head & _A), frozenset(found))
+    special: str
 
 
 def sessions(content: Content) -> dict[int, Session]:
     """Return what each stream of which the start was captured says first."""
-    runs = content.runs
-    found = {
-        int(stream): session
-        for at, end, stream, start in zip(*runs.values(), strict=True)
-        if start
-        for session in [_session(content.data, int(at), int(end))]
-        if session is not None
-    }
+    data, runs = content.data, take(content.runs, content.runs["start"])
+    runs = take(runs, runs["end"] - runs["at"] >= 6)
+    at = runs["at"]
+    end = np.minimum(at + 2 + number(data, at, "<u2"), runs["end"])
+    head = data[at + 2]
+    after, place = _init(data, at + 3, end, head)
+    good = (head & 0x1F == _INIT) & (after <= end)
+    low_latency, compression = (
+        good & (head & _Z > 0) & _has_extension(data, place, end, which)
+        for which in (_LOW_LATENCY, _COMPRESSION)
+    )
+    found = {}
+    for index in np.flatnonzero(good).tolist():
+        here = int(at[index])
+        length = (int(data[here + 4]) >> 4) + 1
+        found[int(runs["stream"][index])] = Session(
+            data[here + 5 : here + 5 + length].tobytes(),
+            int(data[here + 4]) & 3,
+            bool(head[index] & _A),
+            "compression" * bool(compression[index]) or "low latency" * bool(low_latency[index]),
+        )
     return found
 
 
@@ -509,51 +500,69 @@ def batches(
     content: Content, streams: Streams, opened: dict[int, Session], notes: Counter[str]
 ) -> Columns:
     """Return where each batch in streams starts and ends, and its ``stream``."""
-    data = content.data
+    data, runs, pieces = content.data, content.runs, content.pieces
+    special = [_special(stream, streams, opened) for stream in runs["stream"].tolist()]
+    # Zenoh writes whole batches, so that most segments hold nothing else.
+    run = np.searchsorted(runs["at"], pieces["at"], side="right") - 1
+    piece, at, end = _whole_batches(data, pieces["at"], pieces["at"] + pieces["size"])
+    whole = np.bincount(run[piece[end < 0]], minlength=len(special)) == 0
+    whole &= np.array([not word for word in special], bool)
+    mine = whole[run[piece]]
+    parts = [(at[mine], end[mine], runs["stream"][run[piece[mine]]])]
+    # Of the others batch by batch.
     view = memoryview(data)
-    at_, end_, stream_ = [], [], []
     cut = 0
-    for at, end, stream, start in zip(
-        *(column.tolist() for column in content.runs.values()), strict=True
-    ):
-        special = _special(stream, streams, opened)
-        left = 2 if special else -1
-        if special and not start:
-            notes[f"bytes of Zenoh sessions with {special}"] += end - at
-            continue
-        here = at if start else _aligned(content, at, end)
-        while here + 3 <= end and left:
+    for index in np.flatnonzero(~whole).tolist():
+        here, last, stream, start = (column[index].item() for column in runs.values())
+        word = special[index]
+        found: list[int] = []
+        if not start:
+            here = last if word else _aligned(content, here, last)
+        # The opening of a session can be read in any case.
+        while here + 3 <= last and not (word and len(found) == 2):
             after = here + 2 + view[here] + 256 * view[here + 1]
-            if after > end or after == here + 2:
+            if after > last or after == here + 2:
                 break
-            at_.append(here + 2)
-            end_.append(after)
-            stream_.append(stream)
+            found.append(here)
             here = after
-            left -= 1
-        if left == 0:
-            notes[f"bytes of Zenoh sessions with {special}"] += end - here
-        elif here < end:
-            cut += end - here
+        if word:
+            notes[f"bytes of Zenoh sessions with {word}"] += int(runs["end"][index]) - here
+        else:
+            cut += last - here
+        if found:
+            begin = np.array(found, np.int64)
+            parts.append((begin + 2, np.append(begin[1:], here), np.full(len(begin), stream)))
     if cut:
         notes["bytes of Zenoh streams at gaps or at an end"] += cut
-    return {
-        "at": np.array(at_, np.int64),
-        "end": np.array(end_, np.int64),
-        "stream": np.array(stream_, np.int64),
-    }
+    columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
+    order = np.argsort(columns[0], kind="stable")
+    return dict(zip(("at", "end", "stream"), (column[order] for column in columns), strict=True))
+
+
+def _whole_batches(data: Bytes, at: Places, end: Places) -> tuple[Array, Places, Places]:
+    """Return the batches in pieces: which piece each is of, and where it starts and ends.
+
+    If they do not fill a piece, it has one with the end -1.
+    """
+    which = np.arange(len(at))
+    steps = [(which[:0], at[:0], end[:0])]
+    while len(at):
+        length = number(data, at, "<u2").astype(np.int64)
+        after = at + 2 + length
+        good = (length > 0) & (after <= end)
+        steps.append((which, at + 2, np.where(good, after, -1)))
+        open_ = good & (after < end)
+        which, at, end = which[open_], after[open_], end[open_]
+    piece, first, last = (np.concatenate(parts) for parts in zip(*steps, strict=True))
+    return piece, first, last
 
 
 def _special(stream: int, streams: Streams, opened: dict[int, Session]) -> str:
     """Return what makes a session unreadable, if anything: both sides must have agreed on it."""
     pair = [opened.get(stream), opened.get(int(streams.reverse[stream]))]
-    said = [session.extensions for session in pair if session is not None and session.acknowledges]
-    said = said or [session.extensions for session in pair if session is not None]
-    if any(_COMPRESSION in extensions for extensions in said):
-        return "compression"
-    if any(_LOW_LATENCY in extensions for extensions in said):
-        return "low latency"
-    return ""
+    said = [session for session in pair if session is not None]
+    answers = [session for session in said if session.acknowledges]
+    return next((session.special for session in answers or said if session.special), "")
 
 
 def _aligned(content: Content, at: int, end: int) -> int:
