@@ -45,9 +45,11 @@ def codes(*keys: Array) -> tuple[NDArray[np.int64], Array]:
     """Return a number for each different combination of keys, and where each is found first."""
     import pandas as pd
 
-    code = pd.factorize(np.ascontiguousarray(keys[0]))[0].astype(np.int64)
-    for key in keys[1:]:
-        other, values = pd.factorize(np.ascontiguousarray(key))
+    # Pandas wants the machine's own byte order.
+    native = [np.ascontiguousarray(key, key.dtype.newbyteorder("=")) for key in keys]
+    code = pd.factorize(native[0])[0].astype(np.int64)
+    for key in native[1:]:
+        other, values = pd.factorize(key)
         code = pd.factorize(code * (len(values) + 1) + other)[0].astype(np.int64)
     first = np.full(int(code.max()) + 1 if len(code) else 0, -1, np.int64)
     # The last that is written stays, so from the end.

@@ -139,7 +139,7 @@ def put_together(pieces: Columns, data: Bytes, time: Array, notes: Counter[str])
     Parameters
     ----------
     pieces : dict
-        The fragments, as `parse` returns them.
+        The fragments, as `parse` returns them; none is cut.
     data : numpy.ndarray
         Where they are.
     time : numpy.ndarray
@@ -171,13 +171,10 @@ def put_together(pieces: Columns, data: Bytes, time: Array, notes: Counter[str])
     source, target = memoryview(data), memoryview(pool)
     for to, from_, many in zip(at.tolist(), pieces["at"].tolist(), size.tolist(), strict=True):
         target[to : to + many] = source[from_ : from_ + many]
-    # Of a piece that was not captured whole the rest is missing.
-    reach = np.where(size < pieces["wire"], pieces["offset"] + size, 1 << 17)
-    reach = np.minimum.reduceat(reach, first) if len(first) else first
     frame = np.maximum.reduceat(pieces["frame"], first) if len(first) else pieces["frame"]
     made = take(pieces, last) | {
         "at": start,
-        "end": start + np.minimum(total, reach),
+        "end": start + total,
         "wire": total,
         "frame": frame,
         "parts": count.astype(np.int32),

@@ -90,8 +90,10 @@ class _Reader:
             found["parts"] = np.ones(len(found["at"]), np.int32)
             piece = ip.is_piece(found)
             if piece.any():
-                self.pieces.append(take(found, piece))
-                found = take(found, ~piece)
+                # What was cut cannot be put together; the first one is read as far as it goes.
+                cut = found["end"] - found["at"] < found["wire"]
+                self.pieces.append(take(found, piece & ~cut))
+                found = take(found, ~piece | (cut & (found["offset"] == 0)))
             self.transport(self.packets.data, found)
 
     def transport(self, data: Bytes, found: Columns) -> None:

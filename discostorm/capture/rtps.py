@@ -46,7 +46,8 @@ _READER_AT, _WRITER_AT = _places("reader_at"), _places("writer_at")
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
 #: What those without a known entity are called, by the upper two bits of its last byte.
 _OTHER = ("User", "Vendor", "Vendor", "Builtin")
-GROUPS = tuple(dict.fromkeys([row["group"] for row in ENTITIES.values()] + list(_OTHER)))
+_UNKNOWN = "Unknown"
+GROUPS = tuple(dict.fromkeys([row["group"] for row in ENTITIES.values()] + [*_OTHER, _UNKNOWN]))
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
@@ -116,11 +117,7 @@ def messages(
     after = np.minimum(after, wire_end[which])
     kind = data[place]
     source, target = _prefixes(data, at, which, place, kind)
-    # A message needs its entities; of a cut one they may be missing.
-    chosen = np.flatnonzero(
-        _IS_MESSAGE[kind]
-        & (place + _WRITER_AT[kind] + 4 * (_WRITER_AT[kind] > 0) <= (at + found["size"])[which])
-    )
+    chosen = np.flatnonzero(_IS_MESSAGE[kind])
     which, place, after, kind = which[chosen], place[chosen], after[chosen], kind[chosen]
     source, target = source[chosen], target[chosen]
     # The bytes of a datagram are those of its messages: each has what stands before it, too.
@@ -129,9 +126,13 @@ def messages(
     stop = np.where(np.roll(new, -1), wire_end[which], after)
     little = data[place + 1] & 1 > 0
     length = number(data, place + 2, "<u2")
-    has_entities = _WRITER_AT[kind] > 0
-    reader = np.where(has_entities, number(data, place + _READER_AT[kind], ">u4"), 0)
-    writer = np.where(has_entities, number(data, place + _WRITER_AT[kind], ">u4"), 0)
+    last = (at + found["size"])[which]
+    reader, writer = (
+        # Of a message that was cut they may be missing.
+        np.where((where[kind] > 0) & (place + where[kind] + 4 <= last), value, 0)
+        for where in (_READER_AT, _WRITER_AT)
+        for value in [number(data, np.minimum(place + where[kind], last), ">u4")]
+    )
     group, entity = _groups(reader, writer)
     found_messages = {
         "datagram": rows[which],
@@ -148,6 +149,7 @@ def messages(
         "ends": (kind == DATA) & (data[place + 1] & 8 > 0),
     }
     announcing = np.isin(writer, ANNOUNCING) & (kind == DATA) & ~found_messages["ends"]
+    stop = np.minimum(stop, last)
     announced = _announced(
         data, take(found_messages, announcing), place[announcing], stop[announcing], little[announcing]
     )
@@ -214,6 +216,7 @@ def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
     known = _KNOWN[place] == entity
     source = (entity & 0xC0) >> 6
     group = np.where(known, _KNOWN_GROUP[place], _OTHER_GROUP[source])
+    group[entity == 0] = GROUPS.index(_UNKNOWN)
     other = np.where(source == 0, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
     return group, np.where(known, _KNOWN_NAME[place], other).astype(np.uint8)
 
