@@ -187,7 +187,8 @@ class Capture:
         Returns
         -------
         pandas.DataFrame
-            By ``message``, first those of the table, then what else was captured: ``units``,
+            By ``message``, first those of the table, then what else of RTPS or of Zenoh and its
+            TCP was captured: ``units``,
             of how many of its units the capture shows the messages [1]; ``expected``, how many
             messages these send from the first message in the capture to its end [1];
             ``unicast`` and ``multicast``, how many were captured [1]; ``per_unit``, captured
@@ -205,10 +206,13 @@ class Capture:
         _checks.instance("wifi", wifi, Wifi)
         import pandas as pd
 
+        wire = self._spoken(protocol)
         if fleet is None:
-            fleet = self.fleet(self._spoken(protocol))
+            fleet = self.fleet(wire)
         _checks.instance("fleet", fleet, Fleet)
         rows = self._on_air().assign(airtime_s=self.airtime(wifi))
+        if wire is not None:
+            rows = rows[rows["protocol"].isin([wire, "TCP"] if wire == "Zenoh" else [wire])]
         counts = rows.groupby("kind", observed=True).agg(
             unicast=("multicast", lambda column: int((~column).sum())),
             multicast=("multicast", "sum"),
