@@ -131,7 +131,8 @@ class _Reader:
     def see(self, data: Bytes, found: Columns) -> None:
         """Keep what tells whether a packet was seen before, if it may be seen twice."""
         if self.several and len(found["at"]):
-            tail = number(data, found["at"] + np.maximum(found["size"] - 8, 0), "=u8")
+            # There are at least eight bytes of a header in front of an empty payload.
+            tail = number(data, found["at"] + found["size"] - 8, "=u8")
             keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
             self.sights.append(
                 {key: found[key] for key in (*keys, "frame", "view", "retry")} | {"tail": tail}

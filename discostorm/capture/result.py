@@ -221,7 +221,7 @@ class Capture:
         )
         names = [message.name for message in protocol.messages]
         others = [kind for kind in counts.index if kind not in names]
-        table = counts.reindex(pd.Index([*names, *others], name="message"), fill_value=0)
+        table = counts.reindex(pd.Index([*names, *others], name="message")).fillna(0)
         window = self._window(protocol)
         units, expected = [], []
         for message in protocol.messages:

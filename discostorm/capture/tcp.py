@@ -139,7 +139,7 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     total = int(length.sum())
     runs = {
         "at": begin[start],
-        "end": np.append(begin[start][1:], [total] * (len(start) > 0)),
+        "end": np.append(begin[start][1:], np.full(min(len(start), 1), total)),
         "stream": stream[easy][start],
         "start": streams_.complete[stream[easy][start]] & (place[easy][start] == 0),
     }

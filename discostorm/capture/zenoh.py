@@ -517,7 +517,9 @@ def batches(
         word = special[index]
         found: list[int] = []
         if not start:
-            here = last if word else _aligned(content, here, last)
+            aligned = last if word else _aligned(content, here, last)
+            cut += aligned - here
+            here = aligned
         # The opening of a session can be read in any case.
         while here + 3 <= last and not (word and len(found) == 2):
             after = here + 2 + view[here] + 256 * view[here + 1]
@@ -533,7 +535,9 @@ def batches(
             begin = np.array(found, np.int64)
             parts.append((begin + 2, np.append(begin[1:], here), np.full(len(begin), stream)))
     if cut:
-        notes["bytes of Zenoh streams at gaps or at an end"] += cut
+        notes["bytes of Zenoh streams next to gaps or to their ends"] += cut
+    if gaps := len(special) - len(np.unique(runs["stream"])):
+        notes["gaps in TCP streams of Zenoh, of what was not captured"] += gaps
     columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
     order = np.argsort(columns[0], kind="stable")
     return dict(zip(("at", "end", "stream"), (column[order] for column in columns), strict=True))
