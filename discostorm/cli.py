@@ -596,7 +596,9 @@ def capture(
         found = read_capture(file)
         members = None if fleet is None else ds.Fleet.from_toml(fleet)
         spoken = set(found.processes()["protocol"])
-        papers = [table for wire, table in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
+        papers = [
+            table for wire, table in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken
+        ]
         held = papers if against is None else [known[against]]
         tables = [pd.DataFrame()]
         for table in held:

@@ -122,9 +122,14 @@ def ipv6(ip: bytes, extension: bool = False) -> bytes:
         next_ = 0
     group = ip[16] >> 4 == 0xE
     there = (b"\xff\x02" if group else b"\xfe\x80") + bytes(10) + ip[16:20]
-    return struct.pack(">IHBB", 6 << 28, len(body), next_, 64) + b"\xfe\x80" + bytes(10) + ip[
-        12:16
-    ] + there + body
+    return (
+        struct.pack(">IHBB", 6 << 28, len(body), next_, 64)
+        + b"\xfe\x80"
+        + bytes(10)
+        + ip[12:16]
+        + there
+        + body
+    )
 
 
 def ipv6_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
@@ -141,7 +146,9 @@ def ipv6_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
     return parts
 
 
-def udp(payload: bytes, source: int = 1, target: int = 2, ports: tuple[int, int] = (7410, 7411)) -> bytes:
+def udp(
+    payload: bytes, source: int = 1, target: int = 2, ports: tuple[int, int] = (7410, 7411)
+) -> bytes:
     """Return an IPv4 packet of a UDP datagram from 10.0.0.source to 10.0.0.target."""
     body = struct.pack(">HHHH", *ports, len(payload) + 8, 0) + payload
     head = struct.pack(">BBHHHBBH", 0x45, 0, len(body) + 20, 1, 0, 64, 17, 0)
@@ -153,7 +160,9 @@ def rtps(*submessages: bytes, prefix: bytes = bytes(range(12))) -> bytes:
     return b"RTPS\x02\x03\x01\x0f" + prefix + b"".join(submessages)
 
 
-def submessage(kind: int, body: bytes, little: bool = True, flags: int = 0, size: int = -1) -> bytes:
+def submessage(
+    kind: int, body: bytes, little: bool = True, flags: int = 0, size: int = -1
+) -> bytes:
     """Return a submessage."""
     length = len(body) if size < 0 else size
     return struct.pack("<BBH" if little else ">BBH", kind, flags | little, length) + body

@@ -228,7 +228,11 @@ def test_the_same_from_every_kind_of_file(read: Read) -> None:
     plain = pcap(found)
     files = [pcap(found, order=order, nano=nano) for order in "<>" for nano in (False, True)]
     files += [pcapng(found, order=order, resolution=r) for order in "<>" for r in (6, 9)]
-    files += [gzip.compress(plain), lzma.compress(plain), gzip.compress(plain[:99]) + gzip.compress(plain[99:])]
+    files += [
+        gzip.compress(plain),
+        lzma.compress(plain),
+        gzip.compress(plain[:99]) + gzip.compress(plain[99:]),
+    ]
     files += [lzma.compress(plain[:999]) + bytes(4) + lzma.compress(plain[999:])]
     for content in files:
         pd.testing.assert_frame_equal(facts(read(content)), expected)
@@ -266,10 +270,14 @@ def test_ipv6_with_extensions_and_in_fragments(read: Read) -> None:
 # ---------------------------------------------------------------- RTPS
 
 
-def data(writer: int, reader: int = 0, little: bool = True, flags: int = 4, size: int = -1) -> bytes:
+def data(
+    writer: int, reader: int = 0, little: bool = True, flags: int = 4, size: int = -1
+) -> bytes:
     order = "<" if little else ">"
     body = struct.pack(order + "HH", 0, 16) + struct.pack(">II", reader, writer)
-    return submessage(0x15, body + struct.pack(order + "iI", 0, 1) + b"\0\3\0\0\1\0\0\0", little, flags, size)
+    return submessage(
+        0x15, body + struct.pack(order + "iI", 0, 1) + b"\0\3\0\0\1\0\0\0", little, flags, size
+    )
 
 
 def control(kind: int, writer: int, reader: int = 0, little: bool = True) -> bytes:
@@ -327,7 +335,13 @@ def test_what_is_encrypted_is_noted(read: Read) -> None:
         pcap(
             at(
                 [
-                    udp(rtps(submessage(0x31, bytes(8)), submessage(0x30, bytes(8)), submessage(0x32, bytes(8)))),
+                    udp(
+                        rtps(
+                            submessage(0x31, bytes(8)),
+                            submessage(0x30, bytes(8)),
+                            submessage(0x32, bytes(8)),
+                        )
+                    ),
                     udp(rtps(submessage(0x33, bytes(8)))),
                     udp(b"\x16\xfe\xfd" + bytes(20)),
                     udp(b"\xc0\0\0\0\1" + bytes(30)),
@@ -358,7 +372,11 @@ def test_a_cut_capture_counts_what_is_there_and_says_so(read: Read) -> None:
 def test_any_shows_a_packet_more_than_once_but_it_is_compared_once(read: Read) -> None:
     found = packets("cyclone_dds_11")
     views = [
-        (when + view * 1000, struct.pack(">HHIHBB8s", 0x800, 0, view + 1, 1, 0, 4 * view, bytes(8)) + data_[14:], 0)
+        (
+            when + view * 1000,
+            struct.pack(">HHIHBB8s", 0x800, 0, view + 1, 1, 0, 4 * view, bytes(8)) + data_[14:],
+            0,
+        )
         for when, data_, _ in found
         if data_[12:14] == b"\x08\x00"
         for view in (0, 1)
@@ -392,7 +410,11 @@ def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> 
         packet
         for packet in packets("fast_dds")
         if packet[1][12:14] == b"\x08\x00"
-        and (packet[1][26:30] == b"\x0a\x4d\0\1" or packet[1][30:34] == b"\x0a\x4d\0\1" or packet[1][30] >= 224)
+        and (
+            packet[1][26:30] == b"\x0a\x4d\0\1"
+            or packet[1][30:34] == b"\x0a\x4d\0\1"
+            or packet[1][30] >= 224
+        )
     ]
     capture = read(pcap(mine))
     assert capture.view() == "10.77.0.1"
@@ -416,7 +438,9 @@ ZID = bytes(range(1, 17))
 INIT_SYN = batch(b"\x01\x09\xf1" + ZID)
 KEEP_ALIVE = batch(b"\x04")
 #: Declares the subscribers 1 to 9 in one frame.
-DECLARE = batch(b"\x25\x07" + b"".join(b"\x1e\x22" + bytes([n, 0, 3]) + b"a/b" for n in range(1, 10)))
+DECLARE = batch(
+    b"\x25\x07" + b"".join(b"\x1e\x22" + bytes([n, 0, 3]) + b"a/b" for n in range(1, 10))
+)
 
 
 def session(*parts: bytes, start: int = 2**32 - 20, init: bytes = INIT_SYN) -> list[bytes]:
@@ -574,7 +598,11 @@ def test_airtime_is_that_of_the_model() -> None:
     assert len(whole) > 5
     for row in whole:
         size = messages.loc[row, "bytes"] + 64
-        down = 8 * size / 6e6 + 120e-6 if messages.loc[row, "multicast"] else 8 * size / 144.4e6 + 180e-6
+        down = (
+            8 * size / 6e6 + 120e-6
+            if messages.loc[row, "multicast"]
+            else 8 * size / 144.4e6 + 180e-6
+        )
         assert capture.airtime()[row] == pytest.approx(8 * size / 144.4e6 + 180e-6 + down)
     assert capture.airtime(ds.WIFI["802.11ac 80 MHz 2x2"]).sum() < capture.airtime().sum()
 
@@ -693,8 +721,7 @@ def test_mutated_captures_are_read_or_refused(name: str, tmp_path: Path) -> None
         else:
             link, wrap = chance.choice(list(LINKS.values()))
             frames = [
-                (when, mutated(frame, chance), length)
-                for when, frame, length in rewrap(some, wrap)
+                (when, mutated(frame, chance), length) for when, frame, length in rewrap(some, wrap)
             ]
             content = pcap(frames, link)
         path.write_bytes(content)

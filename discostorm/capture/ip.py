@@ -5,7 +5,17 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, buffer, codes, number, stack, take
+from discostorm.capture._bytes import (
+    Array,
+    Bytes,
+    Columns,
+    Numbers,
+    buffer,
+    codes,
+    number,
+    stack,
+    take,
+)
 
 TCP, UDP, FRAGMENT = 6, 17, 44
 #: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
@@ -120,10 +130,7 @@ def _version_6(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[s
 def loopback(addresses: Numbers) -> Array:
     """Return of each address whether it is of a host's own loopback."""
     return np.array(
-        [
-            key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1"
-            for key in addresses.known
-        ],
+        [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.known],
         bool,
     )
 
@@ -133,7 +140,9 @@ def is_piece(found: Columns) -> Array:
     return (found["offset"] > 0) | found["more"]
 
 
-def put_together(pieces: Columns, data: Bytes, time: Array, notes: Counter[str]) -> tuple[Bytes, Columns]:
+def put_together(
+    pieces: Columns, data: Bytes, time: Array, notes: Counter[str]
+) -> tuple[Bytes, Columns]:
     """Return what fragments make.
 
     Parameters
@@ -182,9 +191,7 @@ def put_together(pieces: Columns, data: Bytes, time: Array, notes: Counter[str])
     return pool, made
 
 
-def _runs(
-    pieces: Columns, group: Array, time: Array, notes: Counter[str]
-) -> tuple[Array, Array]:
+def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tuple[Array, Array]:
     """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
     size = len(group)
     offset, more = pieces["offset"], pieces["more"]

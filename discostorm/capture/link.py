@@ -171,7 +171,9 @@ def _wifi(data: Bytes, found: Columns, notes: Counter[str], padded: Array) -> Co
         "view": (found["view"] << 2) | to | from_ * 2,
         "retry": second & 0x08 > 0,
     }
-    return stack([_llc(data, take(found, ~bundle)), _llc(data, _subframes(data, take(found, bundle)))])
+    return stack(
+        [_llc(data, take(found, ~bundle)), _llc(data, _subframes(data, take(found, bundle)))]
+    )
 
 
 def _subframes(data: Bytes, found: Columns) -> Columns:

@@ -74,8 +74,10 @@ class _Reader:
         self.pieces: list[Columns] = []
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
-        self.several = len(set(packets.links)) > 1 or len(packets.links) > 1 or any(
-            link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
+        self.several = (
+            len(set(packets.links)) > 1
+            or len(packets.links) > 1
+            or any(link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links)
         )
 
     def packets_of(self, begin: int, end: int) -> None:
@@ -229,10 +231,9 @@ class _Reader:
 def _kept(found: Columns, *more: str) -> Columns:
     """Return what is still needed of datagrams or segments, as small as it can be."""
     small = ("frame", "size", "wire", "from_port", "to_port")
-    return (
-        {name: found[name].astype(np.int32) for name in small}
-        | {name: found[name] for name in ("at", "source", "target", "way", *more)}
-    )
+    return {name: found[name].astype(np.int32) for name in small} | {
+        name: found[name] for name in ("at", "source", "target", "way", *more)
+    }
 
 
 def read(path: str | PathLike[str]) -> Reading:
@@ -318,7 +319,9 @@ def _copies(reader: _Reader, size: int) -> Array:
         else:
             now, since, place = which, when, where
     if count := int(np.count_nonzero(copies)):
-        reader.notes["packets seen again, on another interface or way; they are not compared"] += count
+        reader.notes["packets seen again, on another interface or way; they are not compared"] += (
+            count
+        )
     return copies
 
 
@@ -356,9 +359,7 @@ def _zenoh_saw(reader: _Reader, which: int, source: int, frame: int) -> None:
         process.host = source
 
 
-def _read_datagrams(
-    reader: _Reader, data: Bytes, found: Columns, known: dict[bytes, int]
-) -> None:
+def _read_datagrams(reader: _Reader, data: Bytes, found: Columns, known: dict[bytes, int]) -> None:
     """Read scouting, and sessions over UDP."""
     group = ip.multicast(reader.addresses)[found["target"]]
     to_all = group | (found["to_port"] == zenoh.SCOUTING_PORT)

@@ -407,9 +407,14 @@ def read_capture(path: str | PathLike[str]) -> Capture:
         {
             "protocol": [reader.PROTOCOLS[process.protocol] for process in found.processes],
             "product": [process.product for process in found.processes],
-            "host": [addresses[process.host] if process.host >= 0 else "" for process in found.processes],
+            "host": [
+                addresses[process.host] if process.host >= 0 else "" for process in found.processes
+            ],
             "endpoints": [_endpoints(process) for process in found.processes],
-            "time": [float(since[process.since]) if process.since >= 0 else np.nan for process in found.processes],
+            "time": [
+                float(since[process.since]) if process.since >= 0 else np.nan
+                for process in found.processes
+            ],
         },
         index=pd.Index(processes, name="process", dtype=object),
     )

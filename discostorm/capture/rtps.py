@@ -151,14 +151,16 @@ def messages(
     announcing = np.isin(writer, ANNOUNCING) & (kind == DATA) & ~found_messages["ends"]
     stop = np.minimum(stop, last)
     announced = _announced(
-        data, take(found_messages, announcing), place[announcing], stop[announcing], little[announcing]
+        data,
+        take(found_messages, announcing),
+        place[announcing],
+        stop[announcing],
+        little[announcing],
     )
     return found_messages, announced
 
 
-def _walk(
-    data: Bytes, at: Places, end: Places, wire_end: Places
-) -> tuple[Array, Places, Places]:
+def _walk(data: Bytes, at: Places, end: Places, wire_end: Places) -> tuple[Array, Places, Places]:
     """Return all submessages: which datagram each is in, where it starts and ends."""
     which = np.arange(len(at))
     steps: list[tuple[Array, Places, Places]] = [(which[:0], at[:0], at[:0])]
@@ -221,9 +223,7 @@ def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
     return group, np.where(known, _KNOWN_NAME[place], other).astype(np.uint8)
 
 
-def _announced(
-    data: Bytes, found: Columns, place: Places, end: Places, little: Array
-) -> Columns:
+def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: Array) -> Columns:
     """Return what messages of SPDP and SEDP announce, each once.
 
     Of each ``guid``, the place of its sixteen bytes; ``spdp``, whether it is a participant;
@@ -272,14 +272,21 @@ def _parameters(
             which, at, end, little = which[inside], at[inside], end[inside], little[inside]
         if not len(at):
             break
-        kind, length = (_number(data, at + place, "u2", little).astype(np.int64) for place in (0, 2))
+        kind, length = (
+            _number(data, at + place, "u2", little).astype(np.int64) for place in (0, 2)
+        )
         for parameter, places in found.items():
             # All values that are wanted have 16 bytes or more.
             mine = (kind == parameter) & (length >= 16) & (at + 20 <= end)
             places[which[mine]] = at[mine] + 4
         last = kind == _SENTINEL
         after[which] = at + 4 + np.where(last, 0, length)
-        which, at, end, little = which[~last], at[~last] + 4 + length[~last], end[~last], little[~last]
+        which, at, end, little = (
+            which[~last],
+            at[~last] + 4 + length[~last],
+            end[~last],
+            little[~last],
+        )
     return found, after
 
 

@@ -77,7 +77,11 @@ def _block(data: Bytes, at: Places, end: Places) -> Places:
 
 
 def _where(
-    read: Callable[[Bytes, Places, Places], Places], data: Bytes, at: Places, end: Places, when: Array
+    read: Callable[[Bytes, Places, Places], Places],
+    data: Bytes,
+    at: Places,
+    end: Places,
+    when: Array,
 ) -> Places:
     """Read a part that only some of the messages have."""
     index = np.flatnonzero(when & (at <= end))
@@ -605,7 +609,9 @@ def put_together(
         place = at + 1
         while place < begin and data[place] > 127:
             place += 1
-        priority = bytes(b & 0x7F for b in data[place + 1 : place + 3].tolist()) if head & _Z else b""
+        priority = (
+            bytes(b & 0x7F for b in data[place + 1 : place + 3].tolist()) if head & _Z else b""
+        )
         if priority[:1] != b"\x31":
             priority = b""
         key = int(stream[row]), head & 0x20, priority
