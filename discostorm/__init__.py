@@ -61,7 +61,7 @@ __all__ = [
 ]
 
 #: Loaded when they are asked for, by the package that has them.
-_LATER = {name: "discostorm.capture" for name in ("Capture", "CaptureError", "read_capture")}
+_LATER = dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture")
 
 
 def __getattr__(name: str) -> Any:

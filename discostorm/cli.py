@@ -597,13 +597,13 @@ def capture(
         members = None if fleet is None else ds.Fleet.from_toml(fleet)
         spoken = set(found.processes()["protocol"])
         papers = [
-            table for wire, table in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken
+            paper for wire, paper in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken
         ]
         held = papers if against is None else [known[against]]
         tables = [pd.DataFrame()]
-        for table in held:
-            rows = found.compare(table, members).reset_index()
-            rows.insert(0, "protocol", table.name)
+        for protocol in held:
+            rows = found.compare(protocol, members).reset_index()
+            rows.insert(0, "protocol", protocol.name)
             tables.append(rows)
         table = pd.concat(tables[1:] or tables, ignore_index=True)
         groups = found.fleet().groups if members is None and spoken else ()

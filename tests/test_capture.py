@@ -34,8 +34,7 @@ from capture_files import (
 from click.testing import CliRunner
 
 import discostorm as ds
-from discostorm.capture import Capture, CaptureError, read_capture
-from discostorm.capture import rtps as rtps_module
+from discostorm.capture import Capture, CaptureError, read_capture, rtps as rtps_module
 from discostorm.cli import main
 
 DDS_CAPTURES = ["fast_dds", "cyclone_dds_010", "cyclone_dds_11"]
@@ -140,8 +139,23 @@ def test_any_link_type_is_what_tshark_says(link: str, tmp_path: Path) -> None:
     path.write_bytes(pcap(rewrap(packets("cyclone_dds_11"), wrap), number))
     fields = [part for field in FIELDS.values() for part in ("-e", field)]
     done = subprocess.run(
-        ["tshark", "-n", "-r", str(path), "-Y", "rtps", "-T", "fields", "-E", "separator=,"]
-        + ["-E", "aggregator=|", *fields],
+        [
+            *[
+                "tshark",
+                "-n",
+                "-Y",
+                "rtps",
+                "-T",
+                "fields",
+                "-E",
+                "separator=,",
+                "-E",
+                "aggregator=|",
+                "-r",
+            ],
+            str(path),
+            *fields,
+        ],
         capture_output=True,
         text=True,
         check=True,

@@ -21,12 +21,18 @@ def buffer(size: int) -> Bytes:
     return np.zeros(size + PAD, np.uint8)
 
 
+def view(data: Bytes) -> memoryview:
+    """Return the bytes for what takes them one by one."""
+    return memoryview(data)  # type: ignore[arg-type]
+
+
 def number(data: Bytes, at: Places, dtype: str) -> Array:
     """Return the numbers of that dtype, such as ``">u2"``, which start at the given places."""
     width = np.dtype(dtype).itemsize
     # Element i of this view starts at byte i; nothing is copied but what is asked for.
-    view: Array = np.ndarray((len(data) - width + 1,), dtype, data, 0, (1,))
-    return view[at]
+    numbers: Array = np.ndarray((len(data) - width + 1,), dtype, data, 0, (1,))
+    found: Array = numbers[at]
+    return found
 
 
 def take(table: Columns, chosen: Any) -> Columns:

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from os import PathLike, fspath
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 import numpy as np
 
-from discostorm.capture._bytes import Array, Bytes, Columns, buffer, number, stack, take
+from discostorm.capture._bytes import Array, Bytes, Columns, buffer, number, stack, take, view
 
 #: The first four bytes of a pcap file, as they stand there: byte order, nanoseconds of a tick, and
 #: the length of a packet's header (the last two are of a patched libpcap).
@@ -77,7 +77,7 @@ def read(path: str | PathLike[str]) -> Packets:
         else:
             size = Path(name).stat().st_size
             data = buffer(size)
-            got = file.readinto(data[:size].data)  # type: ignore[attr-defined]
+            got = file.readinto(data[:size].data)
             if got != size:
                 raise CaptureError(f"{name}: byte {got}: it ends while it is read")
     magic = data[:4].tobytes() if size >= 4 else b""
@@ -123,6 +123,7 @@ def _parts(file: IO[bytes], gzip: bool) -> Iterator[bytes]:
     """Yield what a file expands to piece by piece; it may be several compressed ones in a row."""
     rest = file.read(_CHUNK)
     while rest:
+        expand: Any  # both have what is needed here, by other types
         if gzip:
             expand = zlib.decompressobj(wbits=31)
         else:
@@ -143,14 +144,14 @@ def _parts(file: IO[bytes], gzip: bool) -> Iterator[bytes]:
 def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int) -> Packets:
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside of its header")
-    (link,) = struct.unpack_from(order + "I", data, 20)
+    (link,) = struct.unpack_from(order + "I", view(data), 20)
     read_size = struct.Struct(order + "I").unpack_from
-    view = memoryview(data)
+    source = view(data)
     headers = array("q")
     at, end = 24, size - header
     while at <= end:
         headers.append(at)
-        at += header + read_size(view, at + 8)[0]
+        at += header + read_size(source, at + 8)[0]
     # Behind its last packet a file has nothing.
     if at != size:
         where = headers.pop() if headers and at > size else at
@@ -209,25 +210,25 @@ class _Interface:
 
 
 def _pcapng(name: str, data: Bytes, size: int) -> Packets:
-    view = memoryview(data)
+    source = view(data)
     interfaces: list[_Interface] = []
     tables: list[Columns] = []
     at, order, first = 0, "<", 0
     blocks: dict[int, array[int]] = {kind: array("q") for kind in _AROUND}
     read_head = struct.Struct("<II").unpack_from
     while at < size:
-        kind, length = read_head(view, at)
+        kind, length = read_head(source, at)
         if kind == _SECTION:
             tables += _sections_packets(name, data, blocks, order, interfaces, first)
             blocks = {kind: array("q") for kind in _AROUND}
             order = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}.get(
-                view[at + 8 : at + 12].tobytes(), ""
+                source[at + 8 : at + 12].tobytes(), ""
             )
             if not order:
                 raise CaptureError(f"{name}: byte {at}: a section without a byte order")
             first = len(interfaces)
             read_head = struct.Struct(order + "II").unpack_from
-            kind, length = read_head(view, at)
+            kind, length = read_head(source, at)
         if length < 12 or length & 3 or at + length > size:
             raise CaptureError(
                 f"{name}: byte {at}: a block of {length} bytes is cut or broken; the first {at} "
@@ -238,7 +239,7 @@ def _pcapng(name: str, data: Bytes, size: int) -> Packets:
                 raise CaptureError(f"{name}: byte {at}: a packet's block has {length} bytes")
             blocks[kind].append(at)
         elif kind == _INTERFACE:
-            interfaces.append(_interface(name, view, at, length, order))
+            interfaces.append(_interface(name, source, at, length, order))
         at += length
     tables += _sections_packets(name, data, blocks, order, interfaces, first)
     if not tables:
@@ -251,21 +252,21 @@ def _pcapng(name: str, data: Bytes, size: int) -> Packets:
     return Packets(data, table, tuple(interface.link for interface in interfaces))
 
 
-def _interface(name: str, view: memoryview, at: int, length: int, order: str) -> _Interface:
+def _interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
     if length < 20:
         raise CaptureError(f"{name}: byte {at}: an interface's block has {length} bytes")
-    link, _, snaplen = struct.unpack_from(order + "HHI", view, at + 8)
+    link, _, snaplen = struct.unpack_from(order + "HHI", source, at + 8)
     found = _Interface(link, snaplen)
     option, end = at + 16, at + length - 4
     while option + 4 <= end:
-        code, size = struct.unpack_from(order + "HH", view, option)
+        code, size = struct.unpack_from(order + "HH", source, option)
         value = option + 4
         if code == _END or value + size > end:
             break
         if code == _RESOLUTION and size == 1:
-            found = replace(found, resolution=view[value])
+            found = replace(found, resolution=source[value])
         elif code == _OFFSET and size == 8:
-            (offset,) = struct.unpack_from(order + "q", view, value)
+            (offset,) = struct.unpack_from(order + "q", source, value)
             found = replace(found, offset=max(-(2**32), min(offset, 2**32)))
         option = value + (size + 3 & ~3)
     return found
@@ -303,11 +304,12 @@ def _sections_packets(
                 size = np.minimum(size, here[0].snaplen)
             time = np.zeros(len(at), np.int64)
         else:
-            high, low, size, length = (
-                number(data, at + place, order + "u4").astype(np.uint64)
-                for place in (12, 16, 20, 24)
+            high, low = (
+                number(data, at + place, order + "u4").astype(np.uint64) for place in (12, 16)
             )
-            size, length = size.astype(np.int64), length.astype(np.int64)
+            size, length = (
+                number(data, at + place, order + "u4").astype(np.int64) for place in (20, 24)
+            )
             ticks = (high << np.uint64(32)) | low
             time = np.zeros(len(at), np.int64)
             for index in np.unique(interface):

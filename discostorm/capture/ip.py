@@ -15,6 +15,7 @@ from discostorm.capture._bytes import (
     number,
     stack,
     take,
+    view,
 )
 
 TCP, UDP, FRAGMENT = 6, 17, 44
@@ -177,7 +178,7 @@ def put_together(
     pool = buffer(int(total.sum()))
     at = np.repeat(start, count) + pieces["offset"]
     size = pieces["end"] - pieces["at"]
-    source, target = memoryview(data), memoryview(pool)
+    source, target = view(data), view(pool)
     for to, from_, many in zip(at.tolist(), pieces["at"].tolist(), size.tolist(), strict=True):
         target[to : to + many] = source[from_ : from_ + many]
     frame = np.maximum.reduceat(pieces["frame"], first) if len(first) else pieces["frame"]
@@ -247,7 +248,7 @@ def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tu
 
 
 def datagrams(data: Bytes, found: Columns) -> Columns:
-    """Return the UDP datagrams: ``at`` and ``size`` of what they hold, its ``wire`` bytes, ports."""
+    """Return the UDP datagrams: ``at``, ``size`` and ``wire`` bytes of what they hold, ports."""
     found = take(found, (found["protocol"] == UDP) & (found["end"] - found["at"] >= 8))
     at = found["at"]
     length = number(data, at + 4, ">u2").astype(np.int64)

@@ -84,7 +84,8 @@ def _ethernet(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
 
 def _snap(data: Bytes, at: Places) -> Array:
     """Return where LLC says that SNAP follows, with a type of Ethernet."""
-    return (number(data, at, ">u4") == 0xAAAA0300) & (number(data, at + 4, ">u2") == 0)
+    found: Array = (number(data, at, ">u4") == 0xAAAA0300) & (number(data, at + 4, ">u2") == 0)
+    return found
 
 
 def _cooked(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:

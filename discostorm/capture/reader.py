@@ -461,12 +461,10 @@ def _read_streams(reader: _Reader, streams: tcp.Streams, known: dict[bytes, int]
     opened = zenoh.sessions(content)
     table = streams.table
     process = np.full(len(streams.first), -1, np.int64)
-    for stream, session in opened.items():
-        row = streams.first[stream]
-        process[stream] = _process(reader, known, session.zid, session.role)
-        _zenoh_saw(
-            reader, int(process[stream]), int(table["source"][row]), int(table["frame"][row])
-        )
+    for of, session in opened.items():
+        row = streams.first[of]
+        process[of] = _process(reader, known, session.zid, session.role)
+        _zenoh_saw(reader, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
     batches = zenoh.batches(content, streams, opened, reader.notes)
     found = zenoh.parse(content.data, batches["at"], batches["end"])
     if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):

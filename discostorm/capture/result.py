@@ -36,11 +36,13 @@ class Capture:
     packets : int
         How many packets it holds [1].
     start : float
-        When its first packet was captured, in seconds since 1970 [s].
+        When its earliest packet was captured, in seconds since 1970 [s].
     duration : float
-        Time from its first packet to its last [s].
+        Time from its earliest packet to its latest [s].
     notes : tuple of str
         What could not be read or counted, and why.
+    _messages, _processes : pandas.DataFrame
+        What `messages` and `processes` return copies of.
     """
 
     path: str
@@ -63,7 +65,7 @@ class Capture:
         Returns
         -------
         pandas.DataFrame
-            One row a message: ``time`` since the first packet [s]; ``frame``, the number of
+            One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of
             the packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments,
             "TCP"; ``kind``, as the tables of protocols call it; ``multicast``; ``bytes``, its
             part of the payload of UDP or TCP [B], so that they add up to it; ``sender`` and
@@ -284,7 +286,7 @@ class Capture:
         """Return the time from the first message of a table to the end of the capture [s]."""
         names = [message.name for message in protocol.messages]
         mine = self._messages.loc[self._messages["kind"].isin(names), "time"]
-        return self.duration - float(mine.iloc[0]) if len(mine) else self.duration
+        return self.duration - float(mine.min()) if len(mine) else self.duration
 
     def _units(self, message: Message, fleet: Fleet) -> float:
         """Return of how many units of a message the capture shows what they send."""
@@ -325,7 +327,8 @@ def _airtime(lengths: np.ndarray, cast: Cast, wifi: Wifi) -> Any:
     length = sp.Symbol("S")
     model = wifi.model
     expression = uplink_airtime(length, model) + downlink_airtime(length, cast, model)
-    return evaluate(expression, {length: lengths} | wifi.values())
+    given: dict[Any, Any] = {length: lengths}
+    return evaluate(expression, given | wifi.values())
 
 
 def read_capture(path: str | PathLike[str]) -> Capture:
@@ -353,8 +356,12 @@ def read_capture(path: str | PathLike[str]) -> Capture:
 
     Examples
     --------
-    >>> capture = read_capture("tests/captures/cyclone_dds.pcap.xz")  # doctest: +SKIP
-    >>> capture.compare(ds.DDS)  # doctest: +SKIP
+    >>> import discostorm as ds
+    >>> capture = ds.read_capture("tests/captures/fast_dds.pcap.xz")
+    >>> capture.fleet()
+    Fleet(groups=(HostGroup(hosts=3, processes=2, endpoints=10),))
+    >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
+    np.float64(240.0)
     """
     import pandas as pd
 
@@ -378,7 +385,9 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     )
     entities = [*rtps.ENTITY_NAMES, ""]
     entity = np.where(is_rtps, rows["entity"], len(rtps.ENTITY_NAMES))
-    since = (time - time[0]) * NANOSECOND if len(time) else time * NANOSECOND
+    # Clocks are set back, and files are merged.
+    begin = int(time.min()) if len(time) else 0
+    since = (time - begin) * NANOSECOND
     messages = pd.DataFrame(
         {
             "time": since[rows["frame"]],
@@ -421,15 +430,15 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     return Capture(
         path=name,
         packets=found.packets,
-        start=float(time[0] * NANOSECOND) if len(time) else 0.0,
-        duration=float(since[-1]) if len(time) else 0.0,
+        start=begin * NANOSECOND,
+        duration=float(since.max()) if len(time) else 0.0,
         notes=_notes(found, messages),
         _messages=messages,
         _processes=table,
     )
 
 
-def _words(codes: np.ndarray, names: Any) -> pd.Categorical:
+def _words(codes: np.ndarray, names: Any) -> Any:
     """Return names by their numbers, -1 for the last one; only those used are kept."""
     import pandas as pd
 
@@ -438,8 +447,8 @@ def _words(codes: np.ndarray, names: Any) -> pd.Categorical:
     codes = of_name[codes]
     used = np.bincount(codes, minlength=len(known)) > 0
     new = np.cumsum(used) - 1
-    kept = [name for name, index in known.items() if used[index]]
-    smallest = np.int8 if len(kept) < 128 else np.int32
+    kept: Any = [name for name, index in known.items() if used[index]]
+    smallest: Any = np.int8 if len(kept) < 128 else np.int32
     return pd.Categorical.from_codes(new[codes].astype(smallest), kept)
 
 

@@ -74,12 +74,14 @@ def submessage_names() -> list[str]:
 
 def starts(data: Bytes, at: Places) -> Array:
     """Return which datagrams are RTPS messages."""
-    return np.isin(number(data, at, ">u4"), _MAGIC)
+    found: Array = np.isin(number(data, at, ">u4"), _MAGIC)
+    return found
 
 
 def over_tcp(data: Bytes, at: Places) -> Array:
     """Return which TCP segments start with a message of Fast DDS's TCP transport."""
-    return number(data, at, ">u4") == _OVER_TCP
+    found: Array = number(data, at, ">u4") == _OVER_TCP
+    return found
 
 
 def messages(
@@ -262,7 +264,7 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
 def _parameters(
     data: Bytes, at: Places, end: Places, little: Array, wanted: tuple[int, ...]
 ) -> tuple[dict[int, Places], Places]:
-    """Return where the values of the wanted parameters of lists stand, 0 if nowhere, and the ends."""
+    """Return where the values of parameters of lists stand, 0 if nowhere, and the lists' ends."""
     found = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
     after = at.copy()
     which = np.arange(len(at))

@@ -6,7 +6,7 @@ from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, stack, take
+from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, stack, take, view
 
 FIN, SYN, RST = 1, 2, 4
 
@@ -61,7 +61,7 @@ def streams(parts: list[Columns]) -> Streams:
     stream = np.cumsum(new) - 1
     first = np.flatnonzero(new)
     last = np.append(first[1:], len(code))
-    step = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
+    step: Array = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
     place = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
     # The SYN itself takes a number.
     place = place + syn
@@ -186,8 +186,8 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     }
     at = table["at"][pieces["segment"]]
     at[len(segment) :] += np.array(skips, np.int64)
-    view = memoryview(data)
-    parts = [view[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
+    source = view(data)
+    parts = [source[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
     joined = b"".join([*parts, bytes(PAD)])
     return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
 

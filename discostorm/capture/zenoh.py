@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from discostorm.capture._bytes import Array, Bytes, Columns, Places, number, take
+from discostorm.capture._bytes import Array, Bytes, Columns, Places, number, take, view
 from discostorm.capture.tcp import Content, Streams
 from discostorm.data import read_data
 
@@ -215,7 +215,7 @@ def _open(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Ar
 
 
 def _close(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    return _where(_extensions, data, _skip(at, end, np.int64(1)), end, head & _Z > 0), at
+    return _where(_extensions, data, np.minimum(at + 1, end + 1), end, head & _Z > 0), at
 
 
 def _keep_alive(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
@@ -409,7 +409,8 @@ def _locators(data: Bytes, at: Places, end: Places) -> Places:
 def may_open(data: Bytes, at: Places, size: Array) -> Array:
     """Return which datagrams may start a session of Zenoh over UDP."""
     kind = data[at] & 0x1F
-    return np.isin(kind, (_INIT, _JOIN)) & np.isin(data[at + 1], _VERSIONS) & (size > 4)
+    known: Array = np.isin(kind, (_INIT, _JOIN)) & np.isin(data[at + 1], _VERSIONS)
+    return known & (size > 4)
 
 
 # ---------------------------------------------------------------- streams
@@ -421,25 +422,27 @@ def is_batch(data: Bytes, at: Places, size: Array) -> Array:
     head = data[at + 2]
     kind = head & 0x1F
     plain = head & _Z == 0
-    return (size > 2) & (
+    alike: Array = (
         ((kind == _KEEP_ALIVE) & plain & (length == 1))
         | ((kind == _CLOSE) & plain & (length == 2))
         | ((kind == _FRAME) & (length > 3))
         | ((kind == _FRAGMENT) & (length > 3))
         | ((kind == _OPEN) & (length > 3) & (length + 2 == size))
     )
+    return alike & (size > 2)
 
 
 def is_init(data: Bytes, at: Places, size: Array) -> Array:
     """Return which segments are an Init, the first that each side of a session sends."""
     length = number(data, at, "<u2").astype(np.int64)
-    return (
+    found: Array = (
         (size > 6)
         & (length + 2 == size)
         & (data[at + 2] & 0x1F == _INIT)
         & np.isin(data[at + 3], _VERSIONS)
         & (data[at + 4] & 0x0C == 0)
     )
+    return found
 
 
 def chosen(data: Bytes, streams: Streams) -> Array:
@@ -514,7 +517,7 @@ def batches(
     mine = whole[run[piece]]
     parts = [(at[mine], end[mine], runs["stream"][run[piece[mine]]])]
     # Of the others batch by batch.
-    view = memoryview(data)
+    content_ = view(data)
     cut = 0
     for index in np.flatnonzero(~whole).tolist():
         here, last, stream, start = (column[index].item() for column in runs.values())
@@ -526,7 +529,7 @@ def batches(
             here = aligned
         # The opening of a session can be read in any case.
         while here + 3 <= last and not (word and len(found) == 2):
-            after = here + 2 + view[here] + 256 * view[here + 1]
+            after = here + 2 + content_[here] + 256 * content_[here + 1]
             if after > last or after == here + 2:
                 break
             found.append(here)
