@@ -644,9 +644,9 @@ def capture(
             formats={
                 **dict.fromkeys(("units", "expected"), _count),
                 "per_unit": _ratio,
-                "airtime_s": _seconds,
+                "airtime_s": "{:.4f}".format,
             },
-            headings={"airtime_s": "airtime [s]"},
+            headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
         )
     for note in found.notes:
         click.echo(f"Note: {note}.")

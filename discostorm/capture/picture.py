@@ -16,8 +16,19 @@ if TYPE_CHECKING:
 
 #: Intervals in the picture, kinds with a colour of their own, inches.
 _INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
-#: Okabe and Ito's colours, which the colour-blind tell apart, and grey for the rest.
-_COLORS = ("#0072B2", "#E69F00", "#56B4E9", "#D55E00", "#009E73", "#CC79A7", "#332288")
+#: Okabe and Ito's colours, which the colour-blind tell apart: the same in every picture for what
+#: the paper counts, in order for other kinds, and grey for the rest.
+_COLORS = {
+    "SPDP": "#0072B2",
+    "SEDP": "#E69F00",
+    "Heartbeat": "#56B4E9",
+    "ACKNACK": "#D55E00",
+    "Scout": "#0072B2",
+    "Declare": "#E69F00",
+    "Hello": "#56B4E9",
+    "KeepAlive": "#D55E00",
+}
+_OTHERS = ("#009E73", "#CC79A7", "#332288", "#F0E442", "#000000", "#882255", "#44AA99")
 _REST = "#999999"
 
 
@@ -39,7 +50,9 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
     shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_KINDS]
     kinds = rows["kind"].astype(str).to_numpy()
-    parts = [(kind, color, kinds == kind) for kind, color in zip(shown, _COLORS, strict=False)]
+    own = dict(zip((kind for kind in sorted(shown) if kind not in _COLORS), _OTHERS, strict=False))
+    colors = own | _COLORS
+    parts = [(kind, colors[kind], kinds == kind) for kind in shown]
     if len(total) > len(shown):
         parts.append((f"{len(total) - len(shown)} others", _REST, ~np.isin(kinds, shown)))
     with mpl.rc_context(fname=data_path("discostorm.mplstyle")):
