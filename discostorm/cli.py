@@ -707,6 +707,114 @@ def _not_written(out: str, error: OSError) -> NoReturn:
     ) from error
 
 
+@main.command(short_help="What a capture holds, against the model.")
+@click.argument("file", metavar="FILE")
+@click.option(
+    "--against",
+    metavar="PROTOCOL",
+    help="Table to hold it against, such as 'DDS'; if left out, the paper's of what is found.",
+)
+@click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
+@click.option("--picture", metavar="FILE", help="Draw it, too: a file .svg, .pdf or .png.")
+@output_options
+def capture(
+    file: str,
+    against: str | None,
+    fleet: str | None,
+    picture: str | None,
+    as_json: bool,
+    as_csv: bool,
+) -> None:
+    """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
+
+    FILE is pcap or pcapng, also as .gz or .xz. Per unit is what was captured for each
+    process, pair of processes or endpoint of the fleet that the capture itself tells of;
+    airtime is that on the paper's channel. Record with:
+
+    \b
+      tcpdump -i wlan0 -s 0 -w discovery.pcap 'udp or ip6 or (tcp and not port 22)'
+
+    \b
+    Examples:
+      discostorm capture discovery.pcap
+      discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
+    """
+    known = ds.PROTOCOLS
+    if against is not None and against not in known:
+        names = ", ".join(map(repr, known))
+        raise click.UsageError(f"--against must be one of {names}; got {against!r}")
+    with _bad_input(), _working("reading"):
+        import pandas as pd
+
+        from discostorm.capture import read_capture
+
+        found = read_capture(file)
+        members = None if fleet is None else ds.Fleet.from_toml(fleet)
+        spoken = set(found.processes()["protocol"])
+        papers = [
+            paper for wire, paper in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken
+        ]
+        held = papers if against is None else [known[against]]
+        tables = [pd.DataFrame()]
+        for protocol in held:
+            rows = found.compare(protocol, members).reset_index()
+            rows.insert(0, "protocol", protocol.name)
+            tables.append(rows)
+        table = pd.concat(tables[1:] or tables, ignore_index=True)
+        groups = found.fleet().groups if members is None and spoken else ()
+        if picture is not None:
+            try:
+                found.picture().savefig(picture)
+            except OSError as error:
+                raise BadInput(f"--picture: {picture}: {error.strerror}") from error
+    if as_csv:
+        _print(table, as_json=False, as_csv=True)
+        return
+    if as_json:
+        rows_ = table.astype(object).where(table.notna(), None).to_dict("records")
+        answer = {
+            "file": file,
+            "packets": found.packets,
+            "duration_s": found.duration,
+            "hosts": [
+                dict(zip(("hosts", "processes", "endpoints"), group.counts(), strict=True))
+                for group in groups
+            ],
+            "messages": rows_,
+            "notes": list(found.notes),
+        }
+        click.echo(json.dumps(answer, indent=2, ensure_ascii=False))
+        return
+    click.echo(f"{file}: {found.packets} packets in {found.duration:.3f} s")
+    for group in groups:
+        hosts, processes, endpoints = map(_plain, group.counts())
+        click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
+    if table.empty:
+        click.echo("There is no message of RTPS or Zenoh in it.")
+    else:
+        _print(
+            table.drop(columns="protocol"),
+            as_json=False,
+            as_csv=False,
+            formats={
+                **dict.fromkeys(("units", "expected"), _count),
+                "per_unit": _ratio,
+                "airtime_s": "{:.4f}".format,
+            },
+            headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
+        )
+    for note in found.notes:
+        click.echo(f"Note: {note}.")
+
+
+def _count(value: float) -> str:
+    return "" if value != value else f"{value:,.6g}"
+
+
+def _ratio(value: float) -> str:
+    return "" if value != value else f"{value:,.3g}"
+
+
 @main.command(short_help="The paper's claims and their verdicts.")
 @click.option(
     "--verdict",

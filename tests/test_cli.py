@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import lzma
 import math
 import os
 import re
@@ -41,6 +42,8 @@ def swarm(command: str, *more: str) -> Result:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    packed = Path(__file__).parent / "captures" / "cyclone_dds_010.pcap.xz"
+    (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
     return tmp_path
 
 
@@ -369,9 +372,9 @@ def every_command() -> dict[str, click.Command]:
     return dict(main.commands)
 
 
-def test_there_are_six_commands() -> None:
+def test_there_are_seven_commands() -> None:
     assert sorted(every_command()) == [
-        "breakdown", "claims", "figures", "plan", "saturation", "utilization",
+        "breakdown", "capture", "claims", "figures", "plan", "saturation", "utilization",
     ]  # fmt: skip
 
 
