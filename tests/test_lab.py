@@ -128,13 +128,13 @@ def wait_until(true: object, seconds: float = 20.0) -> bool:
     return False
 
 
-def begin(out: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
-    """Run the lab on one point of two hosts, for all products."""
+def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[str]:
+    """Run the lab on one point of two hosts, for all products or some."""
     grid = out.with_suffix(".csv")
     heading = "hosts,processes,endpoints,names,use,runs,seconds"
     grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
     command = [sys.executable, str(LAB / "run.py"), "--grid", str(grid), "--out", str(out)]
-    command += ["--spacing", "0.2"]
+    command += ["--spacing", "0.2", *(f"--only={name}" for name in only)]
     return subprocess.Popen(
         command,
         stdout=subprocess.PIPE,
@@ -200,6 +200,29 @@ def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
         hosts = talk(capture)
         assert hosts >= {("10.77.0.1", "10.77.0.2"), ("10.77.0.2", "10.77.0.1")}, capture
         assert {who for who, _ in hosts} == {"10.77.0.1", "10.77.0.2"}
+
+
+def test_captures_are_counted_in_windows(tmp_path: Path) -> None:
+    """Of a run of 14 s the start-up is counted, and of the steady window nothing."""
+    ready()
+    made = begin(out := tmp_path / "out", uuid.uuid4().hex, 14, "fast_dds-default")
+    said, _ = made.communicate(timeout=300)
+    assert made.returncode == 0, said
+    command = [sys.executable, str(LAB / "count.py"), str(out), "--out", str(tmp_path / "tables")]
+    subprocess.run(command, check=True, capture_output=True)
+    with (tmp_path / "tables" / "runs.csv").open(newline="") as file:
+        [run] = csv.DictReader(file)
+    assert (run["product"], run["hosts"], run["command"].split()[:2]) == (
+        "fast_dds",
+        "2",
+        ["fast_dds", "14"],
+    )
+    with (tmp_path / "tables" / "counts.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["window"] for row in rows} == {"startup"}
+    announced = [row for row in rows if row["kind"] == "SPDP" and row["multicast"] == "1"]
+    # At once, five times 0.1 s apart, at 3.5, 6.5, 9.5 s, and for the other: 10 for each of two.
+    assert [row["messages"] for row in announced] == ["20"]
 
 
 def talk(capture: Path) -> set[tuple[str, str]]:
