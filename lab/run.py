@@ -120,6 +120,12 @@ def finish(out: Path) -> str:
     return f"{size:>9,} bytes captured, {job['cpu_s']:5.2f} s of CPU"
 
 
+def remove(out: Path) -> None:
+    """Take away what a run left that did not go well."""
+    for path in out.parent.glob(f"{out.name}.*"):
+        path.unlink()
+
+
 def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) -> int:
     """Run all jobs, some side by side; how many failed for good."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
@@ -134,12 +140,14 @@ def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) ->
                 if stage.returncode == 0:
                     done += 1
                     news = finish(out)
-                elif job["tries"] < TRIES:
-                    waiting.append(job)
-                    news = f"tried again later: {error.strip()}"
                 else:
-                    done, failed = done + 1, failed + 1
-                    news = f"FAILED {TRIES} times: {error.strip()}"
+                    remove(out)
+                    news = f"tried again later: {error.strip()}"
+                    if job["tries"] < TRIES:
+                        waiting.append(job)
+                    else:
+                        done, failed = done + 1, failed + 1
+                        news = f"FAILED {TRIES} times: {error.strip()}"
                 left = (time.monotonic() - begun) / max(done, 1) * (total - done) / 60
                 print(f"[{done}/{total}] {job['name']}: {news}; {left:.0f} min left", flush=True)
             here = sum(job["hosts"] * job["processes"] for job in running.values())
@@ -160,8 +168,7 @@ def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) ->
             stage.kill()
             stage.wait()
         for job in running.values():
-            for path in folder.glob(f"{job['name']}.*"):
-                path.unlink()
+            remove(folder / job["name"])
     return failed
 
 

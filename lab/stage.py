@@ -81,6 +81,7 @@ def main() -> None:
     job = json.loads(sys.argv[1])
     out = Path(job["out"])
     hosts, processes = job["hosts"], job["processes"]
+    program_name = Path(job["command"][-1]).name
     quiet()
     say("ip link set lo up")
     say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
@@ -127,13 +128,11 @@ def main() -> None:
         try:
             lines, _ = program.communicate(timeout=job["seconds"] + PATIENCE)
         except subprocess.TimeoutExpired:
-            raise SystemExit(f"{job['command']} does not end") from None
+            raise SystemExit(f"{program_name} does not end") from None
         with errors:
             if program.returncode:
                 errors.seek(0)
-                raise SystemExit(
-                    f"{job['command']} ended with {program.returncode}: {errors.read()}"
-                )
+                raise SystemExit(f"{program_name} ended with {program.returncode}: {errors.read()}")
             errors.write("".join(line for line in lines.splitlines(True) if not TIME.match(line)))
         times.append({what: float(when) for what, when in TIME.findall(lines)})
         if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - start < LATE:
