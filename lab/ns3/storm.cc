@@ -55,13 +55,14 @@ struct Options
     uint32_t senders = 0;
     std::string order = "pairs";
     uint32_t ampdu = 0;
+    bool request = true;
     uint32_t aifsn = 3;
     uint32_t queueFrames = 0;
     double queueTime = 0;
     double window = 0;
     double loss = 0;
     double distance = 0;
-    double duration = 5;
+    double duration = 1;
     uint32_t seed = 1;
     bool trace = false;
 } options;
@@ -92,6 +93,7 @@ struct Sent
     bool multicast;
     uint32_t arrived = 0;
     Cause cause = NONE;
+    bool queuedAtHost = false, reachedAp = false, queuedAtAp = false;
 };
 
 std::vector<Message> messages;
@@ -226,6 +228,43 @@ OnArrival(uint32_t node, Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t, con
     return true;
 }
 
+// A frame that finds the queue full vanishes without a trace: it is one that was never queued.
+void
+OnQueued(uint32_t node, Ptr<const WifiMpdu> mpdu)
+{
+    if (running && options.traffic == "burst" && mpdu->GetHeader().IsQosData())
+    {
+        auto& message = sent.at(IdOf(mpdu->GetPacket(), LLC));
+        (node == options.hosts ? message.queuedAtAp : message.queuedAtHost) = true;
+    }
+}
+
+bool
+OnRelay(Ptr<NetDevice>,
+        Ptr<const Packet> packet,
+        uint16_t,
+        const Address&,
+        const Address&,
+        NetDevice::PacketType)
+{
+    if (running && options.traffic == "burst")
+    {
+        sent.at(IdOf(packet, 0)).reachedAp = true;
+    }
+    return true;
+}
+
+// What an undelivered message was lost to; NONE if it was sent down and not received.
+Cause
+CauseOf(const Sent& message)
+{
+    if (!message.queuedAtHost)
+    {
+        return HOST_FULL;
+    }
+    return message.reachedAp && !message.queuedAtAp ? AP_FULL : message.cause;
+}
+
 void SendSaturated(uint32_t node);
 
 void
@@ -245,9 +284,6 @@ OnDrop(uint32_t node, WifiMacDropReason reason, Ptr<const WifiMpdu> mpdu)
     auto& message = sent.at(IdOf(mpdu->GetPacket(), LLC));
     switch (reason)
     {
-    case WIFI_MAC_DROP_FAILED_ENQUEUE:
-        message.cause = ap ? AP_FULL : HOST_FULL;
-        break;
     case WIFI_MAC_DROP_EXPIRED_LIFETIME:
         message.cause = ap ? AP_AGE : HOST_AGE;
         break;
@@ -361,6 +397,7 @@ Start()
         queue->SetMaxDelay(options.queueTime == 0 ? Seconds(1e6) : Seconds(options.queueTime));
         auto txop = MacOf(node)->GetQosTxop(AC_BE);
         txop->SetAifsn(options.aifsn);
+        txop->SetAttribute("UseExplicitBarAfterMissedBlockAck", BooleanValue(options.request));
         if (options.ampdu > 0)
         {
             const uint32_t to = node == ap ? 0 : ap;
@@ -382,6 +419,7 @@ Start()
     air.begin = air.end = air.last = Simulator::Now();
     if (options.traffic == "saturation")
     {
+        const Time warmUp = MilliSeconds(500);
         for (uint32_t host = 0; host < options.hosts; host++)
         {
             for (int i = 0; i < 3; i++)
@@ -389,7 +427,12 @@ Start()
                 SendSaturated(host);
             }
         }
-        Simulator::Stop(Seconds(options.duration));
+        Simulator::Schedule(warmUp, [] {
+            const Time now = Simulator::Now();
+            air = {.begin = now, .end = std::max(air.end, now), .open = air.open};
+            acked = dropped = 0;
+        });
+        Simulator::Stop(warmUp + Seconds(options.duration));
         return;
     }
     auto delay = CreateObject<UniformRandomVariable>();
@@ -514,7 +557,12 @@ Build()
         {
             device->GetPhy()->SetPostReceptionErrorModel(CreateObject<DataErrors>());
         }
-        if (node < options.hosts)
+        QueueOf(node)->TraceConnectWithoutContext("Enqueue", MakeBoundCallback(&OnQueued, node));
+        if (node == options.hosts)
+        {
+            device->SetPromiscReceiveCallback(MakeCallback(&OnRelay));
+        }
+        else
         {
             device->GetMac()->TraceConnectWithoutContext(
                 "Assoc",
@@ -568,13 +616,14 @@ main(int argc, char* argv[])
     command.AddValue("senders", "hosts that send, 0 for all", options.senders);
     command.AddValue("order", "pairs or messages", options.order);
     command.AddValue("ampdu", "most bytes in an A-MPDU, 0 for none", options.ampdu);
+    command.AddValue("request", "ask for a block ACK that did not come", options.request);
     command.AddValue("aifsn", "AIFSN of all", options.aifsn);
     command.AddValue("queue_frames", "frames in a queue, 0 for no limit", options.queueFrames);
     command.AddValue("queue_s", "seconds in a queue, 0 for no limit", options.queueTime);
     command.AddValue("window_s", "hosts start at random in this time", options.window);
     command.AddValue("loss", "part of data frames with errors, per link", options.loss);
     command.AddValue("distance", "metres between any two", options.distance);
-    command.AddValue("duration", "seconds of saturation", options.duration);
+    command.AddValue("duration", "seconds of saturation that count, after half a second", options.duration);
     command.AddValue("seed", "run number of the random numbers", options.seed);
     command.AddValue("trace", "print all transmissions", options.trace);
     command.Parse(argc, argv);
@@ -616,7 +665,12 @@ main(int argc, char* argv[])
             }
             expected += receivers;
             arrived += message.arrived;
-            lost[message.cause] += receivers - message.arrived;
+            const Cause cause = CauseOf(message);
+            if (!message.multicast && message.arrived == 0 && cause == NONE)
+            {
+                Fail("a unicast message was lost without a cause");
+            }
+            lost[cause] += receivers - message.arrived;
         }
         uint64_t waiting = 0;
         for (uint32_t node = 0; node <= options.hosts; node++)
