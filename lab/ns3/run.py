@@ -5,6 +5,7 @@ import concurrent.futures
 import csv
 import dataclasses
 import hashlib
+import itertools
 import json
 import os
 import statistics
@@ -108,15 +109,15 @@ def messages(protocol: str, endpoints: int) -> str:
     return ",".join(rows)
 
 
-def command(run: Run) -> str:
-    """Return the command that repeats a run."""
+def source(run: Run) -> str:
+    """Return the version of ns-3 and the ARGS of `make ns3` that repeat a run."""
     default = type(run)()
-    options = " ".join(
+    options = [
         f"--{field.name} {getattr(run, field.name)}"
         for field in dataclasses.fields(run)
-        if getattr(run, field.name) != getattr(default, field.name)
-    )
-    return f'make ns3 ARGS="{type(run).__name__.lower()} {options}"'
+        if field.name != "scenario" and getattr(run, field.name) != getattr(default, field.name)
+    ]
+    return f"ns-3 {VERSION}: " + " ".join([type(run).__name__.lower(), *options])
 
 
 def say(text: str) -> None:
@@ -153,100 +154,94 @@ def storm(options: Iterable[str]) -> str:
     return done.stdout
 
 
+def cached(run: Run) -> Path:
+    """Return where the result of a run is kept: it depends on the program and its options."""
+    text = "\n".join([(BUILD / "storm.sha256").read_text(), *run.options()])
+    return CACHE / f"{hashlib.sha256(text.encode()).hexdigest()}.json"
+
+
 def result(run: Run) -> dict[str, float]:
-    """Return the result of a run, from the cache if it ran before with the same program."""
-    key = hashlib.sha256("\n".join([(BUILD / "storm.sha256").read_text(), *run.options()]).encode())
-    cached = CACHE / f"{key.hexdigest()}.json"
-    if not cached.exists():
-        text = storm(run.options())
-        part = cached.with_suffix(f".{os.getpid()}")
-        part.write_text(text)
-        part.rename(cached)
-    values: dict[str, float] = json.loads(cached.read_text())
+    """Return the result of a run, which runs only if it did not before."""
+    path = cached(run)
+    if not path.exists():
+        # Renamed when complete, so that what is interrupted is done again.
+        part = path.with_suffix(".part")
+        part.write_text(storm(run.options()))
+        part.rename(path)
+    values: dict[str, float] = json.loads(path.read_text())
     return values
 
 
-def bursts() -> Iterator[Burst]:
-    """Yield all runs of bursts, the most wanted first."""
-    every = (2, 3, 4, 5, 6, 7, 8, 10, 12)
-    both = [(name, ampdu) for name in PROTOCOLS for ampdu in (0, 65535)]
-    frames, seconds = QUEUE
-    queues: tuple[tuple[str, tuple[int, ...], dict[str, float]], ...] = (
-        ("no limit", every, {}),
-        ("queue", every, {"queue_frames": frames, "queue_s": seconds}),
-        ("short queue", (2, 4, 6, 8, 12), {"queue_frames": 100, "queue_s": seconds}),
+def grid(
+    scenario: str,
+    hosts: Iterable[int],
+    *,
+    protocols: Iterable[str] = tuple(PROTOCOLS),
+    ampdus: Iterable[int] = (0, 65535),
+    queues: Iterable[tuple[int, float]] = ((0, 0.0),),
+    windows: Iterable[float] = (0.0,),
+    losses: Iterable[float] = (0.0,),
+    seeds: int = 10,
+    settings: Iterable[tuple[str, object]] = (),
+) -> list[Run]:
+    """Return the bursts of all combinations, with `settings` the same in all."""
+    base = dataclasses.replace(Burst(scenario), **dict(settings))  # type: ignore[arg-type]
+    every = itertools.product(
+        hosts, losses, windows, queues, protocols, ampdus, range(1, seeds + 1)
     )
-    for scenario, hosts, options in queues:
-        for count in hosts:
-            for name, ampdu in both:
-                for seed in range(1, (20 if count <= 4 else 10) + 1):
-                    yield Burst(
-                        scenario,
-                        name,
-                        count,
-                        ampdu=ampdu,
-                        seed=seed,
-                        **options,  # type: ignore[arg-type]
-                    )
-    for count in (4, 8, 12):
-        for window in (0.5, 1.0, 2.0, 5.0):
-            for name, ampdu in both:
-                for seed in range(1, 11):
-                    yield Burst(
-                        "staggered",
-                        name,
-                        count,
-                        ampdu=ampdu,
-                        queue_frames=frames,
-                        queue_s=seconds,
-                        window_s=window,
-                        seed=seed,
-                    )
-    for count in (3, 5, 8):
-        for loss in (0.05, 0.2):
-            for limits in ((0, 0.0), QUEUE):
-                for name, ampdu in both:
-                    for seed in range(1, 11):
-                        yield Burst(
-                            "errors",
-                            name,
-                            count,
-                            ampdu=ampdu,
-                            queue_frames=limits[0],
-                            queue_s=limits[1],
-                            loss=loss,
-                            seed=seed,
-                        )
-    others: tuple[tuple[str, dict[str, int | str]], ...] = (
-        ("other order", {"order": "messages"}),
-        ("no request", {"request": 0}),
-        ("AIFSN 2", {"aifsn": 2}),
-        ("one process", {"processes": 1}),
-        ("four processes", {"processes": 4, "endpoints": 4}),
-    )
-    for scenario, other in others:
-        for count in (3, 6):
-            for limits in ((0, 0.0), QUEUE):
-                for ampdu in (0, 65535):
-                    for seed in range(1, 11):
-                        yield Burst(
-                            scenario,
-                            "DDS",
-                            count,
-                            ampdu=ampdu,
-                            queue_frames=limits[0],
-                            queue_s=limits[1],
-                            seed=seed,
-                            **other,  # type: ignore[arg-type]
-                        )
+    return [
+        dataclasses.replace(
+            base,
+            hosts=count,
+            loss=loss,
+            window_s=window,
+            queue_frames=queue[0],
+            queue_s=queue[1],
+            protocol=protocol,
+            ampdu=ampdu,
+            seed=seed,
+        )
+        for count, loss, window, queue, protocol, ampdu, seed in every
+    ]
 
 
-def saturations() -> Iterator[Saturation]:
-    """Yield all runs in saturation."""
-    for frame, aifsn in ((464, 3), (464, 2), (1538, 3)):
-        for stations in (1, 2, 5, 10, 20, 30, 50):
-            for seed in range(1, 11):
-                yield Saturation(stations, frame, aifsn, seed=seed)
+def saturations(stations: Iterable[int], frame: int = 464, aifsn: int = 3) -> list[Run]:
+    """Return the runs in saturation for some numbers of stations."""
+    return [
+        Saturation(count, frame, aifsn, seed=seed) for count in stations for seed in range(1, 11)
+    ]
+
+
+#: All runs, in the order in which they run.
+RUNS: list[Run] = [
+    *grid("unlimited", (2, 3, 4), seeds=20),
+    *grid("unlimited", (5, 6, 7, 8)),
+    *saturations((1, 2, 5, 10, 20)),
+    *grid("queue", (2, 3, 4), queues=[QUEUE], seeds=20),
+    *grid("queue", (5, 6, 7, 8), queues=[QUEUE]),
+    *grid("unlimited", (10, 12)),
+    *grid("queue", (10, 12), queues=[QUEUE]),
+    *grid("short_queue", (2, 4, 6, 8, 12), queues=[(100, 0.5)]),
+    *grid("staggered", (4, 8), queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
+    *saturations((30, 50)),
+    *grid("errors", (3, 6), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
+    *grid("staggered", (12,), protocols=["DDS"], queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
+    *(
+        run
+        for scenario, *settings in (
+            ("order", ("order", "messages")),
+            ("no_request", ("request", 0)),
+            ("aifsn", ("aifsn", 2)),
+            ("one_process", ("processes", 1)),
+            ("four_processes", ("processes", 4), ("endpoints", 4)),
+        )
+        for run in grid(
+            scenario, (3, 6), protocols=["DDS"], queues=[(0, 0.0), QUEUE], settings=settings
+        )
+    ),
+    *saturations((1, 2, 5, 10, 20), aifsn=2),
+    *saturations((1, 2, 5, 10, 20), frame=1538),
+]
 
 
 def frames() -> Iterator[dict[str, object]]:
@@ -281,13 +276,14 @@ def frames() -> Iterator[dict[str, object]]:
                             "sifs_ns": int(answer[1]) - end if answer else 0,
                             "answer": answer[4] if answer else "none",
                             "answer_ns": int(answer[2]) - int(answer[1]) if answer else 0,
-                            "ns3": VERSION,
-                            "command": f"build/ns3/storm {' '.join(options)}",
+                            "source": f"ns-3 {VERSION}: build/ns3/storm {' '.join(options)}",
                         }
 
 
 def write(name: str, rows: list[dict[str, object]]) -> None:
-    """Write one table."""
+    """Write one table, unless there is nothing to write."""
+    if not rows:
+        return
     TABLES.mkdir(parents=True, exist_ok=True)
     path = TABLES / name
     with path.open("w", newline="", encoding="utf-8") as file:
@@ -297,58 +293,58 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
     say(f"{path.relative_to(ROOT)}: {len(rows)} rows")
 
 
-def table(runs: list[Run], results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
-    """Return a row for each run that has a result; CPU time is not repeatable and left out."""
+def table(kind: type[Run], results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
+    """Return a row for each run of a kind; CPU time is not repeatable and left out."""
     rows: list[dict[str, object]] = []
-    for run in runs:
-        if run in results:
-            values = {name: value for name, value in results[run].items() if name != "cpu_s"}
-            row = dataclasses.asdict(run) | values
-            rows.append(row | {"ns3": VERSION, "command": command(run)})
+    for run, values in results.items():
+        if isinstance(run, kind):
+            row = dataclasses.asdict(run) | values | {"source": source(run)}
+            del row["cpu_s"]
+            rows.append(row)
     return rows
 
 
-def times(runs: Iterable[Burst], results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
+def times(results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
     """Return the median CPU time of the bursts without limits of queue."""
     groups = defaultdict(list)
-    for run in runs:
-        if run in results and run.scenario == "no limit":
-            groups[run.protocol, run.hosts, run.ampdu].append(results[run]["cpu_s"])
+    for run, values in results.items():
+        if isinstance(run, Burst) and run.scenario == "unlimited":
+            groups[run.protocol, run.hosts, run.ampdu].append(values["cpu_s"])
     return [
         {"protocol": key[0], "hosts": key[1], "ampdu": key[2], "runs": len(group)}
-        | {"cpu_s": f"{statistics.median(group):.3g}", "ns3": VERSION}
+        | {"cpu_s": f"{statistics.median(group):.3g}", "source": f"ns-3 {VERSION}: sweep"}
         for key, group in sorted(groups.items())
     ]
 
 
+def write_tables() -> None:
+    """Write the tables of all runs that have a result."""
+    results = {run: result(run) for run in RUNS if cached(run).exists()}
+    write("ns3_frames.csv", list(frames()))
+    write("ns3_bursts.csv", table(Burst, results))
+    write("ns3_saturation.csv", table(Saturation, results))
+    write("ns3_times.csv", times(results))
+
+
 def sweep(jobs: int, only: str | None) -> None:
-    """Run what is not cached and write the tables of all that is."""
-    CACHE.mkdir(parents=True, exist_ok=True)
-    burst_runs, saturation_runs = list(bursts()), list(saturations())
-    wanted: list[Run] = [*burst_runs[: len(burst_runs) // 2], *saturation_runs]
-    wanted += burst_runs[len(burst_runs) // 2 :]
-    if only:
-        wanted = [run for run in wanted if only == getattr(run, "scenario", "saturation")]
-    results: dict[Run, dict[str, float]] = {}
+    """Run what is not cached, then write the tables."""
+    wanted = [run for run in RUNS if only in (None, getattr(run, "scenario", "saturation"))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        pending = {pool.submit(result, run): run for run in wanted}
+        pending = [pool.submit(result, run) for run in wanted]
         try:
             for done in tqdm(concurrent.futures.as_completed(pending), "ns-3", len(pending)):
-                results[pending[done]] = done.result()
+                done.result()
         except (KeyboardInterrupt, SystemExit):
             pool.shutdown(cancel_futures=True)
             raise
-    if only:
-        return
-    write("ns3_frames.csv", list(frames()))
-    write("ns3_bursts.csv", table([*burst_runs], results))
-    write("ns3_saturation.csv", table([*saturation_runs], results))
-    write("ns3_times.csv", times(burst_runs, results))
+    write_tables()
 
 
 def add_options(parser: argparse.ArgumentParser, kind: type[Run]) -> None:
     """Give a parser an option for each field of a run."""
     for field in dataclasses.fields(kind):
+        if field.name == "scenario":
+            continue
         parser.add_argument(
             f"--{field.name}",
             type=type(field.default),
@@ -361,20 +357,23 @@ def add_options(parser: argparse.ArgumentParser, kind: type[Run]) -> None:
 def main() -> None:
     """Run the sweep, or one scenario."""
     parser = argparse.ArgumentParser(prog="make ns3", description=__doc__)
-    kinds = parser.add_subparsers(dest="kind")
+    kinds = parser.add_subparsers(dest="kind", required=True)
     every = kinds.add_parser("sweep", help="all scenarios and their tables (the default)")
-    for one in (parser, every):
-        one.add_argument("--jobs", type=int, default=2, help="runs side by side, default: 2")
-        one.add_argument("--only", help="one scenario; writes no tables")
+    kinds.add_parser("tables", help="write the tables from the runs that are cached")
+    every.add_argument("--jobs", type=int, default=2, help="runs side by side, default: 2")
+    every.add_argument("--only", help="one scenario, or saturation")
     add_options(kinds.add_parser("burst", help="one burst, not cached, with its CPU time"), Burst)
     add_options(kinds.add_parser("saturation", help="one run in saturation"), Saturation)
-    arguments = vars(parser.parse_args())
+    arguments = vars(parser.parse_args(sys.argv[1:] or ["sweep"]))
     kind = arguments.pop("kind")
     build()
-    if kind in (None, "sweep"):
+    CACHE.mkdir(parents=True, exist_ok=True)
+    if kind == "tables":
+        write_tables()
+        return
+    if kind == "sweep":
         sweep(arguments["jobs"], arguments["only"])
         return
-    del arguments["jobs"], arguments["only"]
     run = Burst(**arguments) if kind == "burst" else Saturation(**arguments)
     say(storm(run.options()).rstrip())
 
