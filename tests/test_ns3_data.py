@@ -1,8 +1,8 @@
 """What ns-3 measured: the tables are whole and add up, and simple cases agree with theory."""
 
 from collections import Counter
-from math import ceil, floor
-from statistics import mean, median
+from math import ceil
+from statistics import mean
 
 import pytest
 import sympy as sp
@@ -62,19 +62,24 @@ def test_every_message_was_measured_up_and_down() -> None:
     }
 
 
+def expected(row: dict[str, str], what: str) -> int:
+    """Count messages sent, or receivers that expect them, in all runs of a row."""
+    hosts, processes, endpoints = (whole(row, name) for name in ("hosts", "processes", "endpoints"))
+    pairs = hosts * (hosts - 1) * processes**2
+    unicast = pairs * (endpoints + (4 if row["protocol"] == "DDS" else 3))
+    multicast = hosts * processes * (hosts - 1 if what == "receivers" else 1)
+    return whole(row, "runs") * (unicast + multicast)
+
+
 def test_bursts_add_up() -> None:
     for row in BURSTS:
-        hosts, processes, endpoints = (
-            whole(row, name) for name in ("hosts", "processes", "endpoints")
-        )
-        pairs = hosts * (hosts - 1) * processes**2
-        unicast = pairs * (endpoints + (4 if row["protocol"] == "DDS" else 3))
-        assert whole(row, "sent") == unicast + hosts * processes, row
-        assert whole(row, "expected") == unicast + hosts * processes * (hosts - 1), row
+        assert whole(row, "sent") == expected(row, "messages"), row
+        assert whole(row, "expected") == expected(row, "receivers"), row
         lost = sum(whole(row, cause) for cause in CAUSES)
         assert whole(row, "expected") == whole(row, "arrived") + lost, row
-        assert whole(row, "on_air") <= hosts * processes * (hosts - 1), row
         assert row["waiting"] == "0", row
+        low, middle, high = (number(row, f"lost{part}") for part in ("_q25", "", "_q75"))
+        assert 0 <= low <= middle <= high <= 1, row
 
 
 def test_bursts_have_only_the_losses_of_their_settings() -> None:
@@ -84,82 +89,69 @@ def test_bursts_have_only_the_losses_of_their_settings() -> None:
             assert lost["host_full"] == lost["ap_full"] == 0, row
         if number(row, "queue_s") == 0:
             assert lost["host_age"] == lost["ap_age"] == 0, row
-        if row["ampdu"] != "0":
+        if row["ampdu"] != "0" and number(row, "loss") == 0:
             # Under a block ACK agreement ns-3 repeats without limit.
             assert lost["host_retry"] == lost["ap_retry"] == 0, row
         # All of a host's frames come at once: no more than its queue holds get in.
-        messages = whole(row, "sent") // whole(row, "hosts")
         if row["queue_frames"] != "0":
-            left_out = max(0, messages - whole(row, "queue_frames")) * whole(row, "hosts")
-            assert lost["host_full"] == left_out, row
+            bursts = whole(row, "runs") * whole(row, "hosts")
+            burst = whole(row, "sent") // bursts
+            left_out = max(0, burst - whole(row, "queue_frames"))
+            assert lost["host_full"] == bursts * left_out, row
 
 
 def test_bursts_on_the_air() -> None:
     for row in BURSTS:
-        assert 0 < number(row, "busy_s") < number(row, "drain_time_s"), row
         assert whole(row, "collided") >= 2 * whole(row, "collisions"), row
-        assert whole(row, "retries") < whole(row, "mpdus"), row
+        low, middle, high = (number(row, f"drain_time_s{part}") for part in ("_q25", "", "_q75"))
+        assert 0 < low <= middle <= high, row
+        assert 0 < number(row, "busy_s") / whole(row, "runs") < high, row
         if row["ampdu"] == "0":
             assert row["mpdus"] == row["ppdus"], row
-            assert row["others"] == "0", row
         else:
             assert whole(row, "ppdus") < whole(row, "mpdus") <= 64 * whole(row, "ppdus"), row
-            if row["request"] == "0":
-                assert row["others"] == "0", row
+        if row["ampdu"] == "0" or row["request"] == "0":
+            assert row["others"] == "0", row
         if row["scenario"] == "unlimited" and whole(row, "host_retry") == 0:
             # Each message is sent once up and once down, and repeated.
             assert whole(row, "mpdus") - whole(row, "retries") == 2 * whole(row, "sent"), row
 
 
-def test_no_run_is_there_twice_and_medians_have_ten_seeds() -> None:
-    settings = [
-        [
-            "scenario",
-            "protocol",
-            "hosts",
-            "processes",
-            "endpoints",
-            "order",
-            "ampdu",
-            "request",
-            "aifsn",
-        ],
-        ["queue_frames", "queue_s", "window_s", "loss"],
-    ]
-    groups = Counter(tuple(row[name] for names in settings for name in names) for row in BURSTS)
-    assert min(groups.values()) >= 10
-    runs = {(*(row[name] for names in settings for name in names), row["seed"]) for row in BURSTS}
-    assert len(runs) == len(BURSTS)
-    stations = Counter(
-        (row["stations"], row["frame_bytes"], row["aifsn"], row["duration_s"]) for row in SATURATION
-    )
-    assert min(stations.values()) >= 10
+def test_no_setting_is_there_twice_and_medians_have_ten_runs() -> None:
+    for rows, result in ((BURSTS, "runs"), (SATURATION, "runs")):
+        settings = list(rows[0])[: list(rows[0]).index(result)]
+        assert len({tuple(row[name] for name in settings) for row in rows}) == len(rows)
+        assert all(whole(row, "runs") >= 10 for row in rows)
 
 
 @pytest.mark.parametrize("protocol", TABLE_2)
-@pytest.mark.parametrize("hosts", [2, 3, 4, 5, 6, 7, 8, 10, 12])
 @pytest.mark.parametrize("scenario", ["unlimited", "queue"])
-def test_the_papers_scenarios_are_there(scenario: str, hosts: int, protocol: str) -> None:
-    drain = {
-        ampdu: median(
-            number(row, "drain_time_s")
-            for row in BURSTS
-            if (row["scenario"], row["protocol"], row["hosts"], row["ampdu"])
-            == (scenario, protocol, str(hosts), ampdu)
-        )
-        for ampdu in ("0", "65535")
-    }
-    assert drain["65535"] < drain["0"] / 2
+def test_the_papers_scenarios_are_there(scenario: str, protocol: str) -> None:
+    rows = [row for row in BURSTS if (row["scenario"], row["protocol"]) == (scenario, protocol)]
+    hosts = [2, 3, 4, 5, 6, 7, 8, 10, 12]
+    drain, lost = (
+        {(whole(row, "hosts"), whole(row, "ampdu")): number(row, name) for row in rows}
+        for name in ("drain_time_s", "lost")
+    )
+    assert sorted(drain) == [(count, ampdu) for count in hosts for ampdu in (0, 65535)]
+    for count in hosts:
+        assert drain[count, 65535] < drain[count, 0] / 2
+    if scenario == "unlimited":
+        # Only multicast frames are lost, in collisions, and few unicast at their last attempt.
+        assert max(lost.values()) < 0.03
+    else:
+        assert min(lost[count, ampdu] for count in (8, 10, 12) for ampdu in (0, 65535)) > 0.4
 
 
 def saturation(stations: int, frame: int, aifsn: int) -> float:
-    """Median of the frames acknowledged in a second."""
-    return median(
-        whole(row, "acked") / number(row, "duration_s")
+    """Return the median of the frames acknowledged in a second."""
+    [row] = [
+        row
         for row in SATURATION
         if (row["stations"], row["frame_bytes"], row["aifsn"])
         == (str(stations), str(frame), str(aifsn))
-    )
+    ]
+    return number(row, "frames_per_s")
 
 
 @pytest.mark.parametrize(("frame", "aifsn"), [(464, 3), (464, 2), (1538, 3)])
@@ -188,11 +180,3 @@ def test_saturation_agrees_with_bianchi(stations: int, frame: int, aifsn: int) -
     assert saturation(stations, frame, aifsn) == pytest.approx(
         bianchi(stations, frame, aifsn), rel=0.03
     )
-
-
-def test_queues_lose_what_the_lifetime_allows_no_time_for() -> None:
-    for row in BURSTS:
-        if row["scenario"] == "queue":
-            # Half a second at the host, half at the access point, and the frame in progress.
-            assert number(row, "drain_time_s") < 2 * number(row, "queue_s") + 0.1, row
-            assert floor(number(row, "drain_time_s")) <= 1, row

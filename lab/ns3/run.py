@@ -43,6 +43,9 @@ LIBRARIES = (
     "energy",
 )
 
+#: What is not added up over runs: it is no count, or another one each time.
+SECONDS = ("drain_time_s", "cpu_s")
+
 #: ns-3's default queue, and Linux's in order of magnitude: frames and seconds.
 QUEUE = (500, 0.5)
 
@@ -175,19 +178,22 @@ def result(run: Run) -> dict[str, float]:
 def grid(
     scenario: str,
     hosts: Iterable[int],
+    seeds: tuple[int, int] = (10, 40),
     *,
     protocols: Iterable[str] = tuple(PROTOCOLS),
-    ampdus: Iterable[int] = (0, 65535),
     queues: Iterable[tuple[int, float]] = ((0, 0.0),),
     windows: Iterable[float] = (0.0,),
     losses: Iterable[float] = (0.0,),
-    seeds: int = 10,
     settings: Iterable[tuple[str, object]] = (),
 ) -> list[Run]:
-    """Return the bursts of all combinations, with `settings` the same in all."""
+    """Return the bursts of all combinations, with `settings` the same in all.
+
+    With aggregation (the second number of `seeds`) a burst is few transmissions, runs differ
+    more, and are cheap.
+    """
     base = dataclasses.replace(Burst(scenario), **dict(settings))  # type: ignore[arg-type]
     every = itertools.product(
-        hosts, losses, windows, queues, protocols, ampdus, range(1, seeds + 1)
+        hosts, losses, windows, queues, protocols, zip((0, 65535), seeds, strict=True)
     )
     return [
         dataclasses.replace(
@@ -201,7 +207,8 @@ def grid(
             ampdu=ampdu,
             seed=seed,
         )
-        for count, loss, window, queue, protocol, ampdu, seed in every
+        for count, loss, window, queue, protocol, (ampdu, runs) in every
+        for seed in range(1, runs + 1)
     ]
 
 
@@ -214,18 +221,18 @@ def saturations(stations: Iterable[int], frame: int = 464, aifsn: int = 3) -> li
 
 #: All runs, in the order in which they run.
 RUNS: list[Run] = [
-    *grid("unlimited", (2, 3, 4), seeds=20),
+    *grid("unlimited", (2, 3, 4), (20, 40)),
     *grid("unlimited", (5, 6, 7, 8)),
     *saturations((1, 2, 5, 10, 20)),
-    *grid("queue", (2, 3, 4), queues=[QUEUE], seeds=20),
-    *grid("queue", (5, 6, 7, 8), queues=[QUEUE]),
+    *grid("queue", (2, 3), (20, 100), queues=[QUEUE]),
+    *grid("queue", (4, 5, 6), (40, 100), queues=[QUEUE]),
+    *grid("queue", (7, 8), (10, 100), queues=[QUEUE]),
     *grid("unlimited", (10, 12)),
-    *grid("queue", (10, 12), queues=[QUEUE]),
-    *grid("short_queue", (2, 4, 6, 8, 12), queues=[(100, 0.5)]),
-    *grid("staggered", (4, 8), queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
+    *grid("queue", (10, 12), (10, 100), queues=[QUEUE]),
+    *grid("short_queue", (2, 4, 6, 8, 12), (20, 100), queues=[(100, 0.5)]),
+    *grid("staggered", (4, 8), (10, 40), queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
     *saturations((30, 50)),
     *grid("errors", (3, 6), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
-    *grid("staggered", (12,), protocols=["DDS"], queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
     *(
         run
         for scenario, *settings in (
@@ -239,6 +246,7 @@ RUNS: list[Run] = [
             scenario, (3, 6), protocols=["DDS"], queues=[(0, 0.0), QUEUE], settings=settings
         )
     ),
+    *grid("staggered", (12,), protocols=["DDS"], queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
     *saturations((1, 2, 5, 10, 20), aifsn=2),
     *saturations((1, 2, 5, 10, 20), frame=1538),
 ]
@@ -293,37 +301,56 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
     say(f"{path.relative_to(ROOT)}: {len(rows)} rows")
 
 
-def table(kind: type[Run], results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
-    """Return a row for each run of a kind; CPU time is not repeatable and left out."""
-    rows: list[dict[str, object]] = []
-    for run, values in results.items():
-        if isinstance(run, kind):
-            row = dataclasses.asdict(run) | values | {"source": source(run)}
-            del row["cpu_s"]
-            rows.append(row)
+def spread(name: str, values: list[float]) -> dict[str, float]:
+    """Return median and quartiles of what the runs of one setting gave."""
+    low, middle, high = statistics.quantiles(values, n=4, method="inclusive")
+    return {name: round(middle, 9), f"{name}_q25": round(low, 9), f"{name}_q75": round(high, 9)}
+
+
+def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
+    """Return a row for each setting: its options, medians and quartiles, sums of the counts."""
+    rows = []
+    for run, group in results.items():
+        row: dict[str, object] = dataclasses.asdict(run) | {"runs": len(group)}
+        del row["seed"]
+        counts = {name: sum(values[name] for values in group) for name in group[0]}
+        if isinstance(run, Burst):
+            row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
+            row |= spread("lost", [1 - values["arrived"] / values["expected"] for values in group])
+        else:
+            row |= spread("frames_per_s", [values["acked"] / run.duration_s for values in group])
+        counts = {name: round(value, 9) for name, value in counts.items() if name not in SECONDS}
+        rows.append(row | counts | {"source": f"{source(run)} --seed 1 to {len(group)}"})
     return rows
 
 
-def times(results: dict[Run, dict[str, float]]) -> list[dict[str, object]]:
+def times(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
     """Return the median CPU time of the bursts without limits of queue."""
-    groups = defaultdict(list)
-    for run, values in results.items():
-        if isinstance(run, Burst) and run.scenario == "unlimited":
-            groups[run.protocol, run.hosts, run.ampdu].append(values["cpu_s"])
     return [
-        {"protocol": key[0], "hosts": key[1], "ampdu": key[2], "runs": len(group)}
-        | {"cpu_s": f"{statistics.median(group):.3g}", "source": f"ns-3 {VERSION}: sweep"}
-        for key, group in sorted(groups.items())
+        {
+            "protocol": run.protocol,
+            "hosts": run.hosts,
+            "ampdu": run.ampdu,
+            "runs": len(group),
+            "cpu_s": f"{statistics.median(values['cpu_s'] for values in group):.3g}",
+            "source": f"{source(run)} --seed 1 to {len(group)}",
+        }
+        for run, group in results.items()
+        if isinstance(run, Burst) and run.scenario == "unlimited"
     ]
 
 
 def write_tables() -> None:
     """Write the tables of all runs that have a result."""
-    results = {run: result(run) for run in RUNS if cached(run).exists()}
+    results: defaultdict[Run, list[dict[str, float]]] = defaultdict(list)
+    for run in RUNS:
+        if cached(run).exists():
+            results[dataclasses.replace(run, seed=1)].append(result(run))
+    complete = {run: group for run, group in results.items() if len(group) >= 10}
     write("ns3_frames.csv", list(frames()))
-    write("ns3_bursts.csv", table(Burst, results))
-    write("ns3_saturation.csv", table(Saturation, results))
-    write("ns3_times.csv", times(results))
+    for name, kind in (("ns3_bursts.csv", Burst), ("ns3_saturation.csv", Saturation)):
+        write(name, table({run: complete[run] for run in complete if isinstance(run, kind)}))
+    write("ns3_times.csv", times(complete))
 
 
 def sweep(jobs: int, only: str | None) -> None:
