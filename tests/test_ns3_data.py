@@ -174,8 +174,10 @@ def bianchi(stations: int, frame: int, aifsn: int) -> float:
     return 1e6 * success / slot
 
 
-@pytest.mark.parametrize("stations", [2, 5, 10])
-@pytest.mark.parametrize(("frame", "aifsn"), [(464, 3), (464, 2), (1538, 3)])
+@pytest.mark.parametrize(
+    ("stations", "frame", "aifsn"),
+    [(stations, 464, 3) for stations in (2, 5, 10, 20, 30, 50)] + [(5, 464, 2), (5, 1538, 3)],
+)
 def test_saturation_agrees_with_bianchi(stations: int, frame: int, aifsn: int) -> None:
     assert saturation(stations, frame, aifsn) == pytest.approx(
         bianchi(stations, frame, aifsn), rel=0.03

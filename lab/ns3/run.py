@@ -212,12 +212,18 @@ def grid(
     ]
 
 
-def saturations(stations: Iterable[int], frame: int = 464, aifsn: int = 3) -> list[Run]:
+def saturations(
+    stations: Iterable[int], frame: int = 464, aifsn: int = 3, duration: float = 1.0
+) -> list[Run]:
     """Return the runs in saturation for some numbers of stations."""
     return [
-        Saturation(count, frame, aifsn, seed=seed) for count in stations for seed in range(1, 11)
+        Saturation(count, frame, aifsn, duration, seed)
+        for count in stations
+        for seed in range(1, 11)
     ]
 
+
+WINDOWS = (0.5, 1.0, 2.0, 5.0)
 
 #: All runs, in the order in which they run.
 RUNS: list[Run] = [
@@ -225,33 +231,33 @@ RUNS: list[Run] = [
     *grid("unlimited", (5, 6, 7, 8, 10, 12), (10, 20)),
     *saturations((1, 2, 5, 10, 20)),
     *grid("queue", (2, 3), (20, 40), queues=[QUEUE]),
-    *grid("queue", (4, 5, 6), (40, 60), queues=[QUEUE]),
-    *grid("queue", (7, 8), (10, 60), queues=[QUEUE]),
-    *saturations((30, 50)),
-    *grid("staggered", (4, 8), (10, 20), queues=[QUEUE], windows=(0.5, 1.0, 2.0, 5.0)),
-    *grid("queue", (10, 12), (10, 60), queues=[QUEUE]),
+    *grid("queue", (4, 5, 6), (40, 40), queues=[QUEUE]),
+    *grid("queue", (7, 8), (10, 40), queues=[QUEUE]),
+    *grid("staggered", (4, 8), (10, 20), queues=[QUEUE], windows=WINDOWS),
+    *grid("queue", (10, 12), (10, 40), queues=[QUEUE]),
+    *saturations((30, 50), duration=0.5),
     *grid("errors", (3, 6), (10, 20), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
-    *grid("short_queue", (2, 4, 8, 12), (20, 60), queues=[(100, 0.5)]),
+    *grid("short_queue", (4, 8, 12), (10, 40), queues=[(100, 0.5)]),
     *(
         run
         for scenario, *settings in (
-            ("order", ("order", "messages")),
-            ("no_request", ("request", 0)),
-            ("aifsn", ("aifsn", 2)),
             ("one_process", ("processes", 1)),
             ("four_processes", ("processes", 4), ("endpoints", 4)),
+            ("aifsn", ("aifsn", 2)),
+            ("order", ("order", "messages")),
+            ("no_request", ("request", 0)),
         )
         for run in grid(
             scenario,
-            (3, 6),
-            (10, 20),
+            (4,),
+            (10, 40),
             protocols=["DDS"],
             queues=[(0, 0.0), QUEUE],
             settings=settings,
         )
     ),
-    *saturations((1, 2, 5, 10), aifsn=2),
-    *saturations((1, 2, 5, 10), frame=1538),
+    *saturations((1, 5), aifsn=2),
+    *saturations((1, 5), frame=1538),
 ]
 
 
