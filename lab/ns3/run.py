@@ -369,6 +369,9 @@ def cost(run: Run) -> float:
     if isinstance(run, Saturation):
         return 3000 * run.duration_s * run.stations
     frames = run.hosts * (run.hosts - 1) * run.processes**2 * (run.endpoints + 4)
+    if run.queue_frames:
+        # Nothing is sent for much longer than the lifetime.
+        frames = min(frames, run.hosts * run.queue_frames, 3000)
     return run.hosts * frames * (0.1 if run.ampdu else 1)
 
 
