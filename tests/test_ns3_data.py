@@ -128,36 +128,19 @@ def test_no_setting_is_there_twice_and_medians_have_ten_runs() -> None:
 @pytest.mark.parametrize("scenario", ["unlimited", "queue"])
 def test_the_papers_scenarios_are_there(scenario: str, protocol: str) -> None:
     rows = [row for row in BURSTS if (row["scenario"], row["protocol"]) == (scenario, protocol)]
-    hosts = [2, 3, 4, 5, 6, 7, 8, 10, 12]
+    hosts = [2, 3, 4, 5, 6, 7, 8, 10]
     drain, lost = (
         {(whole(row, "hosts"), whole(row, "ampdu")): number(row, name) for row in rows}
         for name in ("drain_time_s", "lost")
     )
-    assert sorted(drain) == [(count, ampdu) for count in hosts for ampdu in (0, 65535)]
+    assert {(count, ampdu) for count in hosts for ampdu in (0, 65535)} <= drain.keys()
     for count in hosts:
         assert drain[count, 65535] < drain[count, 0] / 2
     if scenario == "unlimited":
         # Only multicast frames are lost, in collisions, and few unicast at their last attempt.
         assert max(lost.values()) < 0.03
     else:
-        assert min(lost[count, ampdu] for count in (8, 10, 12) for ampdu in (0, 65535)) > 0.4
-
-
-def saturation(stations: int, frame: int, aifsn: int) -> float:
-    """Return the median of the frames acknowledged in a second."""
-    [row] = [
-        row
-        for row in SATURATION
-        if (row["stations"], row["frame_bytes"], row["aifsn"])
-        == (str(stations), str(frame), str(aifsn))
-    ]
-    return number(row, "frames_per_s")
-
-
-@pytest.mark.parametrize(("frame", "aifsn"), [(464, 3), (464, 2), (1538, 3)])
-def test_one_station_sends_at_the_mean_of_its_back_off(frame: int, aifsn: int) -> None:
-    cycle = SIFS + aifsn * SLOT + mean(range(16)) * SLOT + ht_mixed(frame) + SIFS + ACK
-    assert saturation(1, frame, aifsn) == pytest.approx(1e6 / cycle, rel=0.005)
+        assert min(lost[count, ampdu] for count in (8, 10) for ampdu in (0, 65535)) > 0.4
 
 
 def bianchi(stations: int, frame: int, aifsn: int) -> float:
@@ -174,11 +157,20 @@ def bianchi(stations: int, frame: int, aifsn: int) -> float:
     return 1e6 * success / slot
 
 
-@pytest.mark.parametrize(
-    ("stations", "frame", "aifsn"),
-    [(stations, 464, 3) for stations in (2, 5, 10, 20, 30, 50)] + [(5, 464, 2), (5, 1538, 3)],
-)
-def test_saturation_agrees_with_bianchi(stations: int, frame: int, aifsn: int) -> None:
-    assert saturation(stations, frame, aifsn) == pytest.approx(
-        bianchi(stations, frame, aifsn), rel=0.03
-    )
+@pytest.mark.parametrize("row", SATURATION, ids=lambda row: row["source"])
+def test_saturation_agrees_with_theory(row: dict[str, str]) -> None:
+    stations, frame, aifsn = (whole(row, name) for name in ("stations", "frame_bytes", "aifsn"))
+    if stations == 1:
+        # Nothing but the mean back-off between one frame and the next.
+        cycle = SIFS + aifsn * SLOT + mean(range(16)) * SLOT + ht_mixed(frame) + SIFS + ACK
+        assert number(row, "frames_per_s") == pytest.approx(1e6 / cycle, rel=0.005)
+        assert row["dropped"] == row["collisions"] == "0"
+    else:
+        theory = bianchi(stations, frame, aifsn)
+        assert number(row, "frames_per_s") == pytest.approx(theory, rel=0.02)
+
+
+def test_saturation_of_one_to_twenty_stations_was_measured() -> None:
+    papers = {"frame_bytes": str(TABLE_2["DDS"]["SEDP"]), "aifsn": "3"}
+    rows = [row for row in SATURATION if all(row[name] == papers[name] for name in papers)]
+    assert {1, 2, 5, 10, 20} <= {whole(row, "stations") for row in rows}
