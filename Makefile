@@ -92,7 +92,7 @@ build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 		{ echo "discostorm: no ns-3; its wheels are for Python 3.8 to 3.13 on 64-bit x86 Linux" >&2; exit 1; }
 	@touch $@
 
-ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (takes an hour or two; needs g++)
+ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (half an hour; needs g++)
 	@$(BIN)/python lab/ns3/run.py $(ARGS)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
