@@ -104,7 +104,7 @@ build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@touch $@
 
 ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (half an hour; needs g++)
-	@$(BIN)/python lab/ns3/run.py $(ARGS)
+	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

@@ -125,7 +125,7 @@ def source(run: Run) -> str:
 
 def say(text: str) -> None:
     """Print, also before the compiler and other programs do."""
-    print(text, flush=True)  # noqa: T201
+    print(text, flush=True)
 
 
 def build() -> None:
