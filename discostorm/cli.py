@@ -17,15 +17,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
 
 import discostorm as ds
 from discostorm import words
+from discostorm.fleet import COUNTS
 from discostorm.scalability import message_costs
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import radio_named
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from discostorm.capture import Capture
 
 # What a command needs beyond the package itself is imported when it runs: tables of a few rows
 # do without pandas, which takes as long to import as the rest.
@@ -711,19 +717,14 @@ def _not_written(out: str, error: OSError) -> NoReturn:
 @click.argument("file", metavar="FILE")
 @click.option(
     "--against",
-    metavar="PROTOCOL",
-    help="Table to hold it against, such as 'DDS'; if left out, the paper's of what is found.",
+    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
+    help="Table to hold it against; if left out, the paper's of what is found.",
 )
 @click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
 @click.option("--picture", metavar="FILE", help="Draw it, too: a file .svg, .pdf or .png.")
 @output_options
 def capture(
-    file: str,
-    against: str | None,
-    fleet: str | None,
-    picture: str | None,
-    as_json: bool,
-    as_csv: bool,
+    file: str, against: str | None, fleet: str | None, picture: str | None, output: Output
 ) -> None:
     """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
 
@@ -739,63 +740,54 @@ def capture(
       discostorm capture discovery.pcap
       discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
     """
-    known = ds.PROTOCOLS
-    if against is not None and against not in known:
-        names = ", ".join(map(repr, known))
-        raise click.UsageError(f"--against must be one of {names}; got {against!r}")
     with _bad_input(), _working("reading"):
-        import pandas as pd
-
-        from discostorm.capture import read_capture
-
-        found = read_capture(file)
-        members = None if fleet is None else ds.Fleet.from_toml(fleet)
+        found = ds.read_capture(file)
+        members = None if fleet is None else _read(fleet)
         spoken = set(found.processes()["protocol"])
-        papers = [
-            paper for wire, paper in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken
+        papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
+        rows = [
+            {"protocol": protocol.name} | row
+            for protocol in (papers if against is None else [ds.PROTOCOLS[against]])
+            for row in _whole_rows(found.compare(protocol, members).reset_index())
         ]
-        held = papers if against is None else [known[against]]
-        tables = [pd.DataFrame()]
-        for protocol in held:
-            rows = found.compare(protocol, members).reset_index()
-            rows.insert(0, "protocol", protocol.name)
-            tables.append(rows)
-        table = pd.concat(tables[1:] or tables, ignore_index=True)
         groups = found.fleet().groups if members is None and spoken else ()
         if picture is not None:
             try:
                 found.picture().savefig(picture)
             except OSError as error:
                 raise BadInput(f"--picture: {picture}: {error.strerror}") from error
-    if as_csv:
-        _print(table, as_json=False, as_csv=True)
-        return
-    if as_json:
-        rows_ = table.astype(object).where(table.notna(), None).to_dict("records")
+    if output.as_csv and rows:
+        _print(rows, output)
+    elif output.as_json:
         answer = {
             "file": file,
             "packets": found.packets,
             "duration_s": found.duration,
-            "hosts": [
-                dict(zip(("hosts", "processes", "endpoints"), group.counts(), strict=True))
-                for group in groups
-            ],
-            "messages": rows_,
+            "hosts": [dict(zip(COUNTS, group.counts(), strict=True)) for group in groups],
+            "messages": rows,
             "notes": list(found.notes),
         }
-        click.echo(json.dumps(answer, indent=2, ensure_ascii=False))
-        return
-    click.echo(f"{file}: {found.packets} packets in {found.duration:.3f} s")
+        click.echo(_json(answer))
+    elif output.for_people:
+        _show_capture(file, found, groups, rows, output)
+
+
+def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table, with None where it has no number."""
+    return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+def _show_capture(
+    file: str, found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+) -> None:
+    click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = map(_plain, group.counts())
         click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
-    if table.empty:
-        click.echo("There is no message of RTPS or Zenoh in it.")
-    else:
+    if rows:
         _print(
-            table.drop(columns="protocol"),
-            as_json=False,
-            as_csv=False,
+            [{key: row[key] for key in row if key != "protocol"} for row in rows],
+            output,
             formats={
                 **dict.fromkeys(("units", "expected"), _count),
                 "per_unit": _ratio,
@@ -803,16 +795,18 @@ def capture(
             },
             headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
         )
+    else:
+        click.echo("There is no message of RTPS or Zenoh in it.")
     for note in found.notes:
-        click.echo(f"Note: {note}.")
+        click.echo(visible(f"Note: {note}."))
 
 
-def _count(value: float) -> str:
-    return "" if value != value else f"{value:,.6g}"
+def _count(value: float | None) -> str:
+    return "" if value is None else f"{value:,.6g}"
 
 
-def _ratio(value: float) -> str:
-    return "" if value != value else f"{value:,.3g}"
+def _ratio(value: float | None) -> str:
+    return "" if value is None else f"{value:,.3g}"
 
 
 @main.command(short_help="The paper's claims and their verdicts.")
