@@ -21,7 +21,7 @@ from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 if TYPE_CHECKING:
-    from discostorm.capture import Capture, CaptureError, read_capture
+    from discostorm.capture import Capture, CaptureError as CaptureError, read_capture
 
 __version__ = "0.1.0"
 
@@ -37,7 +37,6 @@ __all__ = [
     "ZENOH",
     "Aggregation",
     "Capture",
-    "CaptureError",
     "Fleet",
     "HostGroup",
     "Link",

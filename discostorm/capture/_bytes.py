@@ -63,7 +63,7 @@ def codes(*keys: Array) -> tuple[NDArray[np.int64], Array]:
     return code, first
 
 
-@dataclass
+@dataclass(frozen=True)
 class Numbers:
     """A number for each of several byte strings, such as addresses, from 0 on."""
 

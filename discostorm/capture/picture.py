@@ -63,7 +63,9 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
             bottom = np.zeros(_INTERVALS)
             for kind, color, mine in parts:
                 height = np.bincount(which[mine], weight[mine], _INTERVALS)
-                axis.bar(edges[:-1], height, width, bottom, align="edge", color=color, label=kind)
+                some = height > 0
+                place = edges[:-1][some], height[some], width, bottom[some]
+                axis.bar(*place, align="edge", color=color, label=kind)
                 bottom += height
         above.set_ylabel(f"messages in {width:.3g} s")
         below.set_ylabel("airtime [% of the channel]")

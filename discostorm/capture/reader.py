@@ -1,7 +1,7 @@
 """From a file to the table of its messages."""
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
@@ -33,18 +33,16 @@ _ACK, _CONTROL, _AGAIN = range(3)
 HTTPS = 443
 
 
-@dataclass
 class Process:
-    """What is known of a process."""
+    """What is known of a process; more becomes known while a file is read."""
 
-    protocol: int
-    name: str
-    product: str = ""
-    host: int = -1
-    since: int = -1
-    endpoints: set[int] = field(default_factory=set)
-    tokens: int = 0
-    announced: bool = False
+    def __init__(self, protocol: int, name: str, product: str = "") -> None:
+        self.protocol, self.name, self.product = protocol, name, product
+        #: The number of its address, and the frame it was seen in first; -1 if not known.
+        self.host = self.since = -1
+        self.endpoints: set[int] = set()
+        self.tokens = 0
+        self.announced = False
 
 
 @dataclass(frozen=True)
