@@ -1,0 +1,33 @@
+"""How the inner loops are compiled: to machine code that is kept on disk."""
+
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def njit(function: Function) -> Function:
+    """Compile a function that others call; it becomes part of them."""
+    compiled: Function = numba.njit(nogil=True)(function)
+    return compiled
+
+
+def entry(function: Function) -> Function:
+    """Compile a function that Python calls and keep the result on disk, if any place is writable."""
+    try:
+        compiled: Function = numba.njit(nogil=True, cache=True)(function)
+    except RuntimeError:  # nowhere to write
+        compiled = numba.njit(nogil=True)(function)
+    return compiled
+
+
+@cache
+def sources() -> str:
+    """Return a digest of all that is compiled: other sources must not use old machine code."""
+    files = sorted(Path(__file__).parent.glob("*.py"))
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
