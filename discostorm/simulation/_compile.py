@@ -13,16 +13,16 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 def njit(function: Function) -> Function:
     """Compile a function that others call; it becomes part of them."""
-    compiled: Function = numba.njit(nogil=True)(function)
+    compiled: Function = numba.njit(nogil=True, _nrt=False)(function)
     return compiled
 
 
 def entry(function: Function) -> Function:
     """Compile a function that Python calls and keep the result on disk, if any place is writable."""
     try:
-        compiled: Function = numba.njit(nogil=True, cache=True)(function)
+        compiled: Function = numba.njit(nogil=True, cache=True, _nrt=False)(function)
     except RuntimeError:  # nowhere to write
-        compiled = numba.njit(nogil=True)(function)
+        compiled = numba.njit(nogil=True, _nrt=False)(function)
     return compiled
 
 
