@@ -68,7 +68,7 @@ def _record(*names: str, floats: tuple[str, ...] = ()) -> np.dtype[np.void]:
 RADIO = _record(
     *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
     *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
-    *("mpdus", "most_bytes", "window", "queue", "lifetime"),
+    *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
@@ -101,7 +101,7 @@ STATION = _record(
 HELD = _record("frame", "came", "number", "tries")
 
 #: A frame that waits, or a burst that does; the next in the queue, the next to the same host.
-WAITING = _record("frame", "came", "next", "same")
+ENTRY = _record("frame", "came", "next", "same")
 
 #: Who waits beside the wheel: from which tick on, and for how many slots.
 STRAY = _record("station", "base", "left")
@@ -114,9 +114,12 @@ EVENT = _record("time", "what")
 
 #: A row of the protocol's table; see `discostorm.simulation.traffic`.
 KIND = _record(
-    *("octets", "multicast", "up", "down", "per", "each_endpoint", "time_up", "time_down"),
+    *("octets", "multicast", "to_all", "up", "down", "per", "each_endpoint", "time_up", "time_down"),
     *("role", "informs", "trigger", "answers"),
 )
+
+#: A process.
+PROCESS = _record("host", "endpoints")
 
 #: A transmission.
 SENT = _record("start", "end", "station", "kind", "frames", "outcome")
@@ -147,6 +150,9 @@ class Cell(NamedTuple):
     samples: Records
     log: Records
 
+
+#: What happens, above the bits that say to whom.
+SEND = 0
 
 # ---------------------------------------------------------------- chance
 

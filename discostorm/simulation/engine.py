@@ -53,8 +53,9 @@ _MISSING = np.int64(2**62)
 
 @njit
 def subframe(cell, frame):
-    """Return the bytes of a frame in an A-MPDU: delimiter, QoS Control, padding."""
-    return 4 + ((cell.kinds[kind_of(frame)].octets + 2 + 3) // 4) * 4
+    """Return the bytes of a frame in an A-MPDU: with delimiter and padding (9.7.1)."""
+    padded = 4 + (cell.kinds[kind_of(frame)].octets + 3) // 4 * 4
+    return max(padded, cell.radio[0].least_subframe)
 
 
 @njit

@@ -22,7 +22,7 @@ from discostorm.simulation.queues import (
     is_steady,
     lose,
     make,
-    multicast_frames,
+    frames_to_all,
     put,
     receivers,
 )
@@ -166,13 +166,15 @@ def offer_burst(cell, host, batch, time, busy):
     if total == 0:
         return
     for kind in range(now.kinds):
-        if cell.batches[batch, kind] and not cell.kinds[kind].up:
+        row = cell.kinds[kind]
+        # What has one hop only is handed over frame by frame.
+        if cell.batches[batch, kind] and not (row.up and row.down):
             for _ in range(total):
                 offer_new(cell, make(cell, host, batch), time, busy)
             cell.stations[host].begun = 0
             return
     fits = min(max(room(cell, host, time), 0), total)
-    multicast = multicast_frames(cell, host, batch)
+    multicast = frames_to_all(cell, host, batch)
     if not is_steady(cell, batch):
         cut = max(multicast - fits, 0)
         now.open += fits

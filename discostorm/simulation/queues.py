@@ -181,7 +181,7 @@ def lose_burst(cell, station, entry):
     """Count what is left of a burst as too old."""
     maker = cell.stations[station]
     left = frames_of(entry)
-    multicast = multicast_frames(cell, station, batch_of(entry))
+    multicast = frames_to_all(cell, station, batch_of(entry))
     if maker.begun:
         multicast -= maker.made
     multicast = min(max(multicast, 0), left)
@@ -199,11 +199,11 @@ def each(cell, host, kind):
 
 
 @njit
-def multicast_frames(cell, host, batch):
-    """Return how many multicast frames a host sends in a burst."""
+def frames_to_all(cell, host, batch):
+    """Return how many frames, counted by process, a host sends in a burst."""
     total = np.int64(0)
     for kind in range(cell.now[0].kinds):
-        if cell.kinds[kind].multicast and cell.batches[batch, kind]:
+        if cell.kinds[kind].to_all and cell.batches[batch, kind]:
             total += each(cell, host, kind)
     return total * cell.stations[host].processes
 
@@ -214,16 +214,16 @@ def burst_frames(cell, host, batch):
     total = np.int64(0)
     own = cell.stations[host].processes
     for kind in range(cell.now[0].kinds):
-        if cell.batches[batch, kind] and not cell.kinds[kind].multicast:
+        if cell.batches[batch, kind] and not cell.kinds[kind].to_all:
             total += each(cell, host, kind)
-    return multicast_frames(cell, host, batch) + total * own * (cell.processes.size - own)
+    return frames_to_all(cell, host, batch) + total * own * (cell.processes.size - own)
 
 
 @njit
 def make(cell, host, batch):
     """Return the next frame of a burst.
 
-    First the multicast messages of each process, then, for each process, what goes to each
+    First the messages to all of each process, then, for each process, what goes to each
     remote process, the next host first, in the order of the table.
     """
     maker, hosts, kinds = cell.stations[host], cell.now[0].hosts, cell.now[0].kinds
@@ -235,10 +235,10 @@ def make(cell, host, batch):
         if kind < kinds:
             if (
                 cell.batches[batch, kind]
-                and cell.kinds[kind].multicast != maker.stage
+                and cell.kinds[kind].to_all != maker.stage
                 and maker.times < each(cell, host, kind)
             ):
-                to = np.int64(0)
+                to = maker.first + maker.process
                 if maker.stage:
                     to = cell.stations[(host + maker.steps) % hosts].first + maker.there
                 frame = compose(kind, maker.first + maker.process, to, maker.times)

@@ -18,7 +18,7 @@ def settled(cell):
 @njit
 def happen(cell, time, what, busy):
     host = what & 0xFFFFF
-    batch = (what >> 20) & 0xFF
+    batch = (what >> 20) & 0xFFFFF
     period = cell.batches[batch, cell.now[0].kinds]
     if period == 0:
         cell.now[0].coming -= 1

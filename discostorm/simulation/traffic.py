@@ -1,90 +1,300 @@
-"""From fleet, protocol and channel to the arrays that the inner loops take."""
+"""From fleet, protocol and channel to the arrays that a run reads and changes."""
+
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from discostorm import _checks
+from discostorm.fleet import COUNTS, Fleet, is_symbolic
+from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS, Message, Protocol
 from discostorm.simulation import cell as _cell
-from discostorm.simulation.cell import NEVER, Cell
+from discostorm.simulation.cell import Cell, Records
+from discostorm.wifi import Padding, Radio, Wifi
+from discostorm.wifi.channel import TICK
 
-TICK = 1e-7
+#: Retransmissions end with this attempt: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
+ATTEMPTS = 7
+#: From the begin of an OFDM frame until the receiver knows it [s]: aRxPHYStartDelay (17.4.4).
+RX_START_DELAY = 20e-6
+#: How many frames a block acknowledgement looks back at least (10.25).
+WINDOW = 64
+#: A block acknowledgement request has 24 octets, which take as long as 32 at 24 Mbit/s.
+_UNITS = (PROCESS, PAIR, ENDPOINT_PAIR)
+_MOST_PROCESSES = 2**_cell.PROCESS_BITS
+_MOST_ENDPOINTS = 2**_cell.ITEM_BITS
+_MOST_MESSAGES = 2**_cell.KIND_BITS
+#: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
+_SAMPLES, _LOG, _POOL = 512, 4096, 4096
 
 
-def ticks(seconds):
-    return int(round(seconds / TICK)) if seconds != np.inf else int(NEVER)
+def ticks(seconds: float) -> int:
+    """Return a time in whole ticks."""
+    return int(_cell.NEVER) if np.isinf(seconds) else round(seconds / TICK)
 
 
-def radio_80211n(mpdus=1, queue=(500, 0.5), grid=36, **k):
-    frames, seconds = queue if queue is not None else (NEVER, np.inf)
-    d = dict(slot=90, sifs=160, aifs=160 + 270, cw_min=15, cw_max=1023, attempts=7, edca=1,
-        timeout=450, heard=0, ack=280, block_ack=320, request=320 , preamble=400, symbol=36, grid=grid,
-        bits=520, added=22, mpdus=mpdus, most_bytes=65535, window=64, queue=int(frames),
-        lifetime=ticks(seconds)) | k
-    r = np.zeros(1, _cell.RADIO)
-    for n, v in d.items(): r[n] = v
-    return r
+@dataclass(frozen=True)
+class Hosts:
+    """The fleet host by host: processes on each, and endpoints of each of its processes."""
+
+    processes: NDArray[np.int64]
+    endpoints: NDArray[np.int64]
+
+    @property
+    def first(self) -> NDArray[np.int64]:
+        """The number of the first process of each host."""
+        return np.cumsum(self.processes) - self.processes
+
+    @property
+    def host_of(self) -> NDArray[np.int64]:
+        """The host of each process."""
+        return np.repeat(np.arange(self.processes.size), self.processes)
 
 
-def build(hosts, processes, endpoints, messages, radio, seed, loss=0.0, pool=4096, log=4096):
-    R = radio[0]
-    K = len(messages)
-    n = hosts + 1
-    st = np.zeros(n, _cell.STATION)
-    for f in ("head", "tail", "to_head", "to_tail", "behind"): st[f] = -1
-    st["processes"][:hosts] = processes
-    st["endpoints"][:hosts] = endpoints
-    st["first"][:hosts] = np.arange(hosts) * processes
-    st["loss"] = loss
-    pr = np.zeros(hosts * processes, np.dtype([("host", np.int64)]))
-    pr["host"] = np.repeat(np.arange(hosts), processes)
-    kinds = np.zeros(K, _cell.KIND)
-    def data(o):
-        sym = -(-(R["added"] + 8*o)//R["bits"])
-        return R["preamble"] + -(-sym*R["symbol"]//R["grid"])*R["grid"]
-    def slow(o):
-        return 200 + -(-(22+8*o)//24)*40
-    q = 2 if R["mpdus"] > 1 else 0
-    for i, (o, m, per, ee) in enumerate(messages):
-        kinds[i]["octets"] = o; kinds[i]["multicast"] = m; kinds[i]["per"] = per; kinds[i]["each_endpoint"] = ee
-        kinds[i]["up"] = kinds[i]["down"] = 1
-        kinds[i]["time_up"] = data(o + q); kinds[i]["time_down"] = slow(o + q) if m else data(o + q)
+def hosts_of(fleet: Fleet) -> Hosts:
+    """Return the hosts of a fleet; refuse one that is not made of whole numbers."""
+    rows = []
+    for index, group in enumerate(fleet.groups):
+        for count, value in zip(COUNTS, group.counts(), strict=True):
+            name = f"groups[{index}].{count}"
+            if is_symbolic(value):
+                raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
+            most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)
+            _checks.whole(f"fleet: {name}", value, 0, most)
+        rows.append([int(value) for value in group.counts()])
+    numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
+    if numbers.sum() < 2:
+        raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
+    if (numbers * processes).sum() > _MOST_PROCESSES:
+        raise ValueError(
+            f"fleet must have at most {_MOST_PROCESSES} processes to simulate; "
+            f"got {(numbers * processes).sum()}"
+        )
+    return Hosts(np.repeat(processes, numbers), np.repeat(endpoints, numbers))
+
+
+def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
+    """Return the radio of a channel as the inner loops take it."""
+    radio = wifi.radio
+    if radio is None:
+        raise ValueError(
+            "wifi must have a radio to simulate, as those of ds.Radio(...).wifi(), ds.WIFI and "
+            f"ds.PAPER have; got {wifi.name!r}"
+        )
+    padding = wifi.unicast.padding or radio.padding
+    extension = radio.signal_extension
+    aggregation = wifi.aggregation
+    basic = Radio(radio.standard, band=radio.band, mcs=0).ack
+    seconds = {
+        "slot": radio.slot,
+        "sifs": radio.sifs,
+        "aifs": radio.aifs,
+        "timeout": radio.sifs + radio.slot + RX_START_DELAY,
+        "heard": (radio.sifs + basic + extension) * eifs,
+        "ack": radio.ack + extension,
+        "block_ack": radio.block_ack + extension,
+        # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
+        "request": radio.block_ack + extension,
+        "preamble": radio.preamble + extension,
+        "symbol": padding.symbol,
+        "grid": padding.grid,
+        "lifetime": queue[1],
+    }
+    whole = {
+        "cw_min": radio.cw_min,
+        "cw_max": radio.cw_max,
+        "attempts": ATTEMPTS,
+        # Stations without QoS count down at the end of idle slots only.
+        "edca": radio.standard not in ("802.11a", "802.11g"),
+        "bits": padding.bits,
+        "added": padding.added,
+        "mpdus": aggregation.mpdus if aggregation else 1,
+        "most_bytes": aggregation.most_bytes if aggregation else 0,
+        "least_subframe": aggregation.least_bytes if aggregation else 0,
+        "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
+        "queue": _cell.NEVER if np.isinf(queue[0]) else int(queue[0]),
+    }
+    record = np.zeros(1, _cell.RADIO)
+    for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
+        record[name] = value
+    return record
+
+
+def _ppdu_ticks(octets: int, padding: Padding, preamble: int) -> int:
+    symbols = -(-(padding.added + 8 * octets) // padding.bits)
+    grid = ticks(padding.grid)
+    return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
+
+
+def kind_records(protocol: Protocol, wifi: Wifi) -> Records:
+    """Return the rows of a protocol's table; refuse what cannot be simulated."""
+    radio = wifi.radio
+    assert radio is not None
+    if len(protocol.messages) > _MOST_MESSAGES:
+        raise ValueError(f"protocol must have at most {_MOST_MESSAGES} messages to simulate")
+    fast = wifi.unicast.padding or radio.padding
+    slow = wifi.multicast.padding or radio.multicast_padding
+    waiting = radio.aifs + radio.cw_min / 2 * radio.slot
+    slow_preamble = ticks(radio.wifi().multicast.overhead - waiting)
+    fast_preamble = ticks(radio.preamble + radio.signal_extension)
+    records = np.zeros(len(protocol.messages), _cell.KIND)
+    for record, message in zip(records, protocol.messages, strict=True):
+        _refuse(protocol, message)
+        # Under a block acknowledgement each frame has a QoS Control field.
+        octets = round(message.frame_bytes) + 2 * (wifi.aggregation is not None)
+        multicast = message.cast == "multicast"
+        record["octets"] = octets
+        record["multicast"] = multicast
+        record["to_all"] = message.unit == PROCESS
+        record["up"] = "up" in message.hops
+        record["down"] = "down" in message.hops
+        record["per"] = message.per_unit
+        record["each_endpoint"] = message.unit == ENDPOINT_PAIR
+        record["time_up"] = _ppdu_ticks(octets, fast, fast_preamble)
+        record["time_down"] = (
+            _ppdu_ticks(octets, slow, slow_preamble) if multicast else record["time_up"]
+        )
+    return records
+
+
+def _refuse(protocol: Protocol, message: Message) -> None:
+    where = f"protocol {protocol.name!r}, message {message.name!r}"
+    if message.unit not in _UNITS:
+        known = ", ".join(repr(unit.name) for unit in _UNITS)
+        raise ValueError(f"{where}: unit must be one of {known}; got {message.unit.name!r}")
+    if (message.cast == "multicast") != (message.unit == PROCESS) and len(message.hops) > 1:
+        raise ValueError(
+            f"{where}: cast must be 'multicast' for what is counted by process and 'unicast' for "
+            f"what is counted by pairs of them; got {message.cast!r}"
+        )
+    if message.per_unit % 1:
+        raise ValueError(f"{where}: per_unit must be a whole number; got {message.per_unit!r}")
+
+
+@dataclass(frozen=True)
+class Bursts:
+    """What a host sends by the clock: sets of messages, and when each is sent after the start."""
+
+    messages: tuple[tuple[int, ...], ...]
+    period: tuple[float, ...]
+    times: tuple[tuple[float, int], ...]
+
+
+def bursts_of(protocol: Protocol) -> Bursts:
+    """Return what a host sends by the clock alone: messages due at the same time go together."""
+    at: dict[tuple[float, float], list[int]] = {}
+    for row, message in enumerate(protocol.messages):
+        schedule = message.schedule
+        for time in schedule.starts:
+            at.setdefault((time, 0.0), []).append(row)
+        if np.isfinite(schedule.period):
+            first = schedule.starts[-1] + schedule.period
+            at.setdefault((first, schedule.period), []).append(row)
+    sets: dict[tuple[tuple[int, ...], float], int] = {}
+    times = []
+    for (time, period), rows in sorted(at.items()):
+        number = sets.setdefault((tuple(rows), period), len(sets))
+        times.append((time, number))
+    return Bursts(
+        tuple(rows for rows, _ in sets), tuple(period for _, period in sets), tuple(times)
+    )
+
+
+def new_cell(
+    hosts: Hosts,
+    kinds: Records,
+    bursts: Bursts,
+    radio: Records,
+    starts: NDArray[np.float64],
+    loss: NDArray[np.float64],
+    seed: np.random.SeedSequence,
+) -> Cell:
+    """Return a cell at the start of a run."""
+    count, rows = hosts.processes.size, kinds.size
+    stations = np.zeros(count + 1, _cell.STATION)
+    for name in ("head", "tail", "to_head", "to_tail", "behind"):
+        stations[name] = -1
+    stations["processes"][:count] = hosts.processes
+    stations["endpoints"][:count] = hosts.endpoints
+    stations["first"][:count] = hosts.first
+    stations["loss"][:count] = loss
+    processes = np.zeros(hosts.host_of.size, _cell.PROCESS)
+    processes["host"] = hosts.host_of
+    processes["endpoints"] = hosts.endpoints[hosts.host_of]
+
     now = np.zeros(1, _cell.NOW)
-    now["base"] = 90
-    now["step"] = 10_000
-    now["spare"] = pool
-    now["hosts"] = hosts; now["links"] = hosts - 1; now["kinds"] = K
-    now["per_receiver"] = R["mpdus"] > 1
-    now["random"] = np.random.SeedSequence(seed).generate_state(1, np.uint64).view(np.int64)
-    p = np.zeros(pool, _cell.WAITING); p["next"] = np.arange(1, pool + 1)
-    wheel = 1 << int(4 * (R["cw_max"] + 2)).bit_length()
-    b = np.ones((1, K + 1), np.int64); b[:, K] = 0
-    return Cell(radio=radio, now=now, stations=st, window=np.zeros((n, R["mpdus"]), _cell.HELD),
-        wheel=np.full(wheel, -1, np.int64), strays=np.zeros(n, _cell.STRAY), senders=np.zeros(max(n, 64), _cell.SENDER),
-        pool=p, events=np.zeros(8 * hosts + 1024, _cell.EVENT), kinds=kinds, batches=b, processes=pr,
-        airtime=np.zeros((K + 1, 3), np.int64), samples=np.zeros(512, _cell.SAMPLE), log=np.zeros(log, _cell.SENT))
+    now["base"] = radio["slot"]
+    now["step"] = ticks(1e-3)
+    now["spare"] = _POOL
+    now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
+    now["per_receiver"] = radio["mpdus"] > 1
+    # xorshift must not begin at zero.
+    now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
+    pool = np.zeros(_POOL, _cell.ENTRY)
+    pool["next"] = np.arange(1, _POOL + 1)
+
+    sets = np.zeros((max(1, len(bursts.messages)), rows + 1), np.int64)
+    for number, messages in enumerate(bursts.messages):
+        sets[number, list(messages)] = 1
+        sets[number, rows] = ticks(bursts.period[number]) if bursts.period[number] else 0
+    events = np.zeros(1024 + 2 * count * len(bursts.times), _cell.EVENT)
+    due = [
+        (ticks(start + time), _cell.SEND | host | (number << _cell.PROCESS_BITS))
+        for host, start in enumerate(starts)
+        for time, number in bursts.times
+    ]
+    due.sort()  # a sorted list is a heap
+    now["events"] = len(due)
+    now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
+    events["time"][: len(due)] = [time for time, _ in due]
+    events["what"][: len(due)] = [what for _, what in due]
+    wheel = 1 << int(4 * (radio["cw_max"][0] + 2)).bit_length()
+    mpdus = int(radio["mpdus"][0])
+    return Cell(
+        radio=radio,
+        now=now,
+        stations=stations,
+        window=np.zeros((count + 1, mpdus), _cell.HELD),
+        wheel=np.full(wheel, -1, np.int64),
+        strays=np.zeros(count + 1, _cell.STRAY),
+        senders=np.zeros(max(count + 1, mpdus), _cell.SENDER),
+        pool=pool,
+        events=events,
+        kinds=kinds,
+        batches=sets,
+        processes=processes,
+        airtime=np.zeros((rows + 1, 3), np.int64),
+        samples=np.zeros(_SAMPLES, _cell.SAMPLE),
+        log=np.zeros(_LOG, _cell.SENT),
+    )
 
 
-def grow(cell):
+def grown(cell: Cell) -> Cell:
+    """Return a cell with twice the memory for frames and events."""
     size = cell.pool.size
-    pool = np.zeros(2 * size, _cell.WAITING)
+    pool = np.zeros(2 * size, _cell.ENTRY)
     pool[:size] = cell.pool
     pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
-    pool["next"][-1] = cell.now[0]["free"]
+    pool["next"][-1] = cell.now["free"][0]
     cell.now["free"] = size
     cell.now["spare"] += size
-    return cell._replace(pool=pool)
+    events = np.zeros(2 * cell.events.size, _cell.EVENT)
+    events[: cell.events.size] = cell.events
+    return cell._replace(pool=pool, events=events)
 
 
-DDS = [(414, 1, 1, 0), (464, 0, 1, 1), (116, 0, 2, 0), (114, 0, 2, 0)]
-ZENOH = [(80, 1, 1, 0), (144, 0, 1, 0), (176, 0, 1, 1), (84, 0, 2, 0)]
-
-
-def run(cell, starts=None, until=10**15):
-    from discostorm.simulation.engine import MEMORY, OVER, advance
-    for h in range(cell.now[0]["hosts"]):
-        cell.events["time"][h] = 0 if starts is None else int(starts[h]); cell.events["what"][h] = h
-    cell.now["events"] = cell.now["coming"] = h + 1
-    while True:
-        r = advance(cell, until, 128, 10_000_000)
-        if r == OVER:
-            return cell
-        if r == MEMORY:
-            cell = grow(cell)
+def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
+    """Return when each host starts [s]; see `discostorm.simulate`."""
+    if hasattr(start, "rvs"):
+        drawn = start.rvs(size=hosts, random_state=rng)
+    elif callable(start):
+        drawn = start(rng, hosts)
+    else:
+        drawn = start
+    found = _checks.numbers("start", drawn, 0)
+    if np.ndim(found) and np.shape(found) != (hosts,):
+        raise ValueError(
+            f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"
+        )
+    return np.broadcast_to(np.asarray(found, dtype=np.float64), (hosts,))
