@@ -13,7 +13,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 def njit(function: Function) -> Function:
     """Compile a function that others call; it becomes part of them."""
-    compiled: Function = numba.njit(nogil=True, _nrt=False)(function)
+    compiled: Function = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
     return compiled
 
 
@@ -22,7 +22,7 @@ def entry(function: Function) -> Function:
     try:
         compiled: Function = numba.njit(nogil=True, cache=True, _nrt=False)(function)
     except RuntimeError:  # nowhere to write
-        compiled = numba.njit(nogil=True, _nrt=False)(function)
+        compiled = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
     return compiled
 
 
