@@ -91,8 +91,8 @@ FULL, AGE, RETRY, AIR = range(4)
 #: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst. The
 #: access point's frames for host h hang on ``to_head`` and ``to_tail`` of h.
 STATION = _record(
-    *("send_slot", "waits", "behind", "failures", "held", "sent", "following", "must_ask"),
-    *("head", "tail", "length", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
+    *("send_slot", "waits", "behind", "failures", "held", "sent", "length", "must_ask"),
+    *("head", "tail", "following", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
     *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
     floats=("loss",),
 )
@@ -103,8 +103,8 @@ HELD = _record("frame", "came", "number", "tries")
 #: A frame that waits, or a burst that does; the next in the queue, the next to the same host.
 ENTRY = _record("frame", "came", "next", "same")
 
-#: Who waits beside the wheel: from which tick on, and for how many slots.
-STRAY = _record("station", "base", "left")
+#: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
+STRAY = _record("station", "base", "left", "time")
 
 #: Who sends now, and until when; also what has just arrived.
 SENDER = _record("station", "end", "frame")
@@ -115,11 +115,30 @@ EVENT = _record("time", "what")
 #: A row of the protocol's table; see `discostorm.simulation.traffic`.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "per", "each_endpoint", "time_up", "time_down"),
-    *("role", "informs", "trigger", "answers"),
+    *("role", "informs", "trigger", "answers", "each_answer", "before", "tcp", "gap_first"),
+    *("gap_number",),
+)
+
+#: What a message is for: `role`; and when it is sent: `trigger`.
+OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
+CLOCK, ANSWER, DISCOVERY = range(3)
+
+#: How the middleware repairs, in ticks; see `discostorm.simulation.recovery`.
+REPAIRS = _record(
+    *("announce_first", "announce_most", "heartbeat_first", "heartbeat_most", "lease", "topics"),
+    *("items", "heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
+)
+
+#: What process x holds of process y, at [x, y]: whether x knows y, when it heard of it last, how
+#: many items of y it misses, when it had all; whether x has sent y its own, which topics y has
+#: acknowledged; and of x's connection to y the timer, when it ends, round trip and its spread.
+OF_PAIR = _record(
+    *("known", "heard", "missing", "done", "offered", "acknowledged"),
+    *("rto", "due", "round_trip", "spread", "armed"),
 )
 
 #: A process.
-PROCESS = _record("host", "endpoints")
+PROCESS = _record("host", "endpoints", "start", "announce", "heartbeat", "beating")
 
 #: A transmission.
 SENT = _record("start", "end", "station", "kind", "frames", "outcome")
@@ -146,13 +165,17 @@ class Cell(NamedTuple):
     kinds: Records
     batches: Ints
     processes: Records
+    repairs: Records
+    pairs: Records
+    has: Ints
     airtime: Ints
     samples: Records
     log: Records
 
 
-#: What happens, above the bits that say to whom.
-SEND = 0
+#: What happens, above the bits that say to whom: a host or process, another, a row of the table.
+_EVENT = 56
+SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT = (np.int64(n) << _EVENT for n in range(6))
 
 # ---------------------------------------------------------------- chance
 

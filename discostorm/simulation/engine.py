@@ -186,7 +186,9 @@ def note(cell, station, start, end, outcome):
     else:
         now.ppdus += 1
         now.mpdus += sent
-        each = (end - start) * PARTS // sent
+        each = (end - start) * PARTS
+        if sent > 1:
+            each //= sent
         for place in range(sent):
             held = cell.window[station, place]
             now.retried += held.tries > 0
@@ -405,7 +407,7 @@ def transmit(cell, time, slot):
             station = following
     for place in range(now.strays):
         stray = cell.strays[place]
-        if stray.station >= 0 and time >= stray.base + stray.left * cell.radio[0].slot:
+        if stray.station >= 0 and time >= stray.time:
             count = add_sender(cell, stray.station, time, count)
             stray.station = -1
     if count == 0:
@@ -445,10 +447,8 @@ def advance(cell, until, reserve, share):
             time = now.base + (slot - now.slot) * slot_ticks
         for place in range(now.strays):
             stray = cell.strays[place]
-            if stray.station >= 0:
-                its = stray.base + stray.left * slot_ticks
-                if its < time:
-                    time, slot = its, np.int64(-1)
+            if stray.station >= 0 and stray.time < time:
+                time, slot = stray.time, np.int64(-1)
         happens = now.events > 0 and cell.events[0].time <= time
         if happens:
             time = cell.events[0].time

@@ -12,7 +12,7 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 import numpy as np
 
 from discostorm.simulation._compile import njit
-from discostorm.simulation.cell import FULL, STEADY, below, kind_of, source_of
+from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of, source_of
 from discostorm.simulation.queues import (
     burst_entry,
     burst_frames,
@@ -62,6 +62,7 @@ def back_off(cell, station, base):
         stray = cell.strays[now.strays]
         now.strays += 1
         stray.station, stray.base, stray.left = station, base, slots
+        stray.time = base + slots * cell.radio[0].slot
         its.waits = 1
 
 
@@ -111,13 +112,15 @@ def synchronize(cell, time, sent_slot):
         now.slot = sent_slot + radio.edca
     elif time >= now.base:
         now.slot += (time - now.base) // radio.slot + radio.edca
+    base, gone = NEVER, np.int64(0)
     for place in range(now.strays):
         stray = cell.strays[place]
+        if stray.base != base:  # most have waited since the same time: divide once
+            base, gone = stray.base, np.int64(0)
+            if time >= base:
+                gone = (time - base) // radio.slot + radio.edca
         if stray.station >= 0:
-            left = stray.left
-            if time >= stray.base:
-                left -= (time - stray.base) // radio.slot + radio.edca
-            enter(cell, stray.station, now.slot + left)
+            enter(cell, stray.station, now.slot + stray.left - gone)
     now.strays = 0
 
 

@@ -249,7 +249,7 @@ def new_cell(
     now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
     events["time"][: len(due)] = [time for time, _ in due]
     events["what"][: len(due)] = [what for _, what in due]
-    wheel = 1 << int(4 * (radio["cw_max"][0] + 2)).bit_length()
+    wheel = 1 << int(2 * radio["cw_max"][0] + 1).bit_length()
     mpdus = int(radio["mpdus"][0])
     return Cell(
         radio=radio,
