@@ -13,7 +13,6 @@ import numpy as np
 
 from discostorm.simulation._compile import njit
 from discostorm.simulation.cell import (
-    ACKNACK,
     ANNOUNCE,
     ANSWER,
     BEAT,
@@ -22,7 +21,7 @@ from discostorm.simulation.cell import (
     DISCOVERY,
     EXPIRE,
     HEARTBEAT,
-    NEVER,
+    OTHER,
     PROCESS_BITS,
     REPAIR,
     REPEAT,
@@ -184,7 +183,7 @@ def acknowledge_tcp(cell, source, to, place, frame, time):
                 send_item(cell, source, to, item, time)
                 again += 1
     else:
-        measure(cell, pair, time - pair.heard_first)
+        measure(cell, pair, time - pair.offered)
     if cell.pairs[to, source].missing > 0:
         pair.due = time + pair.rto
 
@@ -195,7 +194,7 @@ def discover(cell, finder, found, time):
     now = cell.now[0]
     pair = cell.pairs[finder, found]
     pair.known = 1
-    pair.offered, pair.acknowledged = 1, 0
+    pair.heard, pair.offered, pair.acknowledged = time, max(time, 1), 0
     tcp = False
     for row in range(now.kinds):
         kind = cell.kinds[row]
@@ -282,55 +281,60 @@ def announce(cell, process, time, busy):
 
 
 @njit
+def answer(cell, frame, process, time):
+    """Send what answers a message each time."""
+    row, source = kind_of(frame), source_of(frame)
+    for other in range(cell.now[0].kinds):
+        kind = cell.kinds[other]
+        if kind.trigger == ANSWER and kind.answers == row:
+            for item in range(kind.each_answer):
+                reply = compose(other, process, source, item)
+                offer_new(cell, reply | (frame & STEADY), time, True)
+
+
+@njit
+def take_item(cell, frame, process, time):
+    """Let a process take in an item of another."""
+    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
+    place = kind.before * cell.processes[source].endpoints + item_of(frame)
+    if not has_item(cell, process, source, place):
+        cell.has[process, source, place // _WORD] |= np.int64(1) << (place % _WORD)
+        cell.pairs[process, source].missing -= 1
+        complete(cell, process, source, time)
+    if kind.tcp:
+        acknowledge_tcp(cell, source, process, place, frame, time)
+
+
+@njit
 def arrive(cell, frame, process, time):
     """Let a process take in a message."""
-    now = cell.now[0]
-    row, source = kind_of(frame), source_of(frame)
-    kind = cell.kinds[row]
+    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     if time < cell.processes[process].start:
         return
     pair = cell.pairs[process, source]
     if kind.informs and not pair.known:
         discover(cell, process, source, time)
-    if not pair.known:
-        return
     pair.heard = time
-    if kind.role == DATA:
-        place = kind.before * cell.processes[source].endpoints + item_of(frame)
-        if not has_item(cell, process, source, place):
-            cell.has[process, source, place // _WORD] |= np.int64(1) << (place % _WORD)
-            pair.missing -= 1
-            complete(cell, process, source, time)
-        if kind.tcp:
-            acknowledge_tcp(cell, source, process, place, frame, time)
+    if kind.role == OTHER:
+        answer(cell, frame, process, time)
+    elif not pair.known:  # nothing is matched yet, so nothing is taken
         return
-    if kind.role == HEARTBEAT:
+    elif kind.role == DATA:
+        take_item(cell, frame, process, time)
+    elif kind.role == HEARTBEAT:
         topic = item_of(frame)
         missing = False
-        for item in range(
-            first_item(cell, source, topic), first_item(cell, source, topic + 1)
-        ):
+        for item in range(first_item(cell, source, topic), first_item(cell, source, topic + 1)):
             missing |= not has_item(cell, process, source, item)
-        answer = compose(cell.repairs[0].acknack, process, source, 2 * topic + (not missing))
-        offer_new(cell, answer | (frame & REPAIR), time, True)
-        return
-    if kind.role == ACKNACK:
-        topic, writes = item_of(frame) >> 1, cell.pairs[process, source]
-        if item_of(frame) & 1:
-            writes.acknowledged |= 1 << topic
-        else:
-            for item in range(
-                first_item(cell, process, topic), first_item(cell, process, topic + 1)
-            ):
-                if not has_item(cell, source, process, item):
-                    send_item(cell, process, source, item, time)
-        return
-    for other in range(now.kinds):
-        answer = cell.kinds[other]
-        if answer.trigger == ANSWER and answer.answers == row and answer.role != ACKNACK:
-            flag = frame & STEADY
-            for item in range(answer.each_answer):
-                offer_new(cell, compose(other, process, source, item) | flag, time, True)
+        reply = compose(cell.repairs[0].acknack, process, source, 2 * topic + (not missing))
+        offer_new(cell, reply | (frame & REPAIR), time, True)
+    elif item_of(frame) & 1:
+        pair.acknowledged |= 1 << (item_of(frame) >> 1)
+    else:
+        topic = item_of(frame) >> 1
+        for item in range(first_item(cell, process, topic), first_item(cell, process, topic + 1)):
+            if not has_item(cell, source, process, item):
+                send_item(cell, process, source, item, time)
 
 
 @njit

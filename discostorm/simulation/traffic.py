@@ -209,6 +209,7 @@ def new_cell(
     starts: NDArray[np.float64],
     loss: NDArray[np.float64],
     seed: np.random.SeedSequence,
+    repairs: Records | None = None,
 ) -> Cell:
     """Return a cell at the start of a run."""
     count, rows = hosts.processes.size, kinds.size
@@ -222,6 +223,9 @@ def new_cell(
     processes = np.zeros(hosts.host_of.size, _cell.PROCESS)
     processes["host"] = hosts.host_of
     processes["endpoints"] = hosts.endpoints[hosts.host_of]
+
+    processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
+    pairs, has = _pairs(hosts, repairs)
 
     now = np.zeros(1, _cell.NOW)
     now["base"] = radio["slot"]
@@ -238,15 +242,19 @@ def new_cell(
     for number, messages in enumerate(bursts.messages):
         sets[number, list(messages)] = 1
         sets[number, rows] = ticks(bursts.period[number]) if bursts.period[number] else 0
-    events = np.zeros(1024 + 2 * count * len(bursts.times), _cell.EVENT)
     due = [
-        (ticks(start + time), _cell.SEND | host | (number << _cell.PROCESS_BITS))
+        (ticks(start + time), int(_cell.SEND) | host | (number << _cell.PROCESS_BITS))
         for host, start in enumerate(starts)
         for time, number in bursts.times
     ]
+    if repairs is not None:
+        due += _first_events(processes, repairs)
+        now["repairs"] = 1
+        now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
     due.sort()  # a sorted list is a heap
     now["events"] = len(due)
     now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
+    events = np.zeros(2 * len(due) + 1024, _cell.EVENT)
     events["time"][: len(due)] = [time for time, _ in due]
     events["what"][: len(due)] = [what for _, what in due]
     wheel = 1 << int(2 * radio["cw_max"][0] + 1).bit_length()
@@ -264,10 +272,36 @@ def new_cell(
         kinds=kinds,
         batches=sets,
         processes=processes,
+        repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
+        pairs=pairs,
+        has=has,
         airtime=np.zeros((rows + 1, 3), np.int64),
         samples=np.zeros(_SAMPLES, _cell.SAMPLE),
         log=np.zeros(_LOG, _cell.SENT),
     )
+
+
+def _pairs(hosts: Hosts, repairs: Records | None) -> tuple[Records, NDArray[np.int64]]:
+    """Return what each process holds of each other at the start: nothing."""
+    if repairs is None:
+        return np.zeros((1, 1), _cell.OF_PAIR), np.zeros((1, 1, 1), np.int64)
+    count = hosts.host_of.size
+    items = repairs["items"][0] * hosts.endpoints[hosts.host_of]
+    pairs = np.zeros((count, count), _cell.OF_PAIR)
+    pairs["missing"] = items
+    return pairs, np.zeros((count, count, 1 + int(items.max()) // 64), np.int64)
+
+
+def _first_events(processes: Records, repairs: Records) -> list[tuple[int, int]]:
+    """Return the first announcements that no table names, and the first looks at leases."""
+    due = []
+    for process, start in enumerate(processes["start"]):
+        if first := repairs["announce_first"][0]:
+            processes["announce"][process] = first
+            due.append((int(start + first), int(_cell.ANNOUNCE) | process))
+        if (lease := repairs["lease"][0]) < _cell.NEVER:
+            due.append((int(start + lease), int(_cell.EXPIRE) | process))
+    return due
 
 
 def grown(cell: Cell) -> Cell:
