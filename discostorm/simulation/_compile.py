@@ -12,8 +12,17 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def njit(function: Function) -> Function:
-    """Compile a function that others call; it becomes part of them."""
+    """Compile a function that becomes part of each that calls it.
+
+    Without reference counts (nothing here makes an array), which would cost more than all else.
+    """
     compiled: Function = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
+    return compiled
+
+
+def shared(function: Function) -> Function:
+    """Compile a function that many call: once, so that compiling does not take too long."""
+    compiled: Function = numba.njit(nogil=True, _nrt=False)(function)
     return compiled
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from discostorm.simulation._compile import njit
+from discostorm.simulation._compile import njit, shared
 
 Ints = NDArray[np.int64]
 
@@ -206,7 +206,7 @@ def uniform(now):
 # ---------------------------------------------------------------- events
 
 
-@njit
+@shared
 def later(cell, time, what):
     """Put an event on the heap."""
     events = cell.events

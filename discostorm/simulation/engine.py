@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from discostorm.simulation._compile import entry, njit
+from discostorm.simulation._compile import entry, njit, shared, sources
 from discostorm.simulation.cell import (
     AGE,
     AIR,
@@ -75,7 +75,7 @@ def keep(cell, station, place, kept):
         free.number, free.tries = held.number, held.tries
 
 
-@njit
+@shared
 def throw_out_old(cell, station, time):
     """Drop the held frames that are too old."""
     its = cell.stations[station]
@@ -204,7 +204,7 @@ def note(cell, station, start, end, outcome):
         row.outcome = outcome
 
 
-@njit
+@shared
 def sample(cell, time):
     """Record queue lengths at regular times; half as often whenever the table is full."""
     now = cell.now[0]
@@ -274,7 +274,7 @@ def fail(cell, station, base):
     back_off(cell, station, base)
 
 
-@njit
+@shared
 def send_request(cell, station, time, end):
     """Let a station ask, undisturbed, what has arrived of an A-MPDU: nothing has."""
     now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
@@ -286,7 +286,7 @@ def send_request(cell, station, time, end):
     back_off(cell, station, now.base)
 
 
-@njit
+@shared
 def send_multicast(cell, time, end):
     """Let the access point send to all at once; nobody acknowledges."""
     now = cell.now[0]
@@ -348,7 +348,7 @@ def send_unicast(cell, station, time, end):
         deliver(cell, station, cell.senders[place].frame, end, alone)
 
 
-@njit
+@shared
 def collide(cell, count, time):
     """Let several stations send at once: nothing arrives."""
     now, radio = cell.now[0], cell.radio[0]
@@ -426,38 +426,48 @@ def transmit(cell, time, slot):
         send_unicast(cell, station, time, end)
 
 
-@entry
-def advance(cell, until, reserve, share):
-    """Go on with a run until it is over, wants more memory, or has done its share.
+def _advance(digest):
+    """Return the loop of a run, compiled from the sources with this digest."""
 
-    Returns
-    -------
-    int
-        `OVER`, `MEMORY` or `SHARE`.
-    """
-    now, slot_ticks = cell.now[0], cell.radio[0].slot
-    for _ in range(share):
-        if now.open == 0 and now.coming == 0 and settled(cell):
+    @entry
+    def advance(cell, until, reserve, share):
+        """Go on with a run until it is over, wants more memory, or has done its share.
+
+        Returns
+        -------
+        int
+            `OVER`, `MEMORY` or `SHARE`.
+        """
+        if not digest:  # never; the digest makes other sources compile anew
             return OVER
-        if now.spare < reserve or now.events + reserve > cell.events.size:
-            return MEMORY
-        time, slot = NEVER, np.int64(-1)
-        if now.waiting > 0:
-            slot = next_slot(cell)
-            time = now.base + (slot - now.slot) * slot_ticks
-        for place in range(now.strays):
-            stray = cell.strays[place]
-            if stray.station >= 0 and stray.time < time:
-                time, slot = stray.time, np.int64(-1)
-        happens = now.events > 0 and cell.events[0].time <= time
-        if happens:
-            time = cell.events[0].time
-        if time > until:
-            return OVER
-        sample(cell, time)
-        now.clock = time
-        if happens:
-            happen(cell, time, next_event(cell), time < now.idle)
-        else:
-            transmit(cell, time, slot)
-    return SHARE
+        now, slot_ticks = cell.now[0], cell.radio[0].slot
+        for _ in range(share):
+            if now.open == 0 and now.coming == 0 and settled(cell):
+                return OVER
+            if now.spare < reserve or now.events + reserve > cell.events.size:
+                return MEMORY
+            time, slot = NEVER, np.int64(-1)
+            if now.waiting > 0:
+                slot = next_slot(cell)
+                time = now.base + (slot - now.slot) * slot_ticks
+            for place in range(now.strays):
+                stray = cell.strays[place]
+                if stray.station >= 0 and stray.time < time:
+                    time, slot = stray.time, np.int64(-1)
+            happens = now.events > 0 and cell.events[0].time <= time
+            if happens:
+                time = cell.events[0].time
+            if time > until:
+                return OVER
+            sample(cell, time)
+            now.clock = time
+            if happens:
+                happen(cell, time, next_event(cell), time < now.idle)
+            else:
+                transmit(cell, time, slot)
+        return SHARE
+
+    return advance
+
+
+advance = _advance(sources())

@@ -11,7 +11,7 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 
 import numpy as np
 
-from discostorm.simulation._compile import njit
+from discostorm.simulation._compile import njit, shared
 from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of, source_of
 from discostorm.simulation.queues import (
     burst_entry,
@@ -147,7 +147,7 @@ def offer(cell, station, frame, time):
     return True
 
 
-@njit
+@shared
 def offer_new(cell, frame, time, busy):
     """Hand a new frame of a process to its host, or to the access point if that is wired."""
     now = cell.now[0]
@@ -161,7 +161,7 @@ def offer_new(cell, frame, time, busy):
         wake(cell, station, time, busy)
 
 
-@njit
+@shared
 def offer_burst(cell, host, batch, time, busy):
     """Hand a burst to a host's queue: what does not fit is lost."""
     now = cell.now[0]

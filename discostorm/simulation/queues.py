@@ -6,7 +6,7 @@ their turn.
 
 import numpy as np
 
-from discostorm.simulation._compile import njit
+from discostorm.simulation._compile import njit, shared
 from discostorm.simulation.cell import (
     AGE,
     FULL,
@@ -56,7 +56,7 @@ def receivers(cell, frame):
     return cell.now[0].links if kind.multicast and kind.down else np.int64(1)
 
 
-@njit
+@shared
 def lose(cell, frame, station, cause):
     """Count a frame as lost for good."""
     if not frame & STEADY:
@@ -64,7 +64,7 @@ def lose(cell, frame, station, cause):
         count_lost(cell, receivers(cell, frame), station, cause)
 
 
-@njit
+@shared
 def count_lost(cell, times, station, cause):
     """Count receptions that will not be, by cause."""
     now = cell.now[0]
@@ -155,7 +155,7 @@ def take_same(cell, host):
     waiting.frame = _TAKEN
 
 
-@njit
+@shared
 def first_entry(cell, station, time):
     """Return the first entry of a queue, after throwing out what is too old, or -1."""
     queue = cell.stations[station]
@@ -176,7 +176,7 @@ def first_entry(cell, station, time):
     return np.int64(-1)
 
 
-@njit
+@shared
 def lose_burst(cell, station, entry):
     """Count what is left of a burst as too old."""
     maker = cell.stations[station]
@@ -198,7 +198,7 @@ def each(cell, host, kind):
     return row.per * cell.stations[host].endpoints if row.each_endpoint else row.per
 
 
-@njit
+@shared
 def frames_to_all(cell, host, batch):
     """Return how many frames, counted by process, a host sends in a burst."""
     total = np.int64(0)
@@ -219,7 +219,7 @@ def burst_frames(cell, host, batch):
     return frames_to_all(cell, host, batch) + total * own * (cell.processes.size - own)
 
 
-@njit
+@shared
 def make(cell, host, batch):
     """Return the next frame of a burst.
 

@@ -11,7 +11,7 @@ with all that it sent, and may be discovered again.
 
 import numpy as np
 
-from discostorm.simulation._compile import njit
+from discostorm.simulation._compile import njit, shared
 from discostorm.simulation.cell import (
     ANNOUNCE,
     ANSWER,
@@ -64,7 +64,7 @@ def first_item(cell, writer, topic):
     return items(cell, writer) * topic // max(cell.repairs[0].topics, 1)
 
 
-@njit
+@shared
 def send_items(cell, row, source, to, time, flag):
     """Send all messages of a row for a pair of processes."""
     kind = cell.kinds[row]
@@ -73,7 +73,7 @@ def send_items(cell, row, source, to, time, flag):
         offer_new(cell, compose(row, source, to, item) | flag, time, True)
 
 
-@njit
+@shared
 def send_item(cell, source, to, item, time):
     """Send one item again."""
     endpoints = cell.processes[source].endpoints
@@ -85,7 +85,7 @@ def send_item(cell, source, to, item, time):
                 offer_new(cell, compose(row, source, to, place) | REPAIR, time, True)
 
 
-@njit
+@shared
 def complete(cell, reader, writer, time):
     """Note that a process may have all that it can know of another."""
     now, pair = cell.now[0], cell.pairs[reader, writer]
@@ -96,7 +96,7 @@ def complete(cell, reader, writer, time):
             now.converged = time
 
 
-@njit
+@shared
 def start_beating(cell, writer, time):
     """Let a writer send Heartbeats until all have acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
@@ -107,7 +107,7 @@ def start_beating(cell, writer, time):
             later(cell, time + its.heartbeat, BEAT | writer)
 
 
-@njit
+@shared
 def beat(cell, writer, time):
     """Send Heartbeats to all that have not acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
@@ -127,7 +127,7 @@ def beat(cell, writer, time):
         later(cell, time + its.heartbeat, BEAT | writer)
 
 
-@njit
+@shared
 def arm(cell, source, to, time):
     """Start the timer of a connection unless it runs."""
     pair = cell.pairs[source, to]
@@ -139,7 +139,7 @@ def arm(cell, source, to, time):
         later(cell, pair.due, pair_event(TIMEOUT, source, to, 0))
 
 
-@njit
+@shared
 def end_timer(cell, source, to, time):
     """Send the first missing item again if the timer of a connection has really ended."""
     pair = cell.pairs[source, to]
@@ -188,7 +188,7 @@ def acknowledge_tcp(cell, source, to, place, frame, time):
         pair.due = time + pair.rto
 
 
-@njit
+@shared
 def discover(cell, finder, found, time):
     """Let a process send what it has to one that it did not know."""
     now = cell.now[0]
@@ -212,7 +212,7 @@ def discover(cell, finder, found, time):
     complete(cell, finder, found, time)
 
 
-@njit
+@shared
 def forget(cell, reader, writer, time):
     """Forget a process and all that it sent."""
     pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
@@ -231,7 +231,7 @@ def forget(cell, reader, writer, time):
         start_beating(cell, writer, time)
 
 
-@njit
+@shared
 def expire(cell, reader, time):
     """Forget who has not been heard of for a lease; look again when the next may expire."""
     lease = cell.repairs[0].lease
@@ -248,7 +248,7 @@ def expire(cell, reader, time):
     later(cell, following, EXPIRE | reader)
 
 
-@njit
+@shared
 def send_by_clock(cell, host, batch, time, busy):
     """Send what a host's processes send by the clock: to all, or to each that is known."""
     now, its = cell.now[0], cell.stations[host]
@@ -267,7 +267,7 @@ def send_by_clock(cell, host, batch, time, busy):
                     send_items(cell, row, process, other, time, flag)
 
 
-@njit
+@shared
 def announce(cell, process, time, busy):
     """Announce a process again whose table does not say when it does."""
     its, repairs = cell.processes[process], cell.repairs[0]
@@ -305,7 +305,7 @@ def take_item(cell, frame, process, time):
         acknowledge_tcp(cell, source, process, place, frame, time)
 
 
-@njit
+@shared
 def arrive(cell, frame, process, time):
     """Let a process take in a message."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
@@ -343,7 +343,7 @@ def settled(cell):
     return cell.now[0].repairs == 0 or cell.now[0].converged > 0
 
 
-@njit
+@shared
 def happen(cell, time, what, busy):
     """Let happen what was to happen now."""
     kind, one = what & ~np.int64(2**56 - 1), what & _MASK
