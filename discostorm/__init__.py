@@ -16,6 +16,7 @@ from discostorm.messages import (
 from discostorm.planner import Plan, Remedy, Share, plan
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
+from discostorm.simulation import Simulation, simulate
 from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 __version__ = "0.1.0"
@@ -43,11 +44,13 @@ __all__ = [
     "Remedy",
     "Schedule",
     "Share",
+    "Simulation",
     "Unit",
     "Wifi",
     "breakdown",
     "lambdify",
     "plan",
     "saturation_hosts",
+    "simulate",
     "utilization",
 ]
