@@ -10,15 +10,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from numpy.typing import NDArray
 
 import discostorm as ds
+from discostorm.cli import main
+from discostorm.data import data_path
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Plan, finish, one_run, plan_runs
 from discostorm.simulation.traffic import TICK, ticks
 
+FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
 SEDP = ds.DDS.message("SEDP")
 UNLIMITED = (np.inf, np.inf)
@@ -274,7 +278,7 @@ def test_runs_side_by_side_are_the_same_as_one_after_the_other(
 
 def test_nothing_is_lost_without_limits_and_collisions() -> None:
     # Hosts that start far apart do not meet.
-    found = small(queue=None, start=lambda rng, hosts: 5.0 * np.arange(hosts), recovery=False)
+    found = small(queue=None, start=lambda _, hosts: 5.0 * np.arange(hosts), recovery=False)
     assert (found.counts["host_full"] == 0).all()
     assert (found.drain_time > 20).all()
     assert np.isfinite(found.convergence_time[found.lost == 0]).all()
@@ -321,6 +325,7 @@ def test_tables_pictures_and_json_hold_the_same() -> None:
     airtime = found.airtime_table()
     assert airtime.loc["SEDP", "up_s"] == answer["airtime"]["SEDP"]["up"] > 0
     sent = found.transmission_table()
+    assert (sent["start_s"].diff().dropna() >= 0).all()
     # At the start all send at once.
     first = sent[sent["start_s"] == sent["start_s"].min()]
     assert sorted(first["station"]) == [f"host {number}" for number in range(1, 6)]
@@ -385,10 +390,10 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         ds.simulate(SWARM, ds.DDS, replace(wifi, radio=None))
     odd = ds.Unit("odd", ds.Fleet.pairs)
     table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
-    with pytest.raises(ValueError, match="message 'SEDP': unit must be one of .*; got 'odd'"):
+    with pytest.raises(ValueError, match=r"message 'SEDP': unit must be one of .*; got 'odd'"):
         ds.simulate(SWARM, table, wifi)
     table = ds.Protocol("own", (replace(SEDP, per_unit=0.5, answers=None),))
-    with pytest.raises(ValueError, match="per_unit must be a whole number; got 0.5"):
+    with pytest.raises(ValueError, match=r"per_unit must be a whole number; got 0.5"):
         ds.simulate(SWARM, table, wifi)
 
 
@@ -402,7 +407,7 @@ def test_package_does_not_load_what_only_the_simulator_needs() -> None:
 
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm.simulation.find_spec", lambda name: None)
+    monkeypatch.setattr("discostorm.simulation.find_spec", lambda _: None)
     with pytest.raises(ImportError, match=r"pip install discostorm\[simulation\]"):
         small()
 
@@ -423,3 +428,41 @@ def test_one_run_fits_the_others() -> None:
     what = plan(SWARM, ds.DDS, RADIO.wifi())
     run = one_run(what, np.random.SeedSequence(0).spawn(1)[0])
     assert run.drain_time == small(queue=None, recovery=False, runs=1).drain_time[0]
+
+
+# ---------------------------------------------------------------- command line
+
+
+def command(*arguments: str) -> Any:
+    return CliRunner().invoke(main, ["simulate", str(FLEET), "--runs", "2", *arguments])
+
+
+def test_command_prints_what_the_package_finds() -> None:
+    answer = json.loads(command("--no-recovery", "--json").stdout)
+    found = ds.simulate(
+        ds.Fleet.from_toml(FLEET), ds.DDS, ds.PAPER, recovery=False, runs=2
+    ).to_dict()
+    assert answer == found
+    rows = command("--no-recovery", "--csv").stdout.splitlines()
+    assert rows[0].startswith("run,drain_time_s,lost,convergence_time_s")
+    assert len(rows) == 3
+    table = command("--no-recovery", "--protocol", "Zenoh", "--window", "3", "--mpdus", "64")
+    assert "drained [s]" in table.stdout
+    assert "never" in table.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--protocol", "CORBA"), "--protocol must be one of 'DDS'"),
+        (("--window", "-1"), "--window must be a finite number of at least 0; got -1"),
+        (("--runs", "0"), "runs must be"),
+        (("--loss", "1"), "loss must be below 1"),
+        (("--mpdus", "65"), "mpdus must be"),
+        (("--wifi", "tin cans"), "--wifi must be one of"),
+    ],
+)
+def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> None:
+    result = command(*arguments)
+    assert result.exit_code == 2
+    assert message in result.output

@@ -11,25 +11,27 @@ import numba
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def njit(function: Function) -> Function:
-    """Compile a function that becomes part of each that calls it.
+#: Without reference counts (nothing here makes an array), which would cost more than all else.
+_OPTIONS: dict[str, Any] = {"nogil": True, "_nrt": False}
 
-    Without reference counts (nothing here makes an array), which would cost more than all else.
-    """
-    compiled: Function = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
+
+def njit(function: Function) -> Function:
+    """Compile a function that becomes part of each that calls it."""
+    compiled: Function = numba.njit(**_OPTIONS, forceinline=True)(function)
     return compiled
 
 
 def shared(function: Function) -> Function:
     """Compile a function that many call: once, so that compiling does not take too long."""
-    compiled: Function = numba.njit(nogil=True, _nrt=False)(function)
+    compiled: Function = numba.njit(**_OPTIONS)(function)
     return compiled
 
 
 def entry(function: Function) -> Function:
-    """Compile a function that Python calls and keep the result on disk, if any place is writable."""
+    """Compile a function that Python calls and keep it on disk, if anywhere."""
     try:
-        compiled: Function = numba.njit(nogil=True, cache=True, _nrt=False)(function)
+        options: dict[str, Any] = _OPTIONS | {"cache": True}
+        compiled: Function = numba.njit(**options)(function)
     except RuntimeError:  # nowhere to write
         compiled = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
     return compiled
@@ -38,5 +40,5 @@ def entry(function: Function) -> Function:
 @cache
 def sources() -> str:
     """Return a digest of all that is compiled: other sources must not use old machine code."""
-    files = sorted(Path(__file__).parent.glob("*.py"))
-    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+    texts = (file.read_bytes() for file in sorted(Path(__file__).parent.glob("*.py")))
+    return sha256(b"".join(text for text in texts if b"_compile import" in text)).hexdigest()

@@ -114,7 +114,17 @@ EVENT = _record("time", "what")
 
 #: A row of the protocol's table; see `discostorm.simulation.traffic`.
 KIND = _record(
-    *("octets", "multicast", "to_all", "up", "down", "per", "each_endpoint", "time_up", "time_down"),
+    *(
+        "octets",
+        "multicast",
+        "to_all",
+        "up",
+        "down",
+        "per",
+        "each_endpoint",
+        "time_up",
+        "time_down",
+    ),
     *("role", "informs", "trigger", "answers", "each_answer", "before", "tcp", "gap_first"),
     *("gap_number",),
 )

@@ -266,11 +266,11 @@ def fail(cell, station, base):
         cell.window[station, place].tries += 1
     if its.sent > 1:
         its.must_ask = 1
-    elif its.sent == 1 and radio.mpdus == 1:
-        if cell.window[station, 0].tries >= radio.attempts:
-            lose(cell, cell.window[station, 0].frame, station, RETRY)
-            its.held = 0
-            change_length(cell, station, -1)
+    # Under a block acknowledgement frames are repeated until they arrive or are too old.
+    elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
+        lose(cell, cell.window[station, 0].frame, station, RETRY)
+        its.held = 0
+        change_length(cell, station, -1)
     back_off(cell, station, base)
 
 
@@ -462,7 +462,7 @@ def _advance(digest):
             sample(cell, time)
             now.clock = time
             if happens:
-                happen(cell, time, next_event(cell), time < now.idle)
+                happen(cell, time, next_event(cell))
             else:
                 transmit(cell, time, slot)
         return SHARE

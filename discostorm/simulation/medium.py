@@ -19,10 +19,10 @@ from discostorm.simulation.queues import (
     change_length,
     count_lost,
     first_entry,
+    frames_to_all,
     is_steady,
     lose,
     make,
-    frames_to_all,
     put,
     receivers,
 )
@@ -148,7 +148,7 @@ def offer(cell, station, frame, time):
 
 
 @shared
-def offer_new(cell, frame, time, busy):
+def offer_new(cell, frame, time):
     """Hand a new frame of a process to its host, or to the access point if that is wired."""
     now = cell.now[0]
     if not frame & STEADY:
@@ -158,11 +158,11 @@ def offer_new(cell, frame, time, busy):
     if cell.kinds[kind_of(frame)].up:
         station = cell.processes[source_of(frame)].host
     if offer(cell, station, frame, time):
-        wake(cell, station, time, busy)
+        wake(cell, station, time, time <= now.idle)
 
 
 @shared
-def offer_burst(cell, host, batch, time, busy):
+def offer_burst(cell, host, batch, time):
     """Hand a burst to a host's queue: what does not fit is lost."""
     now = cell.now[0]
     total = burst_frames(cell, host, batch)
@@ -173,7 +173,7 @@ def offer_burst(cell, host, batch, time, busy):
         # What has one hop only is handed over frame by frame.
         if cell.batches[batch, kind] and not (row.up and row.down):
             for _ in range(total):
-                offer_new(cell, make(cell, host, batch), time, busy)
+                offer_new(cell, make(cell, host, batch), time)
             cell.stations[host].begun = 0
             return
     fits = min(max(room(cell, host, time), 0), total)
@@ -186,4 +186,4 @@ def offer_burst(cell, host, batch, time, busy):
     if fits > 0:
         put(cell, host, burst_entry(batch, fits), time)
         change_length(cell, host, fits)
-        wake(cell, host, time, busy)
+        wake(cell, host, time, time <= now.idle)

@@ -70,7 +70,7 @@ def send_items(cell, row, source, to, time, flag):
     kind = cell.kinds[row]
     times = kind.per * cell.processes[source].endpoints if kind.each_endpoint else kind.per
     for item in range(times):
-        offer_new(cell, compose(row, source, to, item) | flag, time, True)
+        offer_new(cell, compose(row, source, to, item) | flag, time)
 
 
 @shared
@@ -82,7 +82,7 @@ def send_item(cell, source, to, item, time):
         if kind.role == DATA:
             place = item - kind.before * endpoints
             if 0 <= place < kind.per * endpoints:
-                offer_new(cell, compose(row, source, to, place) | REPAIR, time, True)
+                offer_new(cell, compose(row, source, to, place) | REPAIR, time)
 
 
 @shared
@@ -120,7 +120,7 @@ def beat(cell, writer, time):
             for topic in range(repairs.topics):
                 if not (pair.acknowledged >> topic) & 1:
                     frame = compose(repairs.heartbeat, writer, reader, topic)
-                    offer_new(cell, frame | REPAIR, time, True)
+                    offer_new(cell, frame | REPAIR, time)
     its.beating = waiting
     if waiting:
         its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_most)
@@ -249,7 +249,7 @@ def expire(cell, reader, time):
 
 
 @shared
-def send_by_clock(cell, host, batch, time, busy):
+def send_by_clock(cell, host, batch, time):
     """Send what a host's processes send by the clock: to all, or to each that is known."""
     now, its = cell.now[0], cell.stations[host]
     flag = STEADY if cell.batches[batch, now.kinds] > 0 else np.int64(0)
@@ -260,7 +260,7 @@ def send_by_clock(cell, host, batch, time, busy):
                 continue
             if kind.to_all:
                 for item in range(kind.per):
-                    offer_new(cell, compose(row, process, process, item) | flag, time, busy)
+                    offer_new(cell, compose(row, process, process, item) | flag, time)
                 continue
             for other in range(cell.processes.size):
                 if cell.pairs[process, other].known:
@@ -268,14 +268,14 @@ def send_by_clock(cell, host, batch, time, busy):
 
 
 @shared
-def announce(cell, process, time, busy):
+def announce(cell, process, time):
     """Announce a process again whose table does not say when it does."""
     its, repairs = cell.processes[process], cell.repairs[0]
     for row in range(cell.now[0].kinds):
         kind = cell.kinds[row]
         if kind.to_all and kind.trigger == CLOCK:
             frame = compose(row, process, process, 0)
-            offer_new(cell, frame | STEADY, time, busy)
+            offer_new(cell, frame | STEADY, time)
     its.announce = min(2 * its.announce, repairs.announce_most)
     later(cell, time + its.announce, ANNOUNCE | process)
 
@@ -289,7 +289,7 @@ def answer(cell, frame, process, time):
         if kind.trigger == ANSWER and kind.answers == row:
             for item in range(kind.each_answer):
                 reply = compose(other, process, source, item)
-                offer_new(cell, reply | (frame & STEADY), time, True)
+                offer_new(cell, reply | (frame & STEADY), time)
 
 
 @njit
@@ -327,7 +327,7 @@ def arrive(cell, frame, process, time):
         for item in range(first_item(cell, source, topic), first_item(cell, source, topic + 1)):
             missing |= not has_item(cell, process, source, item)
         reply = compose(cell.repairs[0].acknack, process, source, 2 * topic + (not missing))
-        offer_new(cell, reply | (frame & REPAIR), time, True)
+        offer_new(cell, reply | (frame & REPAIR), time)
     elif item_of(frame) & 1:
         pair.acknowledged |= 1 << (item_of(frame) >> 1)
     else:
@@ -344,7 +344,7 @@ def settled(cell):
 
 
 @shared
-def happen(cell, time, what, busy):
+def happen(cell, time, what):
     """Let happen what was to happen now."""
     kind, one = what & ~np.int64(2**56 - 1), what & _MASK
     other, row = (what >> PROCESS_BITS) & _MASK, (what >> (2 * PROCESS_BITS)) & 63
@@ -355,11 +355,11 @@ def happen(cell, time, what, busy):
         else:
             cell.now[0].coming -= 1
         if cell.now[0].repairs:
-            send_by_clock(cell, one, other, time, busy)
+            send_by_clock(cell, one, other, time)
         else:
-            offer_burst(cell, one, other, time, busy)
+            offer_burst(cell, one, other, time)
     elif kind == ANNOUNCE:
-        announce(cell, one, time, busy)
+        announce(cell, one, time)
     elif kind == BEAT:
         beat(cell, one, time)
     elif kind == EXPIRE:

@@ -50,10 +50,14 @@ class Run:
 class Simulation:
     """What `simulate` found, one value a run unless it says otherwise.
 
-    Attributes
+    Parameters
     ----------
-    fleet, protocol, wifi : Fleet, Protocol, Wifi
-        What was simulated.
+    fleet : Fleet
+        Who was on the channel.
+    protocol : Protocol
+        What they sent.
+    wifi : Wifi
+        The channel.
     settings : dict
         The other arguments of `simulate`.
     drain_time : ndarray
@@ -68,16 +72,18 @@ class Simulation:
     busy_time : ndarray
         How long at least one station sent [s].
     counts : dict of str to ndarray
-        Receptions ``expected``, ``arrived``, lost by cause (``host_full``, ``host_age``,
-        ``host_retry`` at the sending host: queue full, too old, retry limit; ``ap_*`` the same at
-        the access point; ``on_air``: multicast, which nobody repeats) and still ``waiting``;
+        How many [1]: receptions ``expected``, ``arrived``, lost by cause (``host_full``,
+        ``host_age``, ``host_retry`` at the sending host: queue full, too old, retry limit;
+        ``ap_*`` the same at the access point; ``on_air``: multicast, which nobody repeats)
+        and still ``waiting``;
         ``ppdus``, the ``mpdus`` in them, those ``retried``; ``collisions`` and the PPDUs
         ``collided`` in them; ``requests`` for block acknowledgements; ``expired`` leases.
     airtime : ndarray of shape (runs, messages + 1, 3)
         Airtime by message, the last row for requests, with acknowledgements: up, down,
         and failed [s].
     queues : tuple of ndarray
-        For each run rows of time [s], frames waiting at all hosts, and at the access point.
+        For each run rows of time [s], and frames waiting at all hosts and at the access
+        point [1].
     pair_times : ndarray of shape (runs, pairs)
         When each process had all of each other one, in ascending order [s]; without recovery
         of shape (runs, 0).

@@ -84,9 +84,7 @@ class Plan:
         """Return about how long a run takes [s], and how much memory [MB]."""
         count = self.hosts.host_of.size
         endpoints = self.hosts.endpoints[self.hosts.host_of]
-        each = self.kinds["per"] * np.where(
-            self.kinds["each_endpoint"] > 0, endpoints.mean(), 1
-        )
+        each = self.kinds["per"] * np.where(self.kinds["each_endpoint"] > 0, endpoints.mean(), 1)
         to_all = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
         frames = float(count * (each[to_all].sum() + remote * each[~to_all].sum()))
@@ -113,8 +111,9 @@ def plan_runs(
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", loss, 0, 1))
     if errors.ndim and errors.shape != (count,):
-        raise ValueError(f"loss must be one number, or one for each of the {count} hosts; "
-                         f"got {errors.shape}")
+        raise ValueError(
+            f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
+        )
     if (errors >= 1).any():
         raise ValueError(f"loss must be below 1; got {errors.max():g}")
     radio = radio_record(wifi, queue, eifs)
@@ -186,7 +185,7 @@ def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
         converged,
         float(now["busy"] * TICK),
         counts,
-        cell.airtime * (TICK / PARTS),
+        np.asarray(cell.airtime * (TICK / PARTS), dtype=np.float64),
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
         cell.log[: now["logged"]].copy(),

@@ -229,6 +229,7 @@ def new_cell(
 
     now = np.zeros(1, _cell.NOW)
     now["base"] = radio["slot"]
+    now["idle"] = -1
     now["step"] = ticks(1e-3)
     now["spare"] = _POOL
     now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
