@@ -207,7 +207,7 @@ def repair_chain(items: int, good: float, rounds: int) -> NDArray[np.float64]:
 
 @pytest.mark.parametrize("loss", [0.2, 0.5])
 def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
-    items, runs, rounds = 4, 1000, 12
+    items, runs, rounds = 4, 400, 12
     announcement = replace(
         ds.DDS.message("SPDP"), hops=("down",), schedule=ds.Schedule((0.0, 0.1), 1000.0)
     )
@@ -380,7 +380,7 @@ def test_bad_input_is_refused_by_name(
 
 def test_what_cannot_be_simulated_is_refused() -> None:
     wifi = RADIO.wifi()
-    with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number; got 2.5"):
+    with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number .*; got 2.5"):
         ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
     with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
         ds.simulate(ds.Fleet.swarm(1, 1, 1), ds.DDS, wifi)

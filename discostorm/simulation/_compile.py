@@ -33,7 +33,7 @@ def entry(function: Function) -> Function:
         options: dict[str, Any] = _OPTIONS | {"cache": True}
         compiled: Function = numba.njit(**options)(function)
     except RuntimeError:  # nowhere to write
-        compiled = numba.njit(nogil=True, _nrt=False, forceinline=True)(function)
+        compiled = numba.njit(**_OPTIONS)(function)
     return compiled
 
 
