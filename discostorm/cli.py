@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 import discostorm as ds
-from discostorm.planner import HUGE
+from discostorm import words
 from discostorm.wifi import Wifi
 
 # What a command needs beyond the package itself is imported when it runs.
@@ -209,13 +209,11 @@ def _plain(value: Any) -> str:
 
 
 def _percent(value: float) -> str:
-    if 0.9995 <= value < 1:
-        return "<100.0%"
-    return f"{value:,.1%}" if value < HUGE else f"{100 * value:.3g}%"
+    return words.percent(value, decimals=1, below="<")
 
 
 def _seconds(value: float) -> str:
-    return f"{value:.6f}" if value < HUGE else f"{value:.3g}"
+    return f"{value:.6f}" if value < words.HUGE else f"{value:.3g}"
 
 
 def _print(
@@ -333,7 +331,7 @@ def utilization(
             # One row, or one a number of hosts.
             tables.append(pd.DataFrame(row, index=None if isinstance(hosts, list) else [0]))
         table = pd.concat(tables, ignore_index=True)
-        table["fits"] = table["utilization"] < 1
+        table["fits"] = table["utilization"].map(words.fits)
     _print(table, as_json, as_csv, {"utilization": _percent, "fits": _yes})
 
 
@@ -429,8 +427,6 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
     """
     with _bad_input(), _working("computing"):
-        import math
-
         import pandas as pd
 
         wifi = _wifi(channel, rates)
@@ -454,7 +450,7 @@ def saturation(
                     "endpoints": endpoints,
                     "limit": limit,
                     "hosts": hosts,
-                    "fit": 0 if hosts is None else math.ceil(hosts) - 1,
+                    "fit": 0 if hosts is None else words.whole_below(float(hosts)),
                 }
             )
         table = pd.DataFrame(rows, dtype=object)  # keeps the None of no hosts

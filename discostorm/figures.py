@@ -21,6 +21,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
+from discostorm import words
 from discostorm._numeric import evaluate
 from discostorm.data import data_path
 from discostorm.messages import Protocol
@@ -400,13 +401,13 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
 
 
 def remedies(bars: pd.DataFrame) -> Figure:
-    """Draw airtimes as bars from the top down, each below its name, with a line at 1 s.
+    """Draw utilizations as bars from the top down, each below its name, with a line at 100%.
 
     Parameters
     ----------
     bars : pandas.DataFrame
         One row a bar, with columns bar (its name), protocol, which gives its colour, and
-        airtime_s [s]; the first is what the others change.
+        utilization [1]; the first is what the others change.
 
     Returns
     -------
@@ -415,23 +416,24 @@ def remedies(bars: pd.DataFrame) -> Figure:
     with style():
         figure = Figure(figsize=(WIDTH, 0.8 + 0.42 * len(bars)))
         axis = figure.subplots()
-        most = max(1.0, bars["airtime_s"].max())
-        columns = (bars[column] for column in ("bar", "protocol", "airtime_s"))
-        for place, (name, protocol, airtime) in enumerate(zip(*columns, strict=True)):
+        most = max(1.0, bars["utilization"].max())
+        columns = (bars[column] for column in ("bar", "protocol", "utilization"))
+        for place, (name, protocol, taken) in enumerate(zip(*columns, strict=True)):
             color = COLORS.get(protocol, "gray")
-            axis.barh(place, airtime, height=0.4, color=color, alpha=0.45 if place else 1)
+            axis.barh(place, taken, height=0.4, color=color, alpha=0.45 if place else 1)
             white = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
             axis.text(
                 0.005 * most, place - 0.42, name, va="center", fontsize=9, bbox=white, zorder=3
             )
-            axis.text(airtime + 0.01 * most, place, f"{airtime:.3g} s", va="center", fontsize=9)
+            axis.text(taken + 0.01 * most, place, words.percent(taken), va="center", fontsize=9)
         axis.axvline(1, color="black", linewidth=1, zorder=0.5)
         axis.set_xlim(0, 1.14 * most)
         axis.set_ylim(len(bars) - 0.6, -0.8)
         axis.set_yticks([])
         axis.set_ylabel("what is changed")
         axis.grid(visible=False, axis="y")
-        axis.set_xlabel("airtime of discovery [s]; the line is one second")
+        axis.xaxis.set_major_formatter(PercentFormatter(1))
+        axis.set_xlabel("utilization by discovery [%]; the line is the whole channel")
     return figure
 
 

@@ -1,31 +1,32 @@
 """What discovery costs a fleet, what dominates, and what would help, most first.
 
 Every remedy is a changed fleet, protocol or Wi-Fi that goes through the same `utilization`;
-no formula is stated here.
+no formula is stated here. For which protocols a kind of remedy works, what it costs otherwise
+and whether all robots still find each other is data: ``data/vendors/remedies.csv``.
 """
 
 from __future__ import annotations
 
 import json
-import re
-import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from discostorm import _checks
+from discostorm import _checks, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
-from discostorm.messages import Protocol
-from discostorm.protocols import DDS, ZENOH
+from discostorm.messages import PAPER_WINDOW, Message, Protocol
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols.defaults import defaults
 from discostorm.scalability import as_fleet, message_costs, utilization, without_each
-from discostorm.wifi import PAPER, Link, Radio, Wifi
+from discostorm.wifi import PAPER, Radio, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+#: What can be changed and computed; ``data/vendors/remedies.csv`` has more, without a number.
 Kind = Literal[
     "processes",
     "endpoints",
@@ -42,7 +43,7 @@ PARTS = (2, 3)
 #: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
 #: 17.2.2.3), and frames in an A-MPDU [1].
 MULTICAST_RATE, MPDUS = 24e6, 64
-#: Other radios: arguments of `Radio`.
+#: Other radios: what they change, with at least so many streams.
 RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
     {"standard": "802.11ac", "width": 80e6},
@@ -54,21 +55,6 @@ STREAMS = 2
 _GROUPS = 5
 #: Changes of less than this are not told apart [1].
 _NOTHING = 0.005
-#: Gains from this on are told with both times [1].
-_LARGE = 0.1
-#: From this on, numbers are told with their power of ten [1 or s].
-HUGE = 1e6
-
-_PRICE: dict[Kind, str] = {
-    "processes": "a crash takes down all that shares the process",
-    "endpoints": "parameters can no longer be read or set from outside",
-    "multicast rate": "hosts too far away for this rate hear no multicast",
-    "radio": "all hosts and the access point need it, and must be near enough for its rate",
-    "aggregation": "computed as if exchanges were always full, so at best",
-    "channels": "time on the fullest channel; hosts on different channels do not find each other",
-    "domains": "the parts share the channel; hosts of different domains do not find each other",
-    "middleware": "all hosts must change together",
-}
 
 
 @dataclass(frozen=True)
@@ -81,16 +67,16 @@ class Share:
         What it is.
     name : str
         What it is called.
-    airtime : float
-        Its airtime [s]: of a group, what it takes part in, so that without the group
-        this much less would be on the air. Groups overlap; messages and phases do not.
+    utilization : float
+        What it takes of the window [1]: of a group, what it takes part in, so that without
+        the group this much less would be on the air. Groups overlap; messages and phases do not.
     share : float
-        The same as a part of all airtime [1].
+        The same as a part of all that discovery takes [1].
     """
 
     kind: Literal["message", "phase", "group"]
     name: str
-    airtime: float
+    utilization: float
     share: float
 
 
@@ -107,6 +93,8 @@ class Remedy:
         The change, in words that a sentence can start with.
     price : str
         What to mind.
+    whole : bool
+        Whether all hosts still find each other.
     fleets : tuple of Fleet
         The changed fleet; when it is split, its parts.
     protocol : Protocol
@@ -114,19 +102,26 @@ class Remedy:
     wifi : Wifi
         The channel.
     before : float
-        The utilization without it [1].
+        The utilization without it [1], on a channel of the same kind.
     utilization : float
-        What it leads to [1]: seconds of airtime, of all parts on one channel.
+        What it leads to [1]: of all parts on one channel; on several, of the fullest.
+    window : float
+        The seconds that are averaged [s]; infinity for the steady state.
+    note : str
+        What is compared, or left out of the number; empty if there is nothing to say.
     """
 
     kind: Kind
     what: str
     price: str
+    whole: bool
     fleets: tuple[Fleet, ...]
     protocol: Protocol
     wifi: Wifi
     before: float
     utilization: float
+    window: float = PAPER_WINDOW
+    note: str = ""
 
     @property
     def saved(self) -> float:
@@ -135,14 +130,14 @@ class Remedy:
 
     def sentence(self) -> str:
         """Return what it brings, in words."""
+        before, after = (_amount(value, self.window) for value in (self.before, self.utilization))
         if abs(self.saved) < _NOTHING:
-            return f"{self.what} changes less than {_NOTHING:.1%}"
-        before, after = self.before, self.utilization
-        if self.saved < 0:
-            return f"{self.what} adds {-self.saved:.0%}: {_time(before)} becomes {_time(after)}"
-        if self.saved < _LARGE:
-            return f"{self.what} cuts {self.saved:.0%}, to {_time(after)}"
-        return f"{self.what} cuts {_time(before)} to {_time(after)} ({self.saved:.0%})"
+            brings = f"changes less than {_NOTHING:.1%}"
+        elif self.saved < 0:
+            brings = f"adds {words.percent(-self.saved)}: {before} becomes {after}"
+        else:
+            brings = f"cuts {before} to {after} ({words.percent(self.saved)})"
+        return f"{self.what} {brings}{'; ' * bool(self.note)}{self.note}"
 
 
 @dataclass(frozen=True)
@@ -157,37 +152,44 @@ class Plan:
         The middleware.
     wifi : Wifi
         The channel.
+    window : float
+        The seconds that are averaged [s]; infinity for the steady state.
     utilization : float
-        What discovery takes [1]: seconds of airtime, to be compared with the one second
-        that each second has.
+        What discovery takes of them [1]; what is less than 1 fits.
     shares : tuple of Share
         Messages, phases and groups, each kind with the largest first.
     remedies : tuple of Remedy
-        What could be changed, what saves most first.
+        What could be changed, what saves most first; but those after which not all hosts
+        find each other stand behind all others.
     left_out : tuple of str
-        What could not be computed or changed, and why.
+        What does not apply or could not be changed, and why.
+    not_computed : tuple of str
+        What might help and has no number yet: what it would do, and why there is none.
     """
 
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
+    window: float
     utilization: float
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
     left_out: tuple[str, ...]
+    not_computed: tuple[str, ...]
 
     def of_kind(self, kind: str) -> tuple[Share, ...]:
         """Return the shares of one kind: message, phase or group; the largest first."""
         return tuple(share for share in self.shares if share.kind == kind)
 
     def table(self) -> pd.DataFrame:
-        """Return the remedies, what saves most first.
+        """Return the remedies in their order.
 
         Returns
         -------
         pandas.DataFrame
-            One row a remedy, indexed by what it is, with columns kind, airtime_s [s] (which
-            is utilization), saved [1], fits (whether it is less than one second) and price.
+            One row a remedy, indexed by what it is, with columns kind, before and utilization
+            [1], saved [1], fits (whether it is less than the window), all_find_each_other,
+            price and note.
         """
         import pandas as pd
 
@@ -195,36 +197,42 @@ class Plan:
             {
                 "remedy": [remedy.what for remedy in self.remedies],
                 "kind": [remedy.kind for remedy in self.remedies],
-                "airtime_s": [remedy.utilization for remedy in self.remedies],
+                "before": [remedy.before for remedy in self.remedies],
+                "utilization": [remedy.utilization for remedy in self.remedies],
                 "saved": [remedy.saved for remedy in self.remedies],
-                "fits": [remedy.utilization < 1 for remedy in self.remedies],
+                "fits": [words.fits(remedy.utilization) for remedy in self.remedies],
+                "all_find_each_other": [remedy.whole for remedy in self.remedies],
                 "price": [remedy.price for remedy in self.remedies],
+                "note": [remedy.note for remedy in self.remedies],
             }
         ).set_index("remedy")
 
     def shares_table(self) -> pd.DataFrame:
-        """Return what takes the airtime: one row a message, phase and group."""
+        """Return what takes the channel: one row a message, phase and group."""
         import pandas as pd
 
         return pd.DataFrame(
-            [(share.kind, share.name, share.airtime, share.share) for share in self.shares],
-            columns=["kind", "name", "airtime_s", "share"],
+            [(share.kind, share.name, share.utilization, share.share) for share in self.shares],
+            columns=["kind", "name", "utilization", "share"],
         ).set_index("name")
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as what JSON can hold: texts, numbers, lists and dictionaries."""
+        """Return all of it as what JSON can hold: texts, numbers, lists and dictionaries.
+
+        The steady state has the window None, as JSON has no infinity.
+        """
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "fleet": _groups(self.fleet),
+            "window_s": self.window if math.isfinite(self.window) else None,
             "utilization": self.utilization,
-            "airtime_s": self.utilization,
-            "fits": self.utilization < 1,
+            "fits": words.fits(self.utilization),
             "shares": [
                 {
                     "kind": share.kind,
                     "name": share.name,
-                    "airtime_s": share.airtime,
+                    "utilization": share.utilization,
                     "share": share.share,
                 }
                 for share in self.shares
@@ -234,16 +242,19 @@ class Plan:
                     "kind": remedy.kind,
                     "what": remedy.what,
                     "price": remedy.price,
+                    "note": remedy.note,
+                    "all_find_each_other": remedy.whole,
                     "fleets": [_groups(fleet) for fleet in remedy.fleets],
                     "protocol": remedy.protocol.name,
                     "wifi": remedy.wifi.name,
+                    "before": remedy.before,
                     "utilization": remedy.utilization,
-                    "airtime_s": remedy.utilization,
                     "saved": remedy.saved,
-                    "fits": remedy.utilization < 1,
+                    "fits": words.fits(remedy.utilization),
                 }
                 for remedy in self.remedies
             ],
+            "not_computed": list(self.not_computed),
             "left_out": list(self.left_out),
         }
 
@@ -252,62 +263,139 @@ class Plan:
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
     def picture_data(self) -> pd.DataFrame:
-        """Return what `picture` draws: one row a bar, with its protocol and airtime_s [s]."""
+        """Return what `picture` draws: one row a bar, with its protocol and utilization [1].
+
+        Where a remedy is compared with another channel than the plan's, the bar before it is
+        that of the fleet as it is on that channel.
+        """
         import pandas as pd
 
         bars = [("as it is", self.protocol.name, self.utilization)]
-        bars += [(found.what, found.protocol.name, found.utilization) for found in self.remedies]
-        return pd.DataFrame(bars, columns=["bar", "protocol", "airtime_s"])
+        by_standard = [remedy for remedy in self.remedies if remedy.before != self.utilization]
+        if by_standard:
+            timed = "as it is, by the standard's timing"
+            bars.append((timed, self.protocol.name, by_standard[0].before))
+        for found in self.remedies:
+            timed = ", by the standard's timing" if found in by_standard else ""
+            bars.append((found.what + timed, found.protocol.name, found.utilization))
+        return pd.DataFrame(bars, columns=["bar", "protocol", "utilization"])
 
     def picture(self) -> Figure:
-        """Draw the airtime that each remedy leads to, beside what there is and one second."""
+        """Draw what each remedy leads to, beside what there is and the whole channel."""
         from discostorm import figures
 
         return figures.remedies(self.picture_data())
 
     def advice(self) -> str:
         """Return what it costs, what dominates and what would help, in words."""
-        hosts = sum(group.hosts for group in self.fleet.groups)
-        message, phase = self.of_kind("message")[0], self.of_kind("phase")[0]
-        groups = self.of_kind("group")
-        fit = "so it fits" if self.utilization < 1 else "so it does not fit"
-        lines = [
-            f"{self.protocol.name} discovery of {_many(hosts, 'host')} with "
-            f"{_many(self.fleet.processes(), 'process', 'es')} takes {_time(self.utilization)} "
-            f"of airtime. Channel: {self.wifi.name}.",
-            f"That is {_percent(self.utilization)} of each second, {fit}.",
-            "",
-            "What dominates:",
-            f"- The message that takes most is {message.name}: {_part(message.share)}.",
-            f"- The phase that takes most is {phase.name}: {_part(phase.share)}.",
-        ]
-        if len(groups) > 1:
-            lines += [
-                f"- The group {group.name} takes part in {_part(group.share)} of it."
-                for group in groups[:_GROUPS]
-            ]
-        if len(groups) > _GROUPS:
-            lines.append(f"- {_many(len(groups) - _GROUPS, 'further group')} less each.")
-        helpful = [remedy for remedy in self.remedies if remedy.saved >= _NOTHING]
-        if helpful:
-            lines += ["", "What would help, most first:"]
-        kinds: set[str] = set()
-        for rank, remedy in enumerate(helpful, start=1):
-            now_fits = "; that fits" if remedy.utilization < 1 <= self.utilization else ""
-            lines.append(f"{rank:2}. {_capitalized(remedy.sentence())}{now_fits}.")
-            if remedy.kind not in kinds:
-                lines.append(f"    Mind: {remedy.price}.")
-            kinds.add(remedy.kind)
-        others = self.remedies[len(helpful) :]
-        if others:
-            lines += ["", "What would not help:" if helpful else "Nothing that was tried helps:"]
-        lines += [f"- {_capitalized(remedy.sentence())}." for remedy in others]
-        if self.left_out:
-            lines += ["", "Left out:", *(f"- {reason}." for reason in self.left_out)]
-        return "\n".join(map(_wrapped, lines))
+        helps: list[Remedy] = []
+        harms: list[Remedy] = []
+        for remedy in self.remedies:
+            (helps if remedy.saved >= _NOTHING else harms).append(remedy)
+        lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
+        kept = [remedy for remedy in helps if remedy.whole]
+        split = [remedy for remedy in helps if not remedy.whole]
+        if kept:
+            lines += ["", "What would help, most first:", *self._ranked(kept, 1)]
+        if harms:
+            lines += ["", "What would not help:" if helps else "Nothing that was tried helps:"]
+        lines += [f"- {words.capitalized(remedy.sentence())}." for remedy in harms]
+        if split:
+            lines += ["", "What would help, but not all hosts would find each other any more:"]
+            lines += self._ranked(split, len(kept) + 1)
+        for title, reasons in (
+            ("Not computed yet:", self.not_computed),
+            ("Left out:", self.left_out),
+        ):
+            if reasons:
+                lines += ["", title, *(f"- {words.capitalized(reason)}." for reason in reasons)]
+        return "\n".join(map(words.wrapped, lines))
 
     def __str__(self) -> str:
         return self.advice()
+
+    def _cost_in_words(self) -> Iterator[str]:
+        hosts = sum(group.hosts for group in self.fleet.groups)
+        takes = _amount(self.utilization, self.window)
+        fit = "so it fits" if words.fits(self.utilization) else "so it does not fit"
+        yield (
+            f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
+            f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}"
+            f"{' of airtime' * math.isfinite(self.window)}. Channel: {self.wifi.name}."
+        )
+        share = words.percent(self.utilization)
+        if math.isinf(self.window):
+            yield f"That is {share} of the channel in the steady state, {fit}."
+        elif self.window == PAPER_WINDOW:
+            yield f"All charged to one second, that is {share} of it, {fit}."
+        else:
+            yield f"All charged to the first {self.window:g} s, that is {share} of them, {fit}."
+        exchanges = "an exchange of its own"
+        if self.wifi.aggregation is not None:
+            exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
+        yield (f"Counted with nothing lost, no collisions and each unicast message in {exchanges}.")
+        if self.protocol.repeats:
+            papers = [message.name for message in self.protocol.messages if _of_paper(message)]
+            if papers:
+                yield (
+                    f"The table of {self.protocol.name} counts {words.listed(papers)} as the paper "
+                    "does; what the product packs together, adds or leaves out is not in it."
+                )
+            if math.isfinite(self.window):
+                yield (
+                    "Of what is sent more than once, all of the start is charged to this time, "
+                    "and what is repeated counts with its rate: an upper bound of the count."
+                )
+        if any(remedy.before != self.utilization for remedy in self.remedies):
+            before = next(r.before for r in self.remedies if r.before != self.utilization)
+            yield (
+                f"Changes of the channel are compared by the standard's timing, by which this "
+                f"fleet takes {_amount(before, self.window)} as it is."
+            )
+
+    def _shares_in_words(self) -> Iterator[str]:
+        for kind in ("message", "phase"):
+            largest = self.of_kind(kind)[0]
+            yield f"- The {kind} that takes most is {largest.name}: {words.part(largest.share)}."
+        groups = self.of_kind("group")
+        if len(groups) > 1:
+            for group in groups[:_GROUPS]:
+                yield f"- The group {group.name} takes part in {words.part(group.share)} of it."
+        if len(groups) > _GROUPS:
+            rest = len(groups) - _GROUPS
+            yield (
+                f"- {words.many(rest, 'further group')} {'take' if rest > 1 else 'takes'} part in "
+                f"at most {words.part(groups[_GROUPS].share)}{' each' * (rest > 1)}."
+            )
+
+    @staticmethod
+    def _ranked(remedies: Sequence[Remedy], first: int) -> Iterator[str]:
+        """Yield the remedies with their places; what to mind with the first of each price."""
+        told: set[str] = set()
+        for rank, remedy in enumerate(remedies, start=first):
+            now = words.fits(remedy.utilization) and not words.fits(remedy.before)
+            yield f"{rank:2}. {words.capitalized(remedy.sentence())}{'; that fits' * now}."
+            if remedy.price not in told:
+                yield f"    Mind: {remedy.price}."
+            told.add(remedy.price)
+
+
+def family(protocol: Protocol) -> str | None:
+    """Return of which family of ``data/vendors/families.csv`` a table is: by its first message.
+
+    None if it is of none, as a table of your own may be.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> family(ds.DDS), family(ds.PROTOCOLS["Zenoh peer"])
+    ('DDS', 'Zenoh')
+    """
+    first = protocol.messages[0].name
+    for row in read_data("vendors/families.csv"):
+        if row["first_message"] == first:
+            return row["family"]
+    return None
 
 
 def plan(
@@ -316,6 +404,7 @@ def plan(
     wifi: Wifi = PAPER,
     *,
     nodes: float | Sequence[float] | None = None,
+    window: float = PAPER_WINDOW,
 ) -> Plan:
     """Return what discovery costs a fleet, what dominates, and what would help.
 
@@ -327,15 +416,19 @@ def plan(
     fleet : Fleet
         Who is on the channel: numbers, with whole hosts.
     protocol : Protocol, optional
-        `DDS`, `ZENOH`, or a table of your own.
+        One of `PROTOCOLS`, or a table of your own. The paper's tables are compared with each
+        other, and so are those with periods.
     wifi : Wifi, optional
-        The channel; the paper's if left out. A channel given by rates and overheads alone
-        keeps its overheads when the radio is changed; one of `Radio` changes in
-        all that its standard says.
+        The channel; the paper's if left out. What is changed is its radio (`Wifi.radio`), with
+        all that the standard says. On the paper's channel both sides of such a comparison have
+        the standard's timing; a channel that is not that of a radio is not changed.
     nodes : float or sequence of float, optional
         Nodes with parameter services in each process [1], at least 0; a sequence has one
         number for each group. Leaving the services out saves 12 endpoints a node. If left
         out, one node for each process with at least that many endpoints.
+    window : float, optional
+        The seconds that are averaged [s], above 0; the paper's one if left out, infinity for
+        the steady state.
 
     Returns
     -------
@@ -345,15 +438,16 @@ def plan(
     Raises
     ------
     ValueError
-        If a count is out of range, hosts are not whole, or there are fewer endpoints than
-        the parameter services of `nodes` have.
+        If a count or the window is out of range, hosts are not whole, or there are fewer
+        endpoints than the parameter services of `nodes` have.
     TypeError
         If the fleet holds arrays or symbols, or an argument is not what it should be.
 
     References
     ----------
     Parameter services: rclcpp, branch humble, parameter_service.cpp (six services of two
-    endpoints each, ``data/fleets/parameter_services.csv``). Composition: paper, Sec. IV-C.
+    endpoints each, ``data/fleets/parameter_services.csv``). For which protocols a remedy works:
+    ``data/vendors/remedies.csv``, each row with its source.
 
     Examples
     --------
@@ -365,33 +459,58 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
+    _checks.one_each([("window", window)])
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         _checks.whole(f"hosts{_of(group)}", group.hosts, LEAST["hosts"])
-    before = float(utilization(protocol, fleet, wifi=wifi))
+    own = _nodes(fleet, nodes)
+
+    def cost(members: Fleet, table: Protocol = protocol, channel: Wifi = wifi) -> float:
+        return float(utilization(table, members, wifi=channel, window=window))
+
+    before = cost(fleet)
     remedies: list[Remedy] = []
     left_out: list[str] = []
-    for found in _remedies(
-        fleet, protocol, wifi, _nodes(fleet, nodes), " (assumed)" if nodes is None else ""
-    ):
+    for found in _changes(fleet, protocol, wifi, own, " (assumed)" if nodes is None else ""):
         if isinstance(found, str):
             left_out.append(found)
             continue
-        kind, what, fleets, new_protocol, new_wifi = found
-        parts = [float(utilization(new_protocol, part, wifi=new_wifi)) for part in fleets]
-        after = max(parts) if kind == "channels" else sum(parts)
+        parts = [cost(part, found.protocol, found.wifi) for part in found.fleets]
+        after = max(parts) if found.kind == "channels" else sum(parts)
+        row = _row(found.kind, family(found.protocol))
+        assert row is not None, found.kind
+        note = found.note
+        if found.kind == "middleware":
+            note = _sessions(
+                protocol, found.protocol, before, after, lambda t: cost(fleet, t), window
+            )
         remedies.append(
-            Remedy(kind, what, _PRICE[kind], fleets, new_protocol, new_wifi, before, after)
+            Remedy(
+                found.kind,
+                found.what,
+                row["price"],
+                row["all_find_each_other"] == "yes",
+                found.fleets,
+                found.protocol,
+                found.wifi,
+                before if found.base == wifi else cost(fleet, protocol, found.base),
+                after,
+                float(window),
+                note,
+            )
         )
+    missing, inapplicable = _without_number(protocol)
     return Plan(
         fleet,
         protocol,
         wifi,
+        float(window),
         before,
-        tuple(_shares(fleet, protocol, wifi, before)),
-        tuple(sorted(remedies, key=lambda remedy: remedy.utilization)),
-        tuple(left_out),
+        tuple(_shares(fleet, protocol, wifi, float(window), before)),
+        tuple(sorted(remedies, key=lambda remedy: (not remedy.whole, -remedy.saved))),
+        (*left_out, *inapplicable),
+        missing,
     )
 
 
@@ -421,34 +540,91 @@ def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
     return tuple(Fleet(tuple(groups)) for groups in dealt)
 
 
-Change = tuple[Kind, str, tuple[Fleet, ...], Protocol, Wifi]
+class _Change(NamedTuple):
+    """A change to compute."""
+
+    kind: Kind
+    what: str
+    fleets: tuple[Fleet, ...]
+    protocol: Protocol
+    wifi: Wifi
+    #: The channel without the change.
+    base: Wifi
+    note: str = ""
 
 
-def _remedies(
+def _changes(
     fleet: Fleet, protocol: Protocol, wifi: Wifi, nodes: Sequence[float], assumed: str
-) -> Iterator[Change | str]:
+) -> Iterator[_Change | str]:
     """Yield each change, or why there is none."""
-    for found in chain(_other_fleets(fleet, nodes, assumed), _other_wifis(wifi)):
-        if isinstance(found, str):
-            yield found
-            continue
-        kind, what, new = found
-        if isinstance(new, Fleet):
-            yield kind, what, (new,), protocol, wifi
+    for changed in _other_fleets(fleet, nodes, assumed):
+        if isinstance(changed, str):
+            yield changed
         else:
-            yield kind, what, (fleet,), protocol, new
+            kind, what, members = changed
+            yield _Change(kind, what, (members,), protocol, wifi, wifi)
+    radio = _radio(wifi)
+    if isinstance(radio, str):
+        yield f"another radio, multicast rate and aggregation: {radio}"
+    else:
+        base = replace(radio.wifi(), name=wifi.name)
+        by = "" if base == wifi else "both by the standard's timing"
+        for found in _other_radios(radio, by):
+            if isinstance(found, str):
+                yield found
+            else:
+                kind, what, other, note = found
+                yield _Change(kind, what, (fleet,), protocol, other.wifi(), base, note)
     hosts = sum(group.hosts for group in fleet.groups)
+    row = _row("domains", family(protocol))
     for parts in PARTS:
         # A host that is alone on its channel has nobody to find: no remedy but a surrender.
         if 2 * parts > hosts:
             yield f"splitting into {parts} parts: not every part would have two hosts"
-        else:
-            pieces = split(fleet, parts)
-            yield "channels", f"splitting onto {parts} channels", pieces, protocol, wifi
-            yield "domains", f"splitting into {parts} domains", pieces, protocol, wifi
-    for other in (DDS, ZENOH):
-        if other != protocol:
-            yield "middleware", f"switching to {other.name}", (fleet,), other, wifi
+            continue
+        pieces = split(fleet, parts)
+        yield _Change("channels", f"splitting onto {parts} channels", pieces, protocol, wifi, wifi)
+        if row is not None and row["works"] == "computed":
+            what = f"splitting into {parts} domains"
+            yield _Change("domains", what, pieces, protocol, wifi, wifi)
+    for table in PROTOCOLS.values():
+        # The paper's tables have no periods, those of the products have.
+        if table != protocol and table.repeats == protocol.repeats:
+            what = f"switching to {table.name}"
+            yield _Change("middleware", what, (fleet,), table, wifi, wifi)
+
+
+def _row(kind: str, of: str | None) -> dict[str, str] | None:
+    """Return what the data say of a kind of remedy for a family, None if they do not."""
+    rows = [row for row in read_data("vendors/remedies.csv") if row["kind"] == kind]
+    found = [row for row in rows if row["family"] == of]
+    return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
+
+
+def _without_number(protocol: Protocol) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return what has no number yet, and what does not work or is not known to."""
+    own = family(protocol)
+    rows = read_data("vendors/remedies.csv")
+    titles = {row["kind"]: row["title"] for row in rows}
+    missing, inapplicable, unknown = [], [], []
+    for kind, title in titles.items():
+        row = _row(kind, own)
+        if row is None and own is None:
+            unknown.append(title)
+        elif row is None:
+            others = words.listed([found["family"] for found in rows if found["kind"] == kind])
+            inapplicable.append(f"{title}: there is none in {own}, but in {others}")
+        elif row["works"] == "no":
+            inapplicable.append(f"{title}: {row['why']}")
+        elif row["works"] == "no table":
+            missing.append(f"{title}: {row['why']}; no number, as {row['no_number']}")
+    if unknown:
+        known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
+        inapplicable.append(
+            f"{words.listed(unknown)}: not known for {protocol.name}, as the first message of its "
+            f"table is neither {' nor '.join(known)}"
+        )
+    return tuple(missing), tuple(inapplicable)
 
 
 def _other_fleets(
@@ -458,7 +634,7 @@ def _other_fleets(
     if many:
         which = "the processes of each host"
         if len(many) == 1:
-            of = f" of {many[0].name}" if len(fleet.groups) > 1 and many[0].name else ""
+            of = _of(many[0]) if len(fleet.groups) > 1 else ""
             which = f"{many[0].processes:,.10g} processes{of}"
         what = f"composing {which} into 1"
         try:
@@ -470,6 +646,8 @@ def _other_fleets(
             yield f"{what}: {error}"
         else:
             yield "processes", what, Fleet(composed)
+    else:
+        yield "composing: each host has one process already"
     each = parameter_service_endpoints()
     if any(nodes):
         fewer = (
@@ -484,64 +662,129 @@ def _other_fleets(
         yield f"parameter services: no process has any (those of a node are {each} endpoints)"
 
 
-def _other_wifis(wifi: Wifi) -> Iterator[tuple[Kind, str, Wifi] | str]:
-    linear = wifi.model == "linear"
-    now = wifi.multicast.rate
-    if now < MULTICAST_RATE:
-        faster = (
-            replace(wifi, multicast=Link(MULTICAST_RATE, wifi.multicast.overhead))
-            if linear
-            else _variant(wifi, multicast_rate=MULTICAST_RATE)
+def _radio(wifi: Wifi) -> Radio | str:
+    """Return the radio whose channel it is, or why none is known."""
+    if wifi.radio is None:
+        return (
+            "the channel has rates and overheads but no Radio, so that waiting, preambles and "
+            "symbols of another one cannot be compared with it"
         )
-        if faster is None:
-            yield "multicast rate: known only of channels made by a Radio"
-        else:
-            rates = f"{MULTICAST_RATE / 1e6:g} instead of {now / 1e6:g} Mbit/s"
-            yield "multicast rate", f"sending multicast at {rates}", faster
-    for radio in RADIOS:
-        preset = Radio(**radio, streams=STREAMS).wifi()
-        if preset.unicast.rate <= wifi.unicast.rate:
-            continue
-        if linear:
-            rates = f"{preset.unicast.rate / 1e6:.0f} instead of {wifi.unicast.rate / 1e6:.0f}"
-            what = f"a faster radio ({preset.name}: {rates} Mbit/s)"
-            link = Link(preset.unicast.rate, wifi.unicast.overhead)
-            yield "radio", what, replace(wifi, unicast=link)
-        else:
-            kept: dict[str, Any] = {}
-            if wifi.radio is not None:
-                kept["aifsn"] = wifi.radio.aifsn
-                if (wifi.radio.multicast_rate or 0) >= 6e6:
-                    kept["multicast_rate"] = wifi.radio.multicast_rate
-            if wifi.aggregation is not None:
-                kept["mpdus"] = min(wifi.aggregation.mpdus, MPDUS)
-            yield (
-                "radio",
-                f"another radio ({preset.name})",
-                Radio(**radio, streams=STREAMS, **kept).wifi(),
-            )
-    if linear:
+    papers = (PAPER.unicast, PAPER.multicast, PAPER.aggregation)
+    if (wifi.unicast, wifi.multicast, wifi.aggregation) == papers:
+        return wifi.radio
+    if replace(wifi.radio.wifi(), name=wifi.name) == wifi:
+        return wifi.radio
+    return (
+        "the channel was changed by hand and is no longer that of its Radio, so that it cannot "
+        "be compared with that of another one"
+    )
+
+
+def _other_radios(radio: Radio, by: str) -> Iterator[tuple[Kind, str, Radio, str] | str]:
+    if radio.basic_rate < MULTICAST_RATE:
+        what = (
+            f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
+            f"{radio.basic_rate / 1e6:g} Mbit/s"
+        )
+        yield "multicast rate", what, replace(radio, multicast_rate=MULTICAST_RATE, name=None), by
+    for changes in RADIOS:
+        other = _another(radio, changes)
+        if other.rate > radio.rate:
+            what = f"another radio ({other.wifi().name})"
+            yield "radio", what, other, _compared(radio, other, by)
+    most = _most_mpdus(radio.standard)
+    if most == 1:
+        yield f"aggregation: {radio.standard} has none"
+    elif radio.mpdus < MPDUS:
         yield (
-            "aggregation: a channel given by rates and overheads alone does not say what it "
-            "saves; take a preset"
+            "aggregation",
+            f"aggregating up to {MPDUS} frames",
+            replace(radio, mpdus=MPDUS, name=None),
+            by,
         )
-    elif wifi.aggregation is None or wifi.aggregation.mpdus < MPDUS:
-        try:
-            aggregated = _variant(wifi, mpdus=MPDUS)
-        except ValueError as error:
-            yield f"aggregation: {error}"
-        else:
-            if aggregated is None:
-                yield "aggregation: known only of channels made by a Radio"
-            else:
-                yield "aggregation", f"aggregating up to {MPDUS} frames", aggregated
 
 
-def _variant(wifi: Wifi, **changes: Any) -> Wifi | None:
-    """Return the channel of its radio with changes; None if it is not that of its radio."""
-    if wifi.radio is None or wifi.radio.wifi() != wifi:
-        return None
-    return replace(wifi.radio, name=None, **changes).wifi()
+def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
+    """Return another radio at its fastest, with the settings of the one there is."""
+    rate = radio.multicast_rate
+    return Radio(
+        **changes,
+        streams=max(STREAMS, int(radio.streams)),
+        # DSSS rates are of 2.4 GHz alone.
+        multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
+        aifsn=radio.aifsn,
+        mpdus=min(int(radio.mpdus), _most_mpdus(changes["standard"])),
+        start_spacing=radio.start_spacing,
+    )
+
+
+def _most_mpdus(standard: str) -> int:
+    """Return how many frames a standard allows in an A-MPDU [1]; 1 if it has none."""
+    rows = (row for row in read_data("wifi/ampdu.csv") if row["standard"] == standard)
+    return max((int(row["most_mpdus"]) for row in rows), default=1)
+
+
+def _compared(old: Radio, new: Radio, by: str) -> str:
+    """Return what another radio changes: rates, and what an exchange costs beside its data."""
+    before, after = old.wifi(), new.wifi()
+    rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
+    was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
+    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead an exchange"]
+    if new.basic_rate != old.basic_rate:
+        multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
+        told.append(f"multicast at {multicast}")
+    return f"instead of {before.name}{', ' * bool(by)}{by}: {words.listed(told)}"
+
+
+def _instead(new: float, old: float, unit: str) -> str:
+    new_text, old_text = f"{new:.0f}", f"{old:.0f}"
+    return f"{new_text} {f'instead of {old_text} ' * (new_text != old_text)}{unit}"
+
+
+def _sessions(
+    old: Protocol,
+    new: Protocol,
+    before: float,
+    after: float,
+    cost: Callable[[Protocol], float],
+    window: float,
+) -> str:
+    """Return what Zenoh's count leaves out beside what switching to or from it changes."""
+    if (family(old) == "Zenoh") == (family(new) == "Zenoh"):
+        return ""
+    one, both = (cost(_openings(sides)) for sides in (1, 2))
+    if not one:
+        return ""
+    to_zenoh = family(new) == "Zenoh"
+    more = after - before if to_zenoh else before - after
+    if more >= 0:
+        so = "which makes the gap larger"
+    elif more + both < 0:
+        so = "which does not close the gap"
+    else:
+        so = "so that it is not settled which of the two takes less"
+    adds = [_amount(value, window) for value in (one, both)]
+    return (
+        f"the count leaves out that Zenoh opens sessions: {adds[0]} more if one side dials, "
+        f"{adds[1]} if both do, beside a gap of {_amount(abs(more), window)}, {so}"
+    )
+
+
+def _openings(sides: int) -> Protocol:
+    """Return what opens Zenoh's sessions if so many sides dial, each as long as a KeepAlive."""
+    messages = defaults("Zenoh")["session_messages"]
+    opening = replace(
+        ZENOH.message("KeepAlive"),
+        name="SessionOpening",
+        # A session joins two processes, which are two ordered pairs.
+        per_unit=sides * messages / 2,
+        answers=None,
+    )
+    return Protocol("Zenoh's sessions", (opening,))
+
+
+def _of_paper(message: Message) -> bool:
+    return any(message in table.messages for table in (DDS, ZENOH))
 
 
 def _of(group: HostGroup) -> str:
@@ -568,18 +811,20 @@ def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, 
     return tuple(own)
 
 
-def _shares(fleet: Fleet, protocol: Protocol, wifi: Wifi, whole: float) -> Iterator[Share]:
+def _shares(
+    fleet: Fleet, protocol: Protocol, wifi: Wifi, window: float, whole: float
+) -> Iterator[Share]:
     messages = [
         (row["message"], row["uplink_s"] + row["downlink_s"])
-        for row in message_costs(protocol, fleet, wifi)
+        for row in message_costs(protocol, fleet, wifi, window)
     ]
     yield from _largest("message", messages, whole)
     phases = [
-        (phase, float(utilization(protocol, fleet, wifi=wifi, phase=phase)))
+        (phase, float(utilization(protocol, fleet, wifi=wifi, window=window, phase=phase)))
         for phase in protocol.phases
     ]
     yield from _largest("phase", phases, whole)
-    rests = without_each(protocol, fleet, wifi)
+    rests = without_each(protocol, fleet, wifi, window)
     taking_part = [
         (name, whole - rest) for name, rest in zip(_group_names(fleet), rests, strict=True)
     ]
@@ -588,11 +833,11 @@ def _shares(fleet: Fleet, protocol: Protocol, wifi: Wifi, whole: float) -> Itera
 
 def _largest(
     kind: Literal["message", "phase", "group"],
-    airtimes: Iterable[tuple[str, float]],
+    parts: Iterable[tuple[str, float]],
     whole: float,
 ) -> Iterator[Share]:
-    for name, airtime in sorted(airtimes, key=lambda item: -item[1]):
-        yield Share(kind, name, airtime, airtime / whole if whole else 0.0)
+    for name, taken in sorted(parts, key=lambda item: -item[1]):
+        yield Share(kind, name, taken, taken / whole if whole else 0.0)
 
 
 def _group_names(fleet: Fleet) -> list[str]:
@@ -611,38 +856,8 @@ def _groups(fleet: Fleet) -> list[dict[str, Any]]:
     ]
 
 
-def _wrapped(line: str) -> str:
-    """Return a line broken at 79 characters, but not between a number and its unit."""
-    indent = " " * 4 * line.startswith(("- ", " ", "1"))
-    glued = re.sub(r"(?<=\d) (?=m?s\b|Mbit/s)", "\u00a0", line)
-    return textwrap.fill(glued, 79, subsequent_indent=indent).replace("\u00a0", " ")
-
-
-def _capitalized(sentence: str) -> str:
-    return sentence[0].upper() + sentence[1:]
-
-
-def _part(share: float) -> str:
-    return "nearly all" if 0.995 <= share < 1 else _percent(share)
-
-
-def _percent(share: float) -> str:
-    """Return a share to a percent, what is less than one to two digits, never 100% too early."""
-    if 0.995 <= share < 1:
-        return "just below 100%"
-    if 0.01 <= share < HUGE or not share:
-        return f"{share:,.0%}"
-    return f"{100 * share:.2g}%"
-
-
-def _many(count: float, noun: str, plural: str = "s") -> str:
-    return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
-
-
-def _time(seconds: float) -> str:
-    """Return a time to two digits or three, below a hundredth of a second in milliseconds."""
-    if seconds < 0.01:
-        return f"{1e3 * seconds:.3g} ms"
-    if seconds < 10:
-        return f"{seconds:.2f} s" if seconds >= 0.1 else f"{seconds:.3f} s"
-    return f"{seconds:,.1f} s" if seconds < HUGE else f"{seconds:.3g} s"
+def _amount(utilization: float, window: float) -> str:
+    """Return the airtime of the window in seconds, in the steady state the share of the time."""
+    if math.isinf(window):
+        return words.percent(utilization) + " of the time"
+    return words.seconds(utilization * window)

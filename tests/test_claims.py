@@ -233,7 +233,7 @@ def test_a_changed_payload_changes_verdicts(monkeypatch):
 
 @pytest.mark.parametrize(("quantity", "value"), BY_HAND.items())
 def test_quantities_by_hand(quantity, value):
-    ours = claims.Test(f"{quantity} = 0").ours()
+    ours = claims.Criterion(f"{quantity} = 0").ours()
     assert float(ours) == pytest.approx(float(value), rel=1e-12)
 
 
@@ -256,7 +256,7 @@ def test_every_claim_leads_somewhere_in_the_book():
         assert f"claims-{claim.section}" in labels
 
 
-def deciding(claim: claims.Claim) -> list[claims.Test]:
+def deciding(claim: claims.Claim) -> list[claims.Criterion]:
     return [test for test in (claim.test, claim.weaker_test) if test]
 
 
@@ -324,11 +324,11 @@ def test_numbers_are_in_order():
 )
 def test_a_wrong_test_is_refused(text, message):
     with pytest.raises(ValueError, match=message):
-        claims.Test(text).holds()
+        claims.Criterion(text).holds()
 
 
 def test_parts_of_a_test() -> None:
-    test = claims.Test("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
+    test = claims.Criterion("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
     assert (test.quantity, test.paper) == ("share DDS SPDP 7 2 10", "≈ 0.5 ± 0.1")
     assert test.word is None
     for text, shown in {
@@ -336,8 +336,8 @@ def test_parts_of_a_test() -> None:
         "gap_limit is not marginal": "not marginal: > 0.1",
         "header UDP ≈ 64": "≈ 64",
     }.items():
-        assert claims.Test(text).paper == shown
-        assert claims.Test(text).word is not None
+        assert claims.Criterion(text).paper == shown
+        assert claims.Criterion(text).word is not None
 
 
 def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
@@ -391,4 +391,4 @@ def test_an_unknown_section_is_refused():
     ],
 )
 def test_relations(text, holds):
-    assert claims.Test(text).holds() is holds
+    assert claims.Criterion(text).holds() is holds

@@ -267,8 +267,8 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
     assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]
 
 
-def test_remedies_show_one_second_even_if_all_take_less() -> None:
-    bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "airtime_s": [0.2]})
+def test_remedies_show_the_whole_channel_even_if_all_take_less() -> None:
+    bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "utilization": [0.2]})
     assert figures.remedies(bars).axes[0].get_xlim() == (0, 1.14)
 
 

@@ -29,6 +29,14 @@ def test_example_of_the_readme_runs() -> None:
     assert failed == 0
 
 
+def test_numbers_in_the_text_of_the_readme_are_those_of_its_example() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    _, example, after = re.split(r"^```(?:python)?$", readme, flags=re.MULTILINE)[:3]
+    said = re.findall(r"\d+\.\d+", after.split("\n## ")[0])
+    assert len(said) == 2
+    assert set(said) <= set(re.findall(r"^\d+\.\d+$", example, re.MULTILINE))
+
+
 @pytest.mark.locked
 def test_figure_of_the_readme_is_fresh(tmp_path: Path) -> None:
     list(figures.save(figures.fig2(), tmp_path, "fig2"))

@@ -19,7 +19,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import sympy as sp
 
@@ -53,6 +53,21 @@ _SYMBOLS = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
 
 # ---------------------------------------------------------------- quantities
 
+#: What a test may compute, by its name.
+QUANTITIES: dict[str, Callable[..., Any]] = {}
+
+Quantity = TypeVar("Quantity", bound=Callable[..., Any])
+
+
+def _quantity(function: Quantity) -> Quantity:
+    """Let tests compute it by its name."""
+    QUANTITIES[function.__name__] = function
+    return function
+
+
+for _function in (saturation_hosts, utilization):
+    _quantity(_function)
+
 
 def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
     """Return the messages meant by phases, casts, messages (``SEDP_message``), or all."""
@@ -72,58 +87,69 @@ def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
     return [message for message, own in called.items() if own & set(names)]
 
 
+@_quantity
 def load(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages of all hosts that the names mean."""
     return sp.factor(sp.Add(*(message.load() for message in _chosen(protocol, names))))
 
 
+@_quantity
 def host_load(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages of one host, of the phases or messages named."""
     return sp.factor(load(protocol, *names) / nt.N_H)
 
 
+@_quantity
 def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     """Return the degree of the messages of one host in one of N_H, N_P, N_E."""
     return int(sp.degree(host_load(protocol, *names), _SYMBOLS[variable]))
 
 
+@_quantity
 def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
     """Return how many more messages one protocol sends than another."""
     return sp.simplify(load(one, name) - load(other, other_name))
 
 
+@_quantity
 def control_saved() -> sp.Expr:
     """Return the part of DDS's control messages that Zenoh does without."""
     return 1 - sp.simplify(load(ZENOH, "control") / load(DDS, "control"))
 
 
+@_quantity
 def load_variables(protocol: Protocol) -> int:
     """Return how many variables the load depends on."""
     return len(protocol.load().free_symbols)
 
 
+@_quantity
 def host_load_variables(protocol: Protocol, *names: str) -> int:
     """Return how many variables the load of one host depends on."""
     return len(host_load(protocol, *names).free_symbols)
 
 
+@_quantity
 def growth_factor(protocol: Protocol) -> sp.Expr:
     """Return what one more host multiplies U by, in the limit of many hosts."""
     u = protocol.utilization()
     return sp.limit(sp.cancel(u.subs(nt.N_H, nt.N_H + 1) / u), nt.N_H, sp.oo)
 
 
+@_quantity
 def messages_per_link(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages for each pair of processes, both directions taken together."""
     links = nt.N_H * (nt.N_H - 1) * nt.N_P**2 / 2
     return sp.simplify(load(protocol, *names) / links)
 
 
+@_quantity
 def messages_per_direction(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages that one process sends to one other."""
     return messages_per_link(protocol, *names) / 2
 
 
+@_quantity
 def airtime(
     protocol: Protocol, name: str, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -133,12 +159,14 @@ def airtime(
     return float((rows["uplink_s"] + rows["downlink_s"]).sum())
 
 
+@_quantity
 def share(protocol: Protocol, name: str, hosts: float, processes: float, endpoints: float) -> float:
     """Return the share of all airtime that the messages take that a name means."""
     at = (hosts, processes, endpoints)
     return airtime(protocol, name, *at) / float(utilization(protocol, *at))
 
 
+@_quantity
 def share_of_phase(
     protocol: Protocol, name: str, phase: str, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -147,11 +175,13 @@ def share_of_phase(
     return airtime(protocol, name, *at) / airtime(protocol, phase, *at)
 
 
+@_quantity
 def control_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return the share of all airtime that the control messages take."""
     return share(protocol, "control", hosts, processes, endpoints)
 
 
+@_quantity
 def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return the share of the airtime that is fixed overhead, not bits."""
     u = protocol.utilization()
@@ -161,23 +191,27 @@ def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints
     return float(fixed.subs(values) / u.subs(values))
 
 
+@_quantity
 def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int:
     """Return the largest whole number of hosts that stays below 100%."""
     return int(sp.ceiling(saturation_hosts(protocol, processes, endpoints))) - 1
 
 
+@_quantity
 def gap(hosts: float, processes: float, endpoints: float) -> float:
     """Return how much less airtime Zenoh takes than DDS, relative to DDS."""
     zenoh = utilization(ZENOH, hosts, processes, endpoints)
     return float(1 - zenoh / utilization(DDS, hosts, processes, endpoints))
 
 
+@_quantity
 def gap_of_phases(hosts: float, processes: float, endpoints: float) -> float:
     """Return how much less airtime Declaration takes than SEDP, relative to SEDP."""
     at = (hosts, processes, endpoints)
     return 1 - airtime(ZENOH, "Declaration", *at) / airtime(DDS, "SEDP", *at)
 
 
+@_quantity
 def gap_limit() -> float:
     """Return the gap between DDS and Zenoh in the limit of many endpoints."""
     # Both are linear in N_E, so the ratio of the slopes is what remains.
@@ -185,6 +219,7 @@ def gap_limit() -> float:
     return 1 - float(ratio.subs({**DDS.values(), **ZENOH.values(), **PAPER.values()}))
 
 
+@_quantity
 def gap_from_control(hosts: float, processes: float, endpoints: float) -> float:
     """Return the part of the gap between SEDP and Declaration that control messages make."""
     at = (hosts, processes, endpoints)
@@ -193,6 +228,7 @@ def gap_from_control(hosts: float, processes: float, endpoints: float) -> float:
     return 1 - endpoint_part / whole
 
 
+@_quantity
 def scouting_above_spdp(first: float, last: float, processes: float, endpoints: float) -> int:
     """Return for how many swarm sizes from first to last Scouting costs more than SPDP."""
     return sum(
@@ -202,6 +238,7 @@ def scouting_above_spdp(first: float, last: float, processes: float, endpoints: 
     )
 
 
+@_quantity
 def growth_exponent(
     protocol: Protocol,
     name: str,
@@ -219,17 +256,20 @@ def growth_exponent(
     return math.log(after / before) / math.log(times)
 
 
+@_quantity
 def split_ratio(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
     """Return how many times the airtime of one process it takes to split it into several."""
     split = airtime(protocol, "all", hosts, processes, in_all / processes)
     return split / airtime(protocol, "all", hosts, 1, in_all)
 
 
+@_quantity
 def saved_by_composing(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
     """Return the part of the airtime of several processes that one with all endpoints saves."""
     return 1 - 1 / split_ratio(protocol, hosts, processes, in_all)
 
 
+@_quantity
 def part_of_increase(
     protocol: Protocol, name: str, hosts: float, processes: float, in_all: float
 ) -> float:
@@ -242,17 +282,20 @@ def part_of_increase(
     return added(name) / added("all")
 
 
+@_quantity
 def hosts_gained(protocol: Protocol, processes: float, in_all: float) -> int:
     """Return how many more whole hosts fit when several processes become one."""
     split = largest_swarm(protocol, processes, in_all / processes)
     return largest_swarm(protocol, 1, in_all) - split
 
 
+@_quantity
 def kinds_over(transport: str, protocol: Protocol, name: str) -> int:
     """Return how many kinds of the messages that a name means go over a transport."""
     return sum(message.transport == transport for message in _chosen(protocol, [name]))
 
 
+@_quantity
 def default(product: str | Protocol, quantity: str) -> float:
     """Return a product's default; its name has _ for a space."""
     named = {name.replace(" ", "_"): name for name in products()}
@@ -262,6 +305,7 @@ def default(product: str | Protocol, quantity: str) -> float:
     return defaults(named[asked])[quantity]
 
 
+@_quantity
 def timestamps_bytes() -> float:
     """Return what the timestamps option adds to the headers of a TCP message [B]."""
     (row,) = (row for row in read_data("paper/parameter_ranges.csv") if "timestamps" in row["part"])
@@ -273,33 +317,39 @@ def _message(name: str) -> Message:
     return found
 
 
+@_quantity
 def frame_bytes(message: str) -> float:
     """Return the frame length of a message: payload and headers [B]."""
     return _message(message).frame_bytes
 
 
+@_quantity
 def payload_spread(message: str) -> float:
     """Return half the payload range of a message relative to its nominal value."""
     payload = _message(message).payload
     return (payload.high - payload.low) / 2 / payload.nominal
 
 
+@_quantity
 def header(transport: str) -> int:
     """Return the header bytes of a transport, from their parts [B]."""
     return header_bytes()[transport]
 
 
+@_quantity
 def header_slope(protocol: Protocol) -> float:
     """Return the sign of the change of U with the header bytes: 1, 0 or -1."""
     slope = sp.factor(protocol.utilization().diff(nt.H_UDP).subs(nt.N_H, 1 + _MORE_HOSTS))
     return float(sp.sign(slope))
 
 
+@_quantity
 def bits_per_byte() -> int:
     """Return the factor between bytes and bits in the airtime of a frame."""
     return int(airtime_of_frame(sp.Integer(1), sp.Integer(1), sp.Integer(0)))
 
 
+@_quantity
 def repeated_utilization(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -311,6 +361,7 @@ def repeated_utilization(
     )
 
 
+@_quantity
 def enumerated_down_for_up(
     protocol: Protocol, phase: str, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -321,6 +372,7 @@ def enumerated_down_for_up(
     return hops["down"] / hops["up"]
 
 
+@_quantity
 def enumeration_ratio(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -342,16 +394,19 @@ def _walk(
     return enumeration.walk(protocol.name, [[int(endpoints)] * int(processes)] * int(hosts))
 
 
+@_quantity
 def ht_rate(mcs: float) -> float:
     """Return the fastest rate of an MCS of 802.11n in 20 MHz [bit/s], by its own index."""
     return ht_rate_of_streams(mcs % 8, 1 + mcs // 8)
 
 
+@_quantity
 def ht_rate_of_streams(mcs: float, streams: float) -> float:
     """Return the fastest rate in 20 MHz with an MCS of each of some streams [bit/s]."""
     return Radio("802.11n", streams=int(streams), mcs=int(mcs)).wifi().unicast.rate
 
 
+@_quantity
 def ht_rates_above(streams: float, width: float) -> int:
     """Return how many rates with some streams and a width in MHz exceed the paper's."""
     # The paper's 144.4 stands for 144.44: what exceeds it by less is the same rate.
@@ -363,23 +418,27 @@ def ht_rates_above(streams: float, width: float) -> int:
     )
 
 
+@_quantity
 def lowest_basic_rate(band: float) -> float:
     """Return the lowest basic rate of 802.11n in a band in GHz [bit/s]."""
     return Radio("802.11n", band=band * 1e9).wifi().multicast.rate
 
 
+@_quantity
 def overhead_with_backoff(cast: str) -> float:
     """Return the overhead of a frame from 802.11n timing, two streams in 5 GHz [s]."""
     wifi = Radio("802.11n", streams=2).wifi()
     return (wifi.multicast if cast == "multicast" else wifi.unicast).overhead
 
 
+@_quantity
 def overhead_of_named_intervals(cast: str) -> float:
     """Return that overhead without the back-off, which the paper does not name [s]."""
     (band,) = (row for row in read_data("wifi/bands.csv") if row["band_GHz"] == "5")
     return overhead_with_backoff(cast) - float(band["cw_min"]) / 2 * float(band["slot_us"]) * 1e-6
 
 
+@_quantity
 def aggregation_bound(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
@@ -397,18 +456,21 @@ def aggregation_bound(
     return float(aggregated / single)
 
 
+@_quantity
 def standard_bound(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
     exact = utilization(protocol, hosts, processes, endpoints, Radio("802.11n", streams=2).wifi())
     return float(exact / utilization(protocol, hosts, processes, endpoints))
 
 
+@_quantity
 def saturation_spread(protocol: Protocol, processes: float, endpoints: float) -> float:
     """Return by how many hosts the ranges of all parameters can move the saturation point."""
     least, most = saturation_bounds(protocol, processes, endpoints)
     return float(most - least)
 
 
+@_quantity
 def saturation_spread_by_payloads(protocol: Protocol, processes: float, endpoints: float) -> float:
     """Return by how many hosts Table II's ranges alone can move the saturation point."""
     values = {**protocol.values(), **PAPER.values()}
@@ -422,6 +484,7 @@ def saturation_spread_by_payloads(protocol: Protocol, processes: float, endpoint
     return float(most - least)
 
 
+@_quantity
 def multicast_cost(message: str) -> float:
     """Return the airtime of a frame as multicast downlink, relative to unicast."""
     up, down = _message(message).airtime_up(), _message(message).airtime_down()
@@ -493,7 +556,7 @@ def _soft_word(word: str) -> SoftWord:
 
 
 @dataclass(frozen=True)
-class Test:
+class Criterion:
     """What decides a claim: a quantity of this module, a relation, and the paper's value.
 
     The value may be a soft word instead, ``is marginal`` or ``is not dominant``, and
@@ -564,9 +627,9 @@ class Claim:
         Section of the ledger chapter in which it is decided.
     statement : str
         What it says.
-    test : Test or None
+    test : Criterion or None
         What decides it; None if nothing in the paper does.
-    weaker_test : Test or None
+    weaker_test : Criterion or None
         What is left of the same sentence if `test` fails.
     remark : str
         The qualification, how it is contradicted, or why it cannot be checked.
@@ -578,8 +641,8 @@ class Claim:
     where: str
     section: str
     statement: str
-    test: Test | None
-    weaker_test: Test | None
+    test: Criterion | None
+    weaker_test: Criterion | None
     remark: str
     link: str
 
@@ -605,8 +668,8 @@ class Claim:
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
 
-    def test(text: str) -> Test | None:
-        return Test(text) if text else None
+    def test(text: str) -> Criterion | None:
+        return Criterion(text) if text else None
 
     return tuple(
         Claim(
@@ -656,63 +719,6 @@ def ledger() -> "pd.DataFrame":
         }
         for claim in claims()
     ).set_index("id")
-
-
-QUANTITIES: dict[str, Callable[..., Any]] = {
-    function.__name__: function
-    for function in (
-        airtime,
-        standard_bound,
-        largest_swarm,
-        saturation_spread,
-        saturation_spread_by_payloads,
-        aggregation_bound,
-        overhead_with_backoff,
-        ht_rates_above,
-        ht_rate_of_streams,
-        ht_rate,
-        enumeration_ratio,
-        enumerated_down_for_up,
-        bits_per_byte,
-        control_saved,
-        control_share,
-        default,
-        growth_exponent,
-        hosts_gained,
-        kinds_over,
-        overhead_of_named_intervals,
-        part_of_increase,
-        saved_by_composing,
-        split_ratio,
-        timestamps_bytes,
-        frame_bytes,
-        gap,
-        gap_from_control,
-        gap_limit,
-        gap_of_phases,
-        growth_factor,
-        header,
-        header_slope,
-        host_load,
-        host_load_degree,
-        host_load_variables,
-        load,
-        load_difference,
-        load_variables,
-        lowest_basic_rate,
-        messages_per_direction,
-        messages_per_link,
-        multicast_cost,
-        overhead_share,
-        payload_spread,
-        repeated_utilization,
-        saturation_hosts,
-        scouting_above_spdp,
-        share,
-        share_of_phase,
-        utilization,
-    )
-}
 
 
 def shown(value: Any) -> str:

@@ -1,0 +1,94 @@
+"""Numbers and words for people, and what "fits" means."""
+
+import math
+import re
+import textwrap
+
+#: From this on, numbers are told with their power of ten [1 or s].
+HUGE = 1e6
+
+
+def fits(utilization: float) -> bool:
+    """Return whether there is less of it than the channel has."""
+    return utilization < 1
+
+
+def whole_below(hosts: float) -> int:
+    """Return the largest whole number of hosts that stays below saturation."""
+    return math.ceil(hosts) - 1
+
+
+def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
+    """Return a share in percent, what is too small for the decimals to two digits.
+
+    What is less than all is never told as 100%, but as below it.
+
+    Examples
+    --------
+    >>> percent(0.954), percent(0.9999), percent(0.00087), percent(28.44)
+    ('95%', 'just below 100%', '0.087%', '2,844%')
+    """
+    if 1 - 0.5 / 10 ** (decimals + 2) <= share < 1:
+        return f"{below}{1:.{decimals}%}"
+    if share >= HUGE:
+        return f"{100 * share:.3g}%"
+    if 0 < abs(share) < 10 ** -(decimals + 2):
+        return f"{100 * share:.2g}%"
+    return f"{share:,.{decimals}%}"
+
+
+def part(share: float) -> str:
+    """Return a part of a whole in percent; almost all of it as "nearly all"."""
+    return "nearly all" if 0.995 <= share < 1 else percent(share)
+
+
+def seconds(time: float) -> str:
+    """Return a time to two digits or three, below a hundredth of a second in milliseconds.
+
+    Examples
+    --------
+    >>> seconds(0.00123), seconds(0.0456), seconds(1.375), seconds(28.44)
+    ('1.23 ms', '0.046 s', '1.38 s', '28.4 s')
+    """
+    if time < 0.01:
+        return f"{1e3 * time:.3g} ms"
+    if time < 10:
+        return f"{time:.2f} s" if time >= 0.1 else f"{time:.3f} s"
+    return f"{time:,.1f} s" if time < HUGE else f"{time:.3g} s"
+
+
+def many(count: float, noun: str, plural: str = "s") -> str:
+    """Return a count with its noun.
+
+    Examples
+    --------
+    >>> many(1, "host"), many(24, "process", "es")
+    ('1 host', '24 processes')
+    """
+    return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
+
+
+def listed(words: list[str]) -> str:
+    """Return words with commas and an "and".
+
+    Examples
+    --------
+    >>> listed(["SEDP", "Heartbeat", "ACKNACK"])
+    'SEDP, Heartbeat and ACKNACK'
+    """
+    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
+
+
+def capitalized(sentence: str) -> str:
+    """Return a sentence with a capital first letter; the others stay."""
+    return sentence[:1].upper() + sentence[1:]
+
+
+def wrapped(line: str, width: int = 79) -> str:
+    """Return a line broken at a width, but not between a number and its unit.
+
+    What follows in an item of a list is indented.
+    """
+    indent = " " * 4 * bool(re.match(r"- | |\d+\. ", line))
+    glued = re.sub(r"(?<=\d) (?=m?s\b|µs\b|Mbit/s)", "\u00a0", line)
+    return textwrap.fill(glued, width, subsequent_indent=indent).replace("\u00a0", " ")

@@ -1,0 +1,88 @@
+"""Numbers and words for people."""
+
+import pytest
+
+from discostorm import words
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"),
+    [
+        (0.00123, "1.23 ms"),
+        (0.00999, "9.99 ms"),
+        (0.01, "0.010 s"),
+        (0.0456, "0.046 s"),
+        (0.1, "0.10 s"),
+        (9.5, "9.50 s"),
+        (10, "10.0 s"),
+        (10.5, "10.5 s"),
+        (1234.5, "1,234.5 s"),
+        (1e6, "1e+06 s"),
+        (3.7028e15, "3.7e+15 s"),
+    ],
+)
+def test_times_in_words(seconds: float, said: str) -> None:
+    assert words.seconds(seconds) == said
+
+
+@pytest.mark.parametrize(
+    ("share", "said"),
+    [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%"), (0, "0%")],
+)
+def test_parts_in_words(share: float, said: str) -> None:
+    assert words.part(share) == said
+
+
+@pytest.mark.parametrize(
+    ("share", "said"),
+    [
+        (0.00087, "0.087%"),
+        (0.01, "1%"),
+        (0.994, "99%"),
+        (0.995, "just below 100%"),
+        (0.9969, "just below 100%"),
+        (1, "100%"),
+        (28.44, "2,844%"),
+        (999_999.5, "99,999,950%"),
+        (1e6, "1e+08%"),
+        (3.7e15, "3.7e+17%"),
+    ],
+)
+def test_percent_in_words(share: float, said: str) -> None:
+    assert words.percent(share) == said
+
+
+@pytest.mark.parametrize(
+    ("share", "said"),
+    [
+        (0.9994, "99.9%"),
+        (0.9995, "<100.0%"),
+        (1, "100.0%"),
+        (0.0009, "0.09%"),
+        (0, "0.0%"),
+        (-0.05, "-5.0%"),
+    ],
+)
+def test_percent_with_decimals(share: float, said: str) -> None:
+    assert words.percent(share, decimals=1, below="<") == said
+
+
+def test_a_channel_that_is_just_full_does_not_fit() -> None:
+    assert words.fits(0.9999999)
+    assert not words.fits(1)
+    assert [words.whole_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
+
+
+def test_lists_in_words() -> None:
+    assert [words.listed(list("abc"[:n])) for n in range(4)] == ["", "a", "a and b", "a, b and c"]
+
+
+def test_lines_are_broken_between_words_and_not_before_a_unit() -> None:
+    text = "- " + "word " * 14 + "and 144 Mbit/s"
+    first, second = words.wrapped(text).split("\n")
+    assert len(first) <= 79
+    assert second == "    144 Mbit/s"
+    assert words.wrapped("1 host " + "word " * 16).split("\n")[1].startswith("word")
+    assert words.wrapped("12. " + "word " * 16).split("\n")[1].startswith("    word")
+    assert words.capitalized("802.11n and Zenoh") == "802.11n and Zenoh"
+    assert words.capitalized("") == ""
