@@ -367,9 +367,9 @@ def every_command() -> dict[str, click.Command]:
     return dict(main.commands)
 
 
-def test_there_are_six_commands() -> None:
+def test_there_are_seven_commands() -> None:
     assert sorted(every_command()) == [
-        "breakdown", "claims", "figures", "plan", "saturation", "utilization",
+        "breakdown", "claims", "figures", "plan", "saturation", "simulate", "utilization",
     ]  # fmt: skip
 
 

@@ -76,10 +76,11 @@ def simulate(
         `discostorm.simulation.recovery` says. If not, each host sends all that its
         schedules say by the clock, nothing answers and nothing is repeated but by Wi-Fi.
     runs : int, optional
-        Independent runs. They go side by side through joblib, which `joblib.parallel_config`
-        directs.
+        Independent runs [1]. They go side by side through joblib, which
+        `joblib.parallel_config` directs.
     seed : int, optional
-        Of the random numbers: the same arguments give the same result to the bit.
+        Of the random numbers [1], at least 0: the same arguments give the same result to the
+        bit.
     until : float, optional
         When to give up [s] after the last host's start, above 0.
     eifs : bool, optional
