@@ -26,6 +26,8 @@ __all__ = ["Simulation", "simulate"]
 
 #: What users wait for without being told how long it takes [s].
 _PATIENCE = 60.0
+#: Loading what was compiled takes less [s].
+_LOADING = 3.0
 #: Runs that take less in all go one after the other: starting processes takes longer [s].
 _ALONE = 5.0
 
@@ -82,7 +84,8 @@ def simulate(
         Of the random numbers [1], at least 0: the same arguments give the same result to the
         bit.
     until : float, optional
-        When to give up [s] after the last host's start, above 0.
+        With recovery, when to give up [s] after the last host's start, above 0; without it a
+        run ends when the burst is through.
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
@@ -180,7 +183,7 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
 
     from discostorm.simulation.run import compiled, one_run
 
-    notice = Timer(1.0, _say, ["compiling the simulator, once on this machine ..."])
+    notice = Timer(_LOADING, _say, ["compiling the simulator, once on this machine ..."])
     notice.daemon = True
     notice.start()
     compiled()

@@ -100,6 +100,8 @@ def load(cell, station, time):
     now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
     if its.held and radio.lifetime < NEVER:
         throw_out_old(cell, station, time)
+    if its.held >= radio.mpdus:
+        return True
     by_receiver = now.per_receiver and station == now.hosts
     to = np.int64(-1)
     if its.held and by_receiver:
@@ -180,15 +182,20 @@ def note(cell, station, start, end, outcome):
     now, sent = cell.now[0], cell.stations[station].sent
     column = FAILED if outcome != SUCCESS else (UP if station < now.hosts else DOWN)
     burst = sent == 0
-    if sent == 0:
+    if sent == 1:  # by far the most
+        held = cell.window[station, 0]
+        now.ppdus += 1
+        now.mpdus += 1
+        now.retried += held.tries > 0
+        cell.airtime[kind_of(held.frame), column] += (end - start) * PARTS
+        burst = not held.frame & STEADY
+    elif sent == 0:
         now.requests += 1
         cell.airtime[now.kinds, column] += (end - start) * PARTS
     else:
         now.ppdus += 1
         now.mpdus += sent
-        each = (end - start) * PARTS
-        if sent > 1:
-            each //= sent
+        each = (end - start) * PARTS // sent
         for place in range(sent):
             held = cell.window[station, place]
             now.retried += held.tries > 0

@@ -131,7 +131,15 @@ def plan_runs(
         bursts.times,
     )
     plan = Plan(
-        hosts, kinds, bursts, radio, repairs, queue, start, np.broadcast_to(errors, count), until
+        hosts,
+        kinds,
+        bursts,
+        radio,
+        repairs,
+        queue,
+        start,
+        np.broadcast_to(errors, count),
+        until if recovery else np.inf,
     )
     delays(start, count, np.random.default_rng(0))  # refuses a bad one before all runs
     return plan
@@ -164,7 +172,8 @@ def finish(cell: Cell, until: int, reserve: int = 1024) -> Cell:
 def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
     """Return what one run finds."""
     cell, last = plan.cell(seed)
-    cell = finish(cell, ticks(last + plan.until), plan.reserve)
+    until = min(ticks(last + plan.until), int(_cell.NEVER) - 1)
+    cell = finish(cell, until, plan.reserve)
     now = cell.now[0]
     counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
