@@ -13,9 +13,13 @@ SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
 OUT ?= build/figures
+# Points of the lab: lab/GRID.csv. What the whole grid gave belongs to the package.
+GRID ?= grid
+MEASURED = $(if $(filter grid,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
+override export GRID := $(value GRID)
 BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
@@ -28,10 +32,13 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@sh scripts/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench mutation test-oldest test-newest serve lock clean
+build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.idl lab/*.lock lab/*.sh)
+	@sh lab/setup.sh
+
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab mutation ns3 test-oldest test-newest serve lock clean
 
 help: ## list what can be made
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
@@ -79,10 +86,25 @@ lint: $(READY) ## check style, types and which module imports which
 bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/bench.py
 
+lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
+	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
+	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
+
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
 	@PATH="$$PWD/$(BIN):$$PWD/build/mutation/bin:$$PATH" PYTHONPATH="$$PWD/build/mutation" \
 		python scripts/mutation.py $(MODULES)
+
+build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
+	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }
+	@echo "Installing ns-3 into build/ns3 (once, 70 MB to download) ..."
+	@mkdir -p build/ns3
+	@sh scripts/install.sh build/ns3/packages --no-deps --require-hashes -r lab/ns3/requirements.txt || \
+		{ echo "discostorm: no ns-3; its wheels are for Python 3.8 to 3.13 on 64-bit x86 Linux" >&2; exit 1; }
+	@touch $@
+
+ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (half an hour; needs g++)
+	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

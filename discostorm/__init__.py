@@ -1,5 +1,7 @@
 """Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable."""
 
+from typing import TYPE_CHECKING, Any
+
 from discostorm._numeric import lambdify
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import (
@@ -19,6 +21,9 @@ from discostorm.scalability import breakdown, saturation_hosts, utilization
 from discostorm.simulation import Simulation, simulate
 from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
+if TYPE_CHECKING:
+    from discostorm.capture import Capture, CaptureError as CaptureError, read_capture
+
 __version__ = "0.1.0"
 
 __all__ = [
@@ -32,6 +37,7 @@ __all__ = [
     "WIFI",
     "ZENOH",
     "Aggregation",
+    "Capture",
     "Fleet",
     "HostGroup",
     "Link",
@@ -50,7 +56,19 @@ __all__ = [
     "breakdown",
     "lambdify",
     "plan",
+    "read_capture",
     "saturation_hosts",
     "simulate",
     "utilization",
 ]
+
+#: Loaded when they are asked for, by the package that has them.
+_LATER = dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture")
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(_LATER[name]), name)

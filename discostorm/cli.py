@@ -2,30 +2,47 @@
 
 from __future__ import annotations
 
+import csv
+import errno
+import functools
+import io
 import json
+import math
+import os
+import shutil
 import sys
 import textwrap
-from collections.abc import Callable, Iterator, Mapping
+import unicodedata
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
 
 import discostorm as ds
 from discostorm import words
+from discostorm.fleet import COUNTS
+from discostorm.scalability import message_costs
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import radio_named
 
-# What a command needs beyond the package itself is imported when it runs.
 if TYPE_CHECKING:
     import pandas as pd
 
+    from discostorm.capture import Capture
+
+# What a command needs beyond the package itself is imported when it runs: tables of a few rows
+# do without pandas, which takes as long to import as the rest.
+
 Command = TypeVar("Command", bound=Callable[..., Any])
+Rows = Sequence[Mapping[Any, Any]]
 
-PROTOCOLS = {"dds": ds.DDS, "zenoh": ds.ZENOH}
+#: What ``--protocol both`` stands for: the paper's.
+BOTH = (ds.DDS, ds.ZENOH)
 
-#: What an option replaces of the paper's channel, and in which unit.
+#: What an option replaces of a channel, and in which unit.
 LINK_OPTIONS = {
     "unicast_rate": ("unicast", "rate", "Mbit/s"),
     "unicast_overhead": ("unicast", "overhead", "µs"),
@@ -48,9 +65,40 @@ def _bad_input() -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise BadInput(f"{error.filename}: {error.strerror}") from error
+        if error.filename is None:  # of the output
+            raise
+        raise BadInput(visible(f"{error.filename}: {error.strerror}")) from error
     except ValueError as error:
-        raise BadInput(str(error)) from error
+        raise BadInput(visible(str(error))) from error
+
+
+def visible(text: str) -> str:
+    """Return a text with escapes for what a terminal would act on."""
+    return "".join(
+        ascii(character)[1:-1]
+        if unicodedata.category(character) in ("Cc", "Cf", "Cs") and character != "\n"
+        else character
+        for character in text
+    )
+
+
+class Commands(click.Group):
+    """Commands whose output may fail: a full disk is told, a closed pipe is not."""
+
+    def main(self, *args: Any, **kwargs: Any) -> Any:
+        """Run a command; see `click.Group.main`."""
+        for stream in (sys.stdout, sys.stderr):
+            # What the terminal cannot show is escaped.
+            if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+                stream.reconfigure(errors="backslashreplace")
+        try:
+            return super().main(*args, **kwargs)
+        except OSError as error:
+            if error.errno != errno.EPIPE:
+                click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
+            # Or the interpreter would try again when it ends.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            sys.exit(1)
 
 
 # ---------------------------------------------------------------- options
@@ -85,13 +133,52 @@ def _list_wifi(context: click.Context, _: click.Parameter, value: str) -> str:
     return value
 
 
+def _packed(
+    name: str, make: Callable[..., Any], *options: Callable[[Any], Any]
+) -> Callable[[Command], Command]:
+    """Return a decorator that adds options, of which a command gets one thing that is made."""
+
+    def decorate(command: Command) -> Command:
+        known: list[click.Parameter] = []
+
+        @functools.wraps(command)
+        def call(**given: Any) -> Any:
+            own = {str(option.name): given.pop(str(option.name)) for option in known}
+            with _bad_input():
+                made = make(**own)
+            return command(**{name: made}, **given)
+
+        for option in reversed(options):
+            option(call)
+            known.append(vars(call)["__click_params__"][-1])
+        packed: Any = call
+        return packed  # type: ignore[no-any-return]
+
+    return decorate
+
+
+@dataclass(frozen=True)
+class Output:
+    """What an answer is printed as."""
+
+    as_json: bool
+    as_csv: bool
+
+    @property
+    def for_people(self) -> bool:
+        """Whether it is a table."""
+        return not (self.as_json or self.as_csv)
+
+
 def _one_format(context: click.Context, _: click.Parameter, value: bool) -> bool:
     if value and (context.params.get("as_json") or context.params.get("as_csv")):
         raise click.UsageError("--json and --csv exclude each other")
     return value
 
 
-output_options = _options(
+output_options = _packed(
+    "output",
+    Output,
     click.option(
         "--json",
         "as_json",
@@ -104,7 +191,43 @@ output_options = _options(
     ),
 )
 
-wifi_options = _options(
+
+def _wifi(channel: str, **given: float | None) -> Wifi:
+    """Return the channel of a name, with other rates and overheads."""
+    changes = {option: value for option, value in given.items() if value is not None}
+    if channel == "paper":
+        return _own_channel(changes) if changes else ds.PAPER
+    try:
+        radio = radio_named(channel)
+    except ValueError as error:
+        known = ", ".join(repr(preset) for preset in ("paper", *ds.WIFI))
+        raise click.UsageError(
+            f"--wifi must be one of {known}, or made like them: {error}"
+        ) from None
+    rate = changes.pop("multicast_rate", None)
+    if changes:
+        option = next(iter(changes)).replace("_", "-")
+        raise click.UsageError(f"--{option} goes with --wifi paper alone; got --wifi {channel!r}")
+    return (radio if rate is None else replace(radio, multicast_rate=rate * 1e6)).wifi()
+
+
+def _own_channel(changes: Mapping[str, float]) -> Wifi:
+    links = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
+    for option, value in changes.items():
+        cast, quantity, unit = LINK_OPTIONS[option]
+        try:
+            change: dict[str, Any] = {quantity: value * UNITS[unit]}
+            links[cast] = replace(links[cast], **change)
+        except ValueError as error:
+            si = "bit/s" if quantity == "rate" else "s"
+            must, _, _ = str(error).rpartition("; got ")
+            raise ValueError(f"{cast} {must} {si}; got {value:g} {unit}") from error
+    return Wifi("own channel", links["unicast"], links["multicast"])
+
+
+wifi_options = _packed(
+    "wifi",
+    _wifi,
     click.option(
         "--wifi",
         "channel",
@@ -112,25 +235,37 @@ wifi_options = _options(
         show_default=True,
         metavar="NAME",
         callback=_list_wifi,
-        help="The channel: paper, or a preset such as '802.11ac 80 MHz 2x2'; 'list' lists them.",
+        help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
+        "'802.11n 20 MHz 2x2, A-MPDU 64'; 'list' lists some.",
     ),
     *(
         click.option(
             f"--{option.replace('_', '-')}",
             type=float,
             metavar=unit,
-            help="Instead of the paper's.",
+            help="Instead of the channel's."
+            if option == "multicast_rate"
+            else "Instead of the paper's.",
         )
         for option, (_, _, unit) in LINK_OPTIONS.items()
     ),
 )
 
-protocol_option = click.option(
-    "--protocol",
-    type=click.Choice([*PROTOCOLS, "both"]),
-    default="both",
-    show_default=True,
-    help="The middleware.",
+
+def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
+    return BOTH if protocol == "both" else (ds.PROTOCOLS[protocol],)
+
+
+protocol_option = _packed(
+    "protocols",
+    _protocols,
+    click.option(
+        "--protocol",
+        type=click.Choice([*ds.PROTOCOLS, "both"], case_sensitive=False),
+        default="both",
+        show_default=True,
+        help="The middleware; both are the paper's two. In any case of letters.",
+    ),
 )
 
 hosts_option = click.option("--hosts", callback=_numbers, metavar="N", help="Hosts.")
@@ -138,73 +273,80 @@ several_hosts_option = click.option(
     "--hosts", callback=_numbers, metavar="N[,N...]", help="Hosts; several give a row each."
 )
 
-swarm_options = _options(
+
+@dataclass(frozen=True)
+class Members:
+    """Who is on the channel: columns that name them, and arguments of the package."""
+
+    columns: dict[str, Any]
+    arguments: dict[str, Any]
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is a single host."""
+        hosts: Any = self.arguments["hosts"]
+        if isinstance(hosts, ds.Fleet):
+            hosts = sum(group.hosts for group in hosts.groups)
+        return bool(hosts == 1)
+
+
+def _read(file: str) -> ds.Fleet:
+    """Return the fleet of a file, or of standard input for ``-``."""
+    if file == "-":
+        return ds.Fleet.from_bytes(sys.stdin.buffer.read(), "standard input")
+    return ds.Fleet.from_toml(file)
+
+
+def _one_file(fleet: str | None, file: str | None) -> str | None:
+    if fleet is not None and file is not None:
+        raise click.UsageError(f"one fleet at a time; got {file!r} and --fleet {fleet!r}")
+    return file if fleet is None else fleet
+
+
+def _members(
+    hosts: Any,
+    processes: float | None,
+    endpoints: float | None,
+    fleet: str | None,
+    file: str | None,
+) -> Members:
+    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    chosen = _one_file(fleet, file)
+    if chosen is None:
+        if missing := [f"--{name}" for name, value in counts.items() if value is None]:
+            raise click.UsageError(f"{', '.join(missing)} must be given, or --fleet FILE")
+        return Members(counts, counts)
+    if any(value is not None for value in counts.values()):
+        raise click.UsageError("--fleet goes without --hosts, --processes and --endpoints")
+    return Members({"fleet": chosen}, {"hosts": _read(chosen)})
+
+
+file_options = (
+    click.option("--fleet", metavar="FILE", help="The same as FLEET."),
+    click.argument("file", metavar="[FLEET]", required=False),
+)
+count_options = (
     click.option("--processes", type=float, metavar="N", help="Processes on each host."),
     click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
-    click.option("--fleet", metavar="FILE", help="Fleet file (TOML) instead of these counts."),
 )
-
-
-def _wifi(name: str, given: Mapping[str, float | None]) -> Wifi:
-    """Return the channel of a name, or the paper's with other rates and overheads."""
-    changes = {option: value for option, value in given.items() if value is not None}
-    if name == "paper":
-        if not changes:
-            return ds.PAPER
-        links = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
-        for option, value in changes.items():
-            cast, quantity, unit = LINK_OPTIONS[option]
-            try:
-                change: dict[str, Any] = {quantity: value * UNITS[unit]}
-                links[cast] = replace(links[cast], **change)
-            except ValueError as error:
-                # Its ranges end at zero, which is the same in all units.
-                must, _, _ = str(error).rpartition("; got ")
-                raise ValueError(f"{cast} {must}; got {value:g} {unit}") from error
-        return Wifi("own channel", links["unicast"], links["multicast"])
-    if changes:
-        option = next(iter(changes)).replace("_", "-")
-        raise click.UsageError(f"--{option} goes with --wifi paper alone; got --wifi {name!r}")
-    if name not in ds.WIFI:
-        known = ", ".join(repr(preset) for preset in ("paper", *ds.WIFI))
-        raise click.UsageError(f"--wifi must be one of {known}; got {name!r}")
-    return ds.WIFI[name]
-
-
-def _protocols(name: str) -> list[ds.Protocol]:
-    return list(PROTOCOLS.values()) if name == "both" else [PROTOCOLS[name]]
-
-
-def _swarm(hosts: Any, processes: float | None, endpoints: float | None) -> dict[str, Any]:
-    """Return the three counts, all of which must be given."""
-    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    if missing := [f"--{name}" for name, value in counts.items() if value is None]:
-        raise click.UsageError(f"{', '.join(missing)} must be given, or --fleet FILE")
-    return counts
-
-
-def _fleet(
-    file: str | None, hosts: Any, processes: float | None, endpoints: float | None
-) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the columns that name a swarm or fleet, and its fleet if there is a file."""
-    if file is None:
-        return _swarm(hosts, processes, endpoints), {}
-    if any(value is not None for value in (hosts, processes, endpoints)):
-        raise click.UsageError("--fleet goes without --hosts, --processes and --endpoints")
-    return {"fleet": file}, {"hosts": ds.Fleet.from_toml(file)}
-
+swarm_options = _packed("members", _members, hosts_option, *count_options, *file_options)
+several_swarms_options = _packed(
+    "members", _members, several_hosts_option, *count_options, *file_options
+)
 
 # ---------------------------------------------------------------- output
 
 Format = Callable[[Any], str]
 
-#: Characters in a line, if a table can be made as narrow.
-_WIDTH = 79
+
+def _width() -> int:
+    """Return the characters in a line, if a table can be made as narrow."""
+    return max(shutil.get_terminal_size().columns - 1, 40)
 
 
 def _plain(value: Any) -> str:
     if not isinstance(value, float):
-        return str(value)
+        return visible(str(value)).replace("\n", "\\n")
     return f"{value:,.10g}" if value < 1e10 else f"{value:.3g}"
 
 
@@ -217,31 +359,46 @@ def _seconds(value: float) -> str:
 
 
 def _print(
-    table: pd.DataFrame,
-    as_json: bool,
-    as_csv: bool,
+    rows: Rows,
+    output: Output,
     formats: dict[str, Format] | None = None,
     headings: dict[str, str] | None = None,
 ) -> None:
     """Print a table for people, or all its digits for machines."""
-    if as_json:
-        click.echo(json.dumps(table.to_dict("records"), indent=2, ensure_ascii=False, default=str))
-    elif as_csv:
-        click.echo(table.to_csv(index=False, lineterminator="\n"), nl=False)
+    if output.as_json:
+        click.echo(_json(rows))
+    elif output.as_csv:
+        text = io.StringIO()
+        writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        click.echo(text.getvalue(), nl=False)
     else:
-        click.echo(_aligned(table, formats or {}, headings or {}))
+        click.echo(_aligned(rows, formats or {}, headings or {}))
 
 
-def _aligned(table: pd.DataFrame, formats: dict[str, Format], headings: dict[str, str]) -> str:
+def _json(value: Any) -> str:
+    """Return JSON that every reader takes, in letters that the output can hold."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    text = functools.partial(json.dumps, value, indent=2, default=str, allow_nan=False)
+    found = text(ensure_ascii=False)
+    try:
+        found.encode(encoding)
+    except UnicodeEncodeError:
+        return text(ensure_ascii=True)
+    return found
+
+
+def _aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) -> str:
     """Return a table with aligned columns: numbers to the right, words to the left.
 
     Long words in the last column are broken into lines.
     """
     columns = []
-    for name in table.columns:
-        values = table[name].tolist()
-        cells = [formats.get(str(name), _plain)(value) for value in values]
-        heading = headings.get(str(name), str(name).replace("_", " "))
+    for name in rows[0]:
+        values = [row[name] for row in rows]
+        cells = [formats.get(name, _plain)(value) for value in values]
+        heading = headings.get(name, name.replace("_", " "))
         width = max(map(len, [heading, *cells]))
         number = all(type(value) in (int, float) for value in values)  # a truth is a word
         columns.append(
@@ -250,7 +407,7 @@ def _aligned(table: pd.DataFrame, formats: dict[str, Format], headings: dict[str
     start = sum(len(column[0]) + 2 for column in columns[:-1])
     lines: list[str] = []
     for *row, last in zip(*columns, strict=True):
-        parts = textwrap.wrap(last.rstrip(), max(_WIDTH - start, 20)) or [""]
+        parts = textwrap.wrap(last.rstrip(), max(_width() - start, 20)) or [""]
         if last != last.lstrip():
             parts = [last]  # a number, already in its place
         lines.append(("  ".join([*row, parts[0]])).rstrip())
@@ -259,10 +416,15 @@ def _aligned(table: pd.DataFrame, formats: dict[str, Format], headings: dict[str
     return "\n".join(lines)
 
 
+def _live() -> bool:
+    """Return whether a line of standard error can be written over."""
+    return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+
+
 @contextmanager
 def _working(what: str) -> Iterator[None]:
     """Say on a terminal what takes its time, and wipe it out afterwards."""
-    shown = sys.stderr.isatty()
+    shown = _live()
     if shown:
         click.echo(f"{what} ...", err=True, nl=False)
     try:
@@ -276,8 +438,10 @@ def _working(what: str) -> Iterator[None]:
 
 
 @click.group(
+    cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"]},
-    epilog="Exit codes: 0 it worked, 2 wrong usage or input.",
+    epilog="Exit codes: 0 it worked, 1 the output could not be written or was stopped, "
+    "2 wrong usage or input.",
 )
 @click.version_option(ds.__version__, message="%(prog)s %(version)s")
 def main() -> None:
@@ -293,46 +457,44 @@ def main() -> None:
     """
 
 
+ALONE = "A single host has nobody to find: what it sends reaches no other host."
+
+
 @main.command(short_help="Airtime of discovery in one second.")
-@several_hosts_option
-@swarm_options
+@several_swarms_options
 @protocol_option
 @wifi_options
 @output_options
 def utilization(
-    hosts: Any,
-    processes: float | None,
-    endpoints: float | None,
-    fleet: str | None,
-    protocol: str,
-    as_json: bool,
-    as_csv: bool,
-    channel: str,
-    **rates: float | None,
+    members: Members, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Compute the airtime of discovery in one second, of a swarm or of a fleet file.
 
     \b
     Examples:
       discostorm utilization --hosts 3,5,7 --processes 2 --endpoints 10
-      discostorm utilization --fleet fleet.toml --protocol zenoh --json
+      discostorm utilization fleet.toml --protocol zenoh --json
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 \\
           --wifi '802.11ac 80 MHz 2x2'
     """
+    rows: list[dict[str, Any]] = []
     with _bad_input(), _working("computing"):
-        import pandas as pd
-
-        wifi = _wifi(channel, rates)
-        columns, members = _fleet(fleet, hosts, processes, endpoints)
-        tables = []
-        for chosen in _protocols(protocol):
-            value = ds.utilization(chosen, **(members or columns), wifi=wifi)
-            row = {"protocol": chosen.name} | columns | {"utilization": value}
-            # One row, or one a number of hosts.
-            tables.append(pd.DataFrame(row, index=None if isinstance(hosts, list) else [0]))
-        table = pd.concat(tables, ignore_index=True)
-        table["fits"] = table["utilization"].map(words.fits)
-    _print(table, as_json, as_csv, {"utilization": _percent, "fits": _yes})
+        hosts = members.columns.get("hosts")
+        for chosen in protocols:
+            values = ds.utilization(chosen, **members.arguments, wifi=wifi)
+            for index, value in enumerate([values] if isinstance(values, float) else values):
+                columns = members.columns
+                if isinstance(hosts, list):
+                    columns = columns | {"hosts": hosts[index]}
+                taken = float(value)
+                rows.append(
+                    {"protocol": chosen.name}
+                    | columns
+                    | {"utilization": taken, "fits": words.fits(taken)}
+                )
+    _print(rows, output, {"utilization": _percent, "fits": _yes})
+    if output.for_people and members.alone:
+        click.echo(f"\n{ALONE}")
 
 
 def _yes(value: bool) -> str:
@@ -340,50 +502,41 @@ def _yes(value: bool) -> str:
 
 
 @main.command(short_help="What each message costs.")
-@hosts_option
 @swarm_options
 @protocol_option
 @wifi_options
 @output_options
 def breakdown(
-    hosts: Any,
-    processes: float | None,
-    endpoints: float | None,
-    fleet: str | None,
-    protocol: str,
-    as_json: bool,
-    as_csv: bool,
-    channel: str,
-    **rates: float | None,
+    members: Members, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Show what each message of the discovery costs, up to the access point and down.
 
     \b
     Examples:
       discostorm breakdown --hosts 7 --processes 2 --endpoints 10 --protocol dds
-      discostorm breakdown --fleet fleet.toml --csv
+      discostorm breakdown fleet.toml --csv
     """
-    if isinstance(hosts, list):
+    counts = members.arguments
+    if isinstance(counts["hosts"], list):
         raise click.UsageError("--hosts must be one number here")
+    rows: list[dict[str, Any]] = []
     with _bad_input(), _working("computing"):
-        import pandas as pd
-
-        wifi = _wifi(channel, rates)
-        columns, members = _fleet(fleet, hosts, processes, endpoints)
-        tables = []
-        for chosen in _protocols(protocol):
-            costs = ds.breakdown(chosen, **(members or columns), wifi=wifi).reset_index()
-            costs.insert(0, "protocol", chosen.name)
-            airtime = costs["uplink_s"] + costs["downlink_s"]
-            costs["share"] = airtime / airtime.sum()
-            tables.append(costs)
-        table = pd.concat(tables, ignore_index=True)
-    if not (as_json or as_csv):
-        table = table.drop(columns="phase")  # which would make the lines too long
+        hosts = counts["hosts"]
+        fleet = hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**counts)
+        for chosen in protocols:
+            costs = message_costs(chosen, fleet, wifi)
+            whole = math.fsum(row["uplink_s"] + row["downlink_s"] for row in costs)
+            rows += [
+                {"protocol": chosen.name}
+                | row
+                | {"share": (row["uplink_s"] + row["downlink_s"]) / whole}
+                for row in costs
+            ]
+    if output.for_people:  # without what would make the lines too long
+        rows = [{name: row[name] for name in row if name != "phase"} for row in rows]
     _print(
-        table,
-        as_json,
-        as_csv,
+        rows,
+        output,
         {"uplink_s": _seconds, "downlink_s": _seconds, "share": _percent},
         {
             "frame_bytes": "frame [B]",
@@ -398,27 +551,38 @@ def _hosts(value: float | None) -> str:
     return "less than 1" if value is None else f"{value:.2f}"
 
 
-@main.command(short_help="Hosts at which the channel is full.")
-@click.option("--processes", type=float, required=True, metavar="N", help="Of each host.")
-@click.option("--endpoints", type=float, required=True, metavar="N", help="Of each process.")
-@click.option(
-    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
+@dataclass(frozen=True)
+class Host:
+    """A kind of host, and what it may use of the channel."""
+
+    processes: float
+    endpoints: float
+    limit: float
+    beside: str | None
+
+
+host_options = _packed(
+    "host",
+    Host,
+    click.option("--processes", type=float, required=True, metavar="N", help="Of each host."),
+    click.option("--endpoints", type=float, required=True, metavar="N", help="Of each process."),
+    click.option(
+        "--limit",
+        type=float,
+        default=1.0,
+        show_default=True,
+        help="Utilization to reach, 1 is 100%.",
+    ),
+    click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel."),
 )
-@click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel.")
+
+
+@main.command(short_help="Hosts at which the channel is full.")
+@host_options
 @protocol_option
 @wifi_options
 @output_options
-def saturation(
-    processes: float,
-    endpoints: float,
-    limit: float,
-    beside: str | None,
-    protocol: str,
-    as_json: bool,
-    as_csv: bool,
-    channel: str,
-    **rates: float | None,
-) -> None:
+def saturation(host: Host, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output) -> None:
     """Tell how many like hosts there are when discovery fills the channel.
 
     \b
@@ -427,72 +591,57 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
     """
     with _bad_input(), _working("computing"):
-        import pandas as pd
-
-        wifi = _wifi(channel, rates)
-        others = None if beside is None else ds.Fleet.from_toml(beside)
-        host = ds.HostGroup(1, processes, endpoints)
-        least = ds.Fleet((host, *(others.groups if others else ())))
+        counts = (host.processes, host.endpoints)
+        others = None if host.beside is None else _read(host.beside)
+        least = ds.Fleet((ds.HostGroup(1, *counts), *(others.groups if others else ())))
         rows = []
-        for chosen in _protocols(protocol):
-            full = ds.utilization(chosen, least, wifi=wifi) > limit > 0
+        for chosen in protocols:
+            full = ds.utilization(chosen, least, wifi=wifi) > host.limit > 0
             hosts = (
                 None
                 if full
-                else ds.saturation_hosts(
-                    chosen, processes, endpoints, wifi=wifi, limit=limit, beside=others
-                )
+                else ds.saturation_hosts(chosen, *counts, wifi, limit=host.limit, beside=others)
             )
             rows.append(
                 {
                     "protocol": chosen.name,
-                    "processes": processes,
-                    "endpoints": endpoints,
-                    "limit": limit,
+                    "processes": host.processes,
+                    "endpoints": host.endpoints,
+                    "limit": host.limit,
                     "hosts": hosts,
                     "fit": 0 if hosts is None else words.whole_below(float(hosts)),
                 }
             )
-        table = pd.DataFrame(rows, dtype=object)  # keeps the None of no hosts
     _print(
-        table,
-        as_json,
-        as_csv,
+        rows,
+        output,
         {"limit": _percent, "hosts": _hosts},
         {"hosts": "saturated at hosts", "fit": "hosts that fit"},
     )
 
 
 @main.command(short_help="Advice for a fleet: what would help most.")
-@click.argument("fleet", metavar="FLEET")
+@_packed("file", _one_file, *file_options)
 @click.option(
     "--protocol",
-    type=click.Choice(list(PROTOCOLS)),
-    default="dds",
+    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
+    default=ds.DDS.name,
     show_default=True,
-    help="The middleware.",
+    help="The middleware, in any case of letters.",
 )
 @click.option(
     "--nodes",
     callback=_numbers,
     metavar="N[,N...]",
     help="Nodes with parameter services in each process; with commas, one number for each "
-    "group.  [default: 1 where the endpoints are enough]",
+    "group.  [default: those of the file, else 1 where the endpoints are enough]",
 )
 @wifi_options
 @output_options
-def plan(
-    fleet: str,
-    protocol: str,
-    nodes: Any,
-    as_json: bool,
-    as_csv: bool,
-    channel: str,
-    **rates: float | None,
-) -> None:
+def plan(file: str | None, protocol: str, nodes: Any, wifi: Wifi, output: Output) -> None:
     """Advise the fleet of a file: what dominates, and what would help most.
 
-    FLEET is a TOML file with a table for each group of like hosts:
+    FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
 
     \b
       [[groups]]
@@ -500,6 +649,7 @@ def plan(
       hosts = 10
       processes = 1       # of each host
       endpoints = 678     # of each process
+      nodes = 13          # with parameter services, in each process; may be left out
 
     \b
     Examples:
@@ -507,18 +657,22 @@ def plan(
       discostorm plan fleet.toml --protocol zenoh --wifi '802.11n 20 MHz 2x2'
       discostorm plan fleet.toml --nodes 13,2 --json
     """
+    if file is None:
+        raise click.UsageError("Missing argument 'FLEET'.")
     with _bad_input(), _working("planning"):
-        wifi = _wifi(channel, rates)
-        members = ds.Fleet.from_toml(fleet)
+        members = _read(file)
         try:
-            answer = ds.plan(members, PROTOCOLS[protocol], wifi, nodes=nodes)
+            answer = ds.plan(members, ds.PROTOCOLS[protocol], wifi, nodes=nodes)
         except ValueError as error:
-            raise ValueError(f"{fleet}: {error}") from error
-        table = answer.table().reset_index() if as_csv else None
-    if table is not None:
-        _print(table, as_json=False, as_csv=True)
+            raise ValueError(f"{file}: {error}") from error
+    if output.as_csv:
+        _print(answer.table().reset_index().to_dict("records"), output)
+    elif output.as_json:
+        click.echo(_json(answer.to_dict()))
     else:
-        click.echo(answer.to_json() if as_json else answer.advice())
+        click.echo(visible(answer.advice()))
+        if sum(group.hosts for group in members.groups) == 1:
+            click.echo(f"\n{ALONE}")
 
 
 @main.command(short_help="The start of a fleet on the air, frame by frame.")
@@ -623,7 +777,7 @@ def _never(value: float) -> str:
 @main.command(short_help="Write the paper's figures and their data.")
 @click.option("--out", required=True, metavar="DIR", help="Folder to write to, made if missing.")
 @output_options
-def figures(out: str, as_json: bool, as_csv: bool) -> None:
+def figures(out: str, output: Output) -> None:
     """Write Figs. 2 to 4 of the paper as SVG, PDF and PNG, and their data as CSV.
 
     \b
@@ -632,23 +786,126 @@ def figures(out: str, as_json: bool, as_csv: bool) -> None:
     """
     if not out:
         raise click.UsageError("--out must name a folder; got ''")
-    machine = as_json or as_csv
     with _working("loading"):
-        import pandas as pd
-
         from discostorm import figures as drawing
-    paths = []
+    paths: list[str] = []
     count = drawing.files_of_all()
-    try:
-        for number, path in enumerate(drawing.save_all(Path(out)), start=1):
-            paths.append(str(path))
-            click.echo(f"[{number:{len(str(count))}}/{count}] {path}", err=machine)
-    except OSError as error:
-        raise BadInput(
-            f"--out must be a folder to write to; got {out!r}: {error.strerror}"
-        ) from error
-    if machine:
-        _print(pd.DataFrame({"path": paths}), as_json, as_csv)
+    files = drawing.save_all(Path(out))
+    while True:
+        try:
+            path = next(files, None)
+        except OSError as error:
+            _not_written(out, error)
+        if path is None:
+            break
+        paths.append(str(path))
+        click.echo(
+            visible(f"[{len(paths):{len(str(count))}}/{count}] {path}"), err=not output.for_people
+        )
+    if not output.for_people:
+        _print([{"path": path} for path in paths], output)
+
+
+def _not_written(out: str, error: OSError) -> NoReturn:
+    raise BadInput(
+        visible(f"--out must be a folder to write to; got {out!r}: {error.strerror}")
+    ) from error
+
+
+@main.command(short_help="What a capture holds, against the model.")
+@click.argument("file", metavar="FILE")
+@click.option(
+    "--against",
+    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
+    help="Table to hold it against; if left out, the paper's of what is found.",
+)
+@click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
+@click.option("--picture", metavar="FILE", help="Draw it, too: a file .svg, .pdf or .png.")
+@output_options
+def capture(
+    file: str, against: str | None, fleet: str | None, picture: str | None, output: Output
+) -> None:
+    """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
+
+    FILE is pcap or pcapng, also as .gz or .xz. Per unit is what was captured for each
+    process, pair of processes or endpoint of the fleet that the capture itself tells of;
+    airtime is that on the paper's channel. Record with:
+
+    \b
+      tcpdump -i wlan0 -s 0 -w discovery.pcap 'udp or ip6 or (tcp and not port 22)'
+
+    \b
+    Examples:
+      discostorm capture discovery.pcap
+      discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
+    """
+    with _bad_input(), _working("reading"):
+        found = ds.read_capture(file)
+        members = None if fleet is None else _read(fleet)
+        spoken = set(found.processes()["protocol"])
+        papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
+        rows = [
+            {"protocol": protocol.name} | row
+            for protocol in (papers if against is None else [ds.PROTOCOLS[against]])
+            for row in _whole_rows(found.compare(protocol, members).reset_index())
+        ]
+        groups = found.fleet().groups if members is None and spoken else ()
+        if picture is not None:
+            try:
+                found.picture().savefig(picture)
+            except OSError as error:
+                raise BadInput(f"--picture: {picture}: {error.strerror}") from error
+    if output.as_csv and rows:
+        _print(rows, output)
+    elif output.as_json:
+        answer = {
+            "file": file,
+            "packets": found.packets,
+            "duration_s": found.duration,
+            "hosts": [dict(zip(COUNTS, group.counts(), strict=True)) for group in groups],
+            "messages": rows,
+            "notes": list(found.notes),
+        }
+        click.echo(_json(answer))
+    elif output.for_people:
+        _show_capture(file, found, groups, rows, output)
+
+
+def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table, with None where it has no number."""
+    return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+def _show_capture(
+    file: str, found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+) -> None:
+    click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
+    for group in groups:
+        hosts, processes, endpoints = map(_plain, group.counts())
+        click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
+    if rows:
+        _print(
+            [{key: row[key] for key in row if key != "protocol"} for row in rows],
+            output,
+            formats={
+                **dict.fromkeys(("units", "expected"), _count),
+                "per_unit": _ratio,
+                "airtime_s": "{:.4f}".format,
+            },
+            headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
+        )
+    else:
+        click.echo("There is no message of RTPS or Zenoh in it.")
+    for note in found.notes:
+        click.echo(visible(f"Note: {note}."))
+
+
+def _count(value: float | None) -> str:
+    return "" if value is None else f"{value:,.6g}"
+
+
+def _ratio(value: float | None) -> str:
+    return "" if value is None else f"{value:,.3g}"
 
 
 @main.command(short_help="The paper's claims and their verdicts.")
@@ -658,7 +915,7 @@ def figures(out: str, as_json: bool, as_csv: bool) -> None:
     help="Only claims with this verdict.",
 )
 @output_options
-def claims(verdict: str | None, as_json: bool, as_csv: bool) -> None:
+def claims(verdict: str | None, output: Output) -> None:
     """List the paper's claims, what we computed, and what became of them.
 
     \b
@@ -669,9 +926,7 @@ def claims(verdict: str | None, as_json: bool, as_csv: bool) -> None:
     with _working("loading"):
         from discostorm.paper import claims as ledger
     checked = ledger.claims()
-    with click.progressbar(
-        checked, label="computing", file=sys.stderr, hidden=not sys.stderr.isatty()
-    ) as bar:
+    with click.progressbar(checked, label="computing", file=sys.stderr, hidden=not _live()) as bar:
         for claim in bar:
             claim.verdict()
     table = ledger.ledger().reset_index()
@@ -679,9 +934,9 @@ def claims(verdict: str | None, as_json: bool, as_csv: bool) -> None:
     if verdict:
         table = table[table["verdict"] == verdict]
     table["ours"] = [ledger.exact(value) for value in table["ours"]]
-    if as_json or as_csv:
-        _print(table, as_json, as_csv)
-        return
-    _print(table[["id", "where", "verdict", "statement"]], as_json, as_csv)
-    found = ", ".join(f"{counts.get(known, 0)} {known}" for known in ledger.VERDICTS)
-    click.echo(f"\n{len(checked)} claims: {found}.")
+    if output.for_people:
+        table = table[["id", "where", "verdict", "statement"]]
+    _print(table.to_dict("records"), output)
+    if output.for_people:
+        found = ", ".join(f"{counts.get(known, 0)} {known}" for known in ledger.VERDICTS)
+        click.echo(f"\n{len(checked)} claims: {found}.")

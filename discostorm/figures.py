@@ -5,6 +5,7 @@ There are more drawings: `airtime`, of one frame of each message; and, of any pr
 `bars`, of what each message adds to utilization, and `remedies`, of what a plan would change.
 """
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -464,9 +465,20 @@ def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
     """Write a figure as SVG, PDF and PNG, the same bytes every time; yield each path."""
     for kind, metadata in _METADATA.items():
         path = folder / f"{name}.{kind}"
-        with style():
-            figure.savefig(path, dpi=200, metadata=metadata)
+        with style(), _replacing(path) as beside:
+            figure.savefig(beside, dpi=200, metadata=metadata, format=kind)
         yield path
+
+
+@contextmanager
+def _replacing(path: Path) -> Iterator[Path]:
+    """Give a file to write beside a path, which takes its place only if all was written."""
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        yield beside
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def files_of_all() -> int:
@@ -481,5 +493,6 @@ def save_all(folder: Path) -> Iterator[Path]:
         figure = paper.draw()
         yield from save(figure, folder, name)
         path = folder / f"{name}.csv"
-        paper.data().to_csv(path, index=False, lineterminator="\n")
+        with _replacing(path) as beside:
+            paper.data().to_csv(beside, index=False, lineterminator="\n")
         yield path

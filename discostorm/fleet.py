@@ -38,6 +38,9 @@ class HostGroup:
         Endpoints of each process [1], from 0 to 1e9; of unlike processes, their mean.
     name : str, optional
         What to call it.
+    nodes : float, optional
+        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`; None
+        if it is not known.
 
     Raises
     ------
@@ -58,6 +61,7 @@ class HostGroup:
     processes: Count
     endpoints: Count
     name: str = ""
+    nodes: float | None = None
 
     def __post_init__(self) -> None:
         for count, least in LEAST.items():
@@ -70,6 +74,9 @@ class HostGroup:
                 object.__setattr__(self, count, value)
         _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         _checks.instance("name", self.name, str)
+        if self.nodes is not None:
+            nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
+            object.__setattr__(self, "nodes", nodes)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):
@@ -81,10 +88,10 @@ class HostGroup:
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
         # By way of the constructor, which makes the arrays read-only: also those of copies.
-        return HostGroup, (*self.counts(), self.name)
+        return HostGroup, (*self.counts(), self.name, self.nodes)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self.name, *map(_comparable, self.counts()))
+        return (self.name, self.nodes, *map(_comparable, self.counts()))
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
@@ -94,7 +101,11 @@ class HostGroup:
         parts = [
             f"{name}={_brief(count)}" for name, count in zip(COUNTS, self.counts(), strict=True)
         ]
-        return f"HostGroup({', '.join(parts + [f'name={self.name!r}'] * bool(self.name))})"
+        if self.name:
+            parts.append(f"name={self.name!r}")
+        if self.nodes is not None:
+            parts.append(f"nodes={self.nodes:g}")
+        return f"HostGroup({', '.join(parts)})"
 
 
 @dataclass(frozen=True)
@@ -149,7 +160,7 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name``; see `HostGroup`::
+        and optionally a ``name`` and ``nodes``; see `HostGroup`::
 
             [[groups]]
             name = "robots"
@@ -177,19 +188,29 @@ class Fleet:
         """
         if not fspath(path):
             raise ValueError("path must name a TOML file; got ''")
+        return cls.from_bytes(Path(path).read_bytes(), str(path))
+
+    @classmethod
+    def from_bytes(cls, content: bytes, name: str) -> "Fleet":
+        """Return the fleet that the content of a TOML file describes; see `from_toml`.
+
+        Errors call it by its name.
+        """
         try:
             # With a byte order mark, too, as Windows' editors write it.
-            content = tomllib.loads(Path(path).read_text(encoding="utf-8-sig"))
+            tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
         except ValueError as error:  # neither UTF-8 nor TOML
-            raise ValueError(f"{path} must be a TOML file: {error}") from error
+            raise ValueError(f"{name} must be a TOML file: {error}") from error
+        except RecursionError:
+            raise ValueError(f"{name} must be a TOML file that is not nested as deep") from None
         try:
-            _only_keys(content, ("groups",))
-            groups = content.get("groups")
+            _only_keys(tables, ("groups",))
+            groups = tables.get("groups")
             if not isinstance(groups, list) or not groups:
                 raise ValueError(f"it must have at least one [[groups]] table; got {groups!r}")
             return cls(tuple(_group(index, table) for index, table in enumerate(groups, start=1)))
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{path}: {error}") from error
+            raise ValueError(f"{name}: {error}") from error
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints of one group after the other."""
@@ -282,13 +303,16 @@ def _group(number: int, table: Any) -> HostGroup:
     try:
         if not isinstance(table, dict):
             raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {table!r}")
-        _only_keys(table, (*COUNTS, "name"))
+        _only_keys(table, (*COUNTS, "name", "nodes"))
         for key, least in LEAST.items():
             allowed = _checks.wanted(least, _checks.MOST)
             if key not in table:
                 raise ValueError(f"{key} is missing; it must be {allowed}")
             if type(table[key]) not in (int, float):
                 raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
+        if type(table.get("nodes", 0)) not in (int, float):
+            allowed = _checks.wanted(0, _checks.MOST)
+            raise TypeError(f"nodes must be {allowed}; got {table['nodes']!r}")
         return HostGroup(**table)
     except (TypeError, ValueError) as error:
         name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""

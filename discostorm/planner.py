@@ -425,7 +425,8 @@ def plan(
     nodes : float or sequence of float, optional
         Nodes with parameter services in each process [1], at least 0; a sequence has one
         number for each group. Leaving the services out saves 12 endpoints a node. If left
-        out, one node for each process with at least that many endpoints.
+        out, those of the groups; where these have none, one node for each process with at
+        least that many endpoints.
     window : float, optional
         The seconds that are averaged [s], above 0; the paper's one if left out, infinity for
         the steady state.
@@ -465,6 +466,7 @@ def plan(
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         _checks.whole(f"hosts{_of(group)}", group.hosts, LEAST["hosts"])
     own = _nodes(fleet, nodes)
+    guessed = nodes is None and any(group.nodes is None for group in fleet.groups)
 
     def cost(members: Fleet, table: Protocol = protocol, channel: Wifi = wifi) -> float:
         return float(utilization(table, members, wifi=channel, window=window))
@@ -472,7 +474,7 @@ def plan(
     before = cost(fleet)
     remedies: list[Remedy] = []
     left_out: list[str] = []
-    for found in _changes(fleet, protocol, wifi, own, " (assumed)" if nodes is None else ""):
+    for found in _changes(fleet, protocol, wifi, own, " (assumed)" if guessed else ""):
         if isinstance(found, str):
             left_out.append(found)
             continue
@@ -639,7 +641,12 @@ def _other_fleets(
         what = f"composing {which} into 1"
         try:
             composed = tuple(
-                replace(group, processes=1, endpoints=group.processes * group.endpoints)
+                replace(
+                    group,
+                    processes=1,
+                    endpoints=group.processes * group.endpoints,
+                    nodes=None if group.nodes is None else group.processes * group.nodes,
+                )
                 for group in fleet.groups
             )
         except ValueError as error:
@@ -651,7 +658,7 @@ def _other_fleets(
     each = parameter_service_endpoints()
     if any(nodes):
         fewer = (
-            replace(group, endpoints=group.endpoints - each * own)
+            replace(group, endpoints=group.endpoints - each * own, nodes=0)
             for group, own in zip(fleet.groups, nodes, strict=True)
         )
         counts = " and ".join(f"{own:g}" for own in dict.fromkeys(nodes))
@@ -794,13 +801,19 @@ def _of(group: HostGroup) -> str:
 def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:
     """Return the nodes with parameter services in a process of each group."""
     each = parameter_service_endpoints()
-    if nodes is None:
-        return tuple(float(group.endpoints >= each) for group in fleet.groups)
-    checked = _checks.numbers("nodes", nodes, 0)
     many = len(fleet.groups)
-    own = [checked] * many if isinstance(checked, float) else checked.tolist()
-    if not isinstance(checked, float) and checked.shape != (many,):
-        raise ValueError(f"nodes must be one number, or one for each of {many} groups; got {nodes}")
+    if nodes is None:
+        own = [
+            float(group.endpoints >= each) if group.nodes is None else group.nodes
+            for group in fleet.groups
+        ]
+    else:
+        checked = _checks.numbers("nodes", nodes, 0)
+        if not isinstance(checked, float) and checked.shape != (many,):
+            raise ValueError(
+                f"nodes must be one number, or one for each of {many} groups; got {nodes}"
+            )
+        own = [checked] * many if isinstance(checked, float) else checked.tolist()
     for group, count in zip(fleet.groups, own, strict=True):
         if count * each > group.endpoints:
             raise ValueError(

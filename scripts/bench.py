@@ -175,27 +175,27 @@ SWARM = ("--hosts", "7", "--processes", "2", "--endpoints", "10")
 RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("utilization, 10^6 points / by hand, short", lambda: on_arrays(by_hand), 1.1),
     ("utilization, 10^6 points / by hand, in place", lambda: on_arrays(by_hand_in_place), 1.5),
-    ("utilization of a swarm / a check by NumPy", on_numbers, 30),
+    ("utilization of a swarm / a check by NumPy", on_numbers, 50),
     ("utilization, 1000 groups / 100", lambda: on_groups(lambda f: ds.utilization(ds.DDS, f)), 13),
     (
         "saturation beside 1000 groups / 100",
         lambda: on_groups(lambda f: ds.saturation_hosts(ds.DDS, 2, 10, limit=1e9, beside=f)),
         13,
     ),
-    ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 13),
+    ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 25),
     (
         "import discostorm / import sympy",
         lambda: ratio(python("import discostorm"), python("import sympy"), rounds=7),
-        1.3,
+        1.5,
     ),
-    ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.2),
+    ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),
     (
         "discostorm saturation / --help",
         lambda: beside_help("saturation", "--processes", "2", "--endpoints", "10"),
-        1.2,
+        1.6,
     ),
-    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.4),
-    ("discostorm claims / --help", lambda: beside_help("claims"), 3),
+    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 2.5),
+    ("discostorm claims / --help", lambda: beside_help("claims"), 5),
     ("discostorm figures / importing them", figures, 4),
 ]
 

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import lzma
 import math
 import os
 import re
@@ -14,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import click
-import pandas as pd
 import pytest
 from click.testing import CliRunner, Result
 
@@ -42,6 +42,8 @@ def swarm(command: str, *more: str) -> Result:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    packed = Path(__file__).parent / "captures" / "cyclone_dds_010.pcap.xz"
+    (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
     return tmp_path
 
 
@@ -91,7 +93,10 @@ def test_utilization_of_a_fleet_file(folder: Path) -> None:
 
 def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
     words = "claims " * 12
-    table = pd.DataFrame({"short": ["a", "bcd"], "count": [1234.0, 5.0], "long_text": ["x", words]})
+    table = [
+        {"short": "a", "count": 1234.0, "long_text": "x"},
+        {"short": "bcd", "count": 5.0, "long_text": words},
+    ]
     assert cli._aligned(table, {}, {"short": "id"}).splitlines() == [
         "id   count  long text",
         "-" * 74,
@@ -99,11 +104,11 @@ def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
         "bcd      5  claims claims claims claims claims claims claims claims claims",
         "            claims claims claims",
     ]
-    fitting = pd.DataFrame({"text": ["x" * 39 + " " + "y" * 39]})
+    fitting = [{"text": "x" * 39 + " " + "y" * 39}]
     assert len(cli._aligned(fitting, {}, {}).splitlines()) == 3
-    wide = pd.DataFrame({"wide": ["w" * 70], "text": ["0123456789 123456789"]})
+    wide = [{"wide": "w" * 70, "text": "0123456789 123456789"}]
     assert len(cli._aligned(wide, {}, {}).splitlines()) == 3
-    wider = pd.DataFrame({"wide": ["w" * 70], "text": ["0123456789 1234567890"]})
+    wider = [{"wide": "w" * 70, "text": "0123456789 1234567890"}]
     assert len(cli._aligned(wider, {}, {}).splitlines()) == 4
 
 
@@ -292,11 +297,11 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ),
         (
             "utilization|--fleet|fleet.toml|--multicast-rate|-1.5",
-            "multicast rate must be a finite number above 0; got -1.5 Mbit/s",
+            "multicast rate must be a finite number of at least 1 and at most 1e+15 bit/s; got",
         ),
         (
             "utilization|--fleet|fleet.toml|--unicast-overhead|-2",
-            "unicast overhead must be a finite number of at least 0; got -2 µs",
+            "unicast overhead must be a finite number of at least 0 and at most 1e+06 s; got -2 µs",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
         ("saturation|--processes|2", "Missing option '--endpoints'"),
@@ -367,9 +372,10 @@ def every_command() -> dict[str, click.Command]:
     return dict(main.commands)
 
 
-def test_there_are_seven_commands() -> None:
+def test_there_are_eight_commands() -> None:
     assert sorted(every_command()) == [
-        "breakdown", "claims", "figures", "plan", "saturation", "simulate", "utilization",
+        "breakdown", "capture", "claims", "figures", "plan", "saturation", "simulate",
+        "utilization",
     ]  # fmt: skip
 
 
@@ -394,7 +400,7 @@ def test_help_has_examples_that_run(name: str, folder: Path) -> None:
         ("utilization", "--protocol", "both"),
         ("utilization", "--wifi", "paper"),
         ("saturation", "--limit", "1.0"),
-        ("plan", "--protocol", "dds"),
+        ("plan", "--protocol", "DDS"),
     ],
 )
 def test_help_tells_defaults(command: str, option: str, default: str) -> None:

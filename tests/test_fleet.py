@@ -1,5 +1,6 @@
 """Fleets of unlike hosts: counts, saturation, reading from a file, errors."""
 
+import pickle
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -257,6 +258,20 @@ def test_the_laptop_of_the_example_has_the_endpoints_that_its_parts_add_up_to() 
     assert laptop == ds.HostGroup(1, 1, endpoints, name="laptop")
 
 
+def test_nodes_may_stand_in_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nnodes = 3\n")
+    (group,) = ds.Fleet.from_toml(path).groups
+    assert group == ds.HostGroup(2, 1, 50, nodes=3) != ds.HostGroup(2, 1, 50)
+    assert pickle.loads(pickle.dumps(group)) == group
+    assert repr(group) == "HostGroup(hosts=2, processes=1, endpoints=50, nodes=3)"
+    path.write_text(path.read_text().replace("nodes = 3", "nodes = true"))
+    with pytest.raises(ValueError, match=r"group 1: nodes must be a finite number .*; got True"):
+        ds.Fleet.from_toml(path)
+    with pytest.raises(ValueError, match=r"nodes must be a finite number of at least 0.*; got -1"):
+        ds.HostGroup(2, 1, 50, nodes=-1)
+
+
 GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
 
 
@@ -272,7 +287,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("[[groups]]\n" + GOOD + "[[group]]\n" + GOOD, "key must be groups; got group = "),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
-            "group 1: key must be hosts or processes or endpoints or name; got hosst = 3",
+            "group 1: key must be hosts or processes or endpoints or name or nodes; got hosst = 3",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),

@@ -500,6 +500,21 @@ def test_five_groups_are_named_and_the_others_counted() -> None:
     assert "further" not in ds.plan(ds.Fleet(groups[:5])).advice()
 
 
+def test_nodes_of_the_fleet_are_used_and_follow_its_changes() -> None:
+    robots, laptop = NAV2.groups
+    told = ds.Fleet((replace(robots, nodes=13), replace(laptop, nodes=2)))
+    plan, expected = ds.plan(told), ds.plan(NAV2, nodes=[13, 2])
+    ours, theirs = (remedy(p, "endpoints") for p in (plan, expected))
+    assert (ours.what, ours.utilization) == (theirs.what, theirs.utilization)
+    assert "assumed" not in ours.what
+    assert "assumed" in remedy(ds.plan(ds.Fleet((told.groups[0], laptop))), "endpoints").what
+    (fewer,) = ours.fleets
+    assert [group.nodes for group in fewer.groups] == [0, 0]
+    split_up = ds.Fleet((ds.HostGroup(3, 4, 50, nodes=2),))
+    (composed,) = remedy(ds.plan(split_up), "processes").fleets
+    assert composed.groups == (ds.HostGroup(3, 1, 200, nodes=8),)
+
+
 def test_nodes_of_the_parameter_services() -> None:
     assert parameter_service_endpoints() == 12
     by_default = remedy(ds.plan(NAV2), "endpoints")

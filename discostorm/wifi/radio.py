@@ -1,5 +1,6 @@
 """Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be."""
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -362,6 +363,49 @@ def _parts(radio: Radio) -> _Parts:
         response_rate=max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"])),
         usual_name=f"{standard} {mhz} MHz {streams}x{streams}" + "".join(unusual),
     )
+
+
+#: What may follow standard, width and streams in the name of a radio, in which unit of SI.
+_UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
+    (r"(\S+) GHz", "band", _GIGA),
+    (r"MCS (\d+)", "mcs", 1),
+    (r"(\S+) µs", "guard_interval", Fraction(1, _MICRO)),
+    (r"multicast (\S+) Mbit/s", "multicast_rate", _MEGA),
+    (r"AIFSN (\d+)", "aifsn", 1),
+    (r"A-MPDU (\d+)", "mpdus", 1),
+    (r"start spacing (\S+) µs", "start_spacing", Fraction(1, _MICRO)),
+)
+
+
+def radio_named(name: str) -> Radio:
+    """Return the radio that gives itself this name, such as "802.11n 20 MHz 2x2, A-MPDU 64".
+
+    Raises
+    ------
+    ValueError
+        If the name is not made like that, or the standard has no such combination.
+    """
+    usual, *unusual = re.split(r", *", name.strip())
+    made = re.fullmatch(r"(802\.11\w+) (\d+) MHz (\d)x\3", usual)
+    if not made:
+        raise ValueError(
+            "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
+            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {name!r}"
+        )
+    given: dict[str, Any] = {"width": float(made[2]) * _MEGA, "streams": int(made[3])}
+    for part in unusual:
+        for pattern, field, unit in _UNUSUAL:
+            found = re.fullmatch(pattern, part)
+            if found and field not in given:
+                try:
+                    value = Fraction(found[1]) * Fraction(unit)
+                except (ValueError, ZeroDivisionError):
+                    continue
+                given[field] = int(value) if unit == 1 else float(value)
+                break
+        else:
+            raise ValueError(f"{part!r} is not what the name of a radio may have, or twice there")
+    return Radio(made[1], **given)
 
 
 def _rows(name: str, **wanted: object) -> list[Row]:

@@ -1,0 +1,330 @@
+"""Files of packets: pcap and pcapng, plain or compressed, to the place of every packet."""
+
+import lzma
+import struct
+import zlib
+from array import array
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from os import PathLike, fspath
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+from discostorm.capture._bytes import Array, Bytes, Columns, buffer, number, stack, take, view
+
+#: The first four bytes of a pcap file, as they stand there: byte order, nanoseconds of a tick, and
+#: the length of a packet's header (the last two are of a patched libpcap).
+PCAP = {
+    b"\xa1\xb2\xc3\xd4": (">", 1000, 16),
+    b"\xd4\xc3\xb2\xa1": ("<", 1000, 16),
+    b"\xa1\xb2\x3c\x4d": (">", 1, 16),
+    b"\x4d\x3c\xb2\xa1": ("<", 1, 16),
+    b"\xa1\xb2\xcd\x34": (">", 1000, 24),
+    b"\x34\xcd\xb2\xa1": ("<", 1000, 24),
+}
+PCAPNG = b"\x0a\x0d\x0d\x0a"
+#: Longest packet that libpcap writes [B]; USB and the like have longer ones.
+MOST = 262_144
+#: A file may expand to this much [B], and to so many times its own size more.
+EXPANDED, TIMES = 1 << 26, 250
+_CHUNK = 1 << 22
+
+
+class CaptureError(ValueError):
+    """A file that cannot be read as a capture; the message says which, where and why."""
+
+
+@dataclass(frozen=True)
+class Packets:
+    """All packets of a file.
+
+    Parameters
+    ----------
+    data : numpy.ndarray
+        The bytes of the file, expanded, and padding.
+    table : dict
+        One row a packet: ``at``, its first byte; ``size``, the bytes of it in the file;
+        ``length``, its bytes on the wire; ``time`` [ns]; ``interface``.
+    links : tuple of int
+        Link type of each interface.
+    """
+
+    data: Bytes
+    table: Columns
+    links: tuple[int, ...]
+
+
+def read(path: str | PathLike[str]) -> Packets:
+    """Return the packets of a file.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be opened.
+    CaptureError
+        If it is no capture, is broken or ends inside of a packet.
+    """
+    name = fspath(path)
+    if not Path(name).is_file() and Path(name).exists():
+        raise CaptureError(f"{name}: it must be a file")
+    with Path(name).open("rb") as file:
+        start = file.read(6)
+        file.seek(0)
+        if start[:2] == b"\x1f\x8b" or start == b"\xfd7zXZ\x00":
+            data, size = _expanded(name, file, start)
+        else:
+            size = Path(name).stat().st_size
+            data = buffer(size)
+            got = file.readinto(data[:size].data)
+            if got != size:
+                raise CaptureError(f"{name}: byte {got}: it ends while it is read")
+    magic = data[:4].tobytes() if size >= 4 else b""
+    if magic in PCAP:
+        return _pcap(name, data, size, *PCAP[magic])
+    if magic == PCAPNG:
+        return _pcapng(name, data, size)
+    found = f"it starts with {data[: min(size, 4)].tobytes().hex(' ')}" if size else "it is empty"
+    raise CaptureError(f"{name}: byte 0: neither a pcap nor a pcapng file; {found}")
+
+
+def _expanded(name: str, file: IO[bytes], start: bytes) -> tuple[Bytes, int]:
+    """Return what a gzip or xz file expands to, and its size."""
+    most = EXPANDED + TIMES * Path(name).stat().st_size
+    parts: list[bytes] = []
+    size = 0
+    try:
+        for part in filter(None, _parts(file, start[:2] == b"\x1f\x8b")):
+            if not size and part[:4] not in PCAP and part[:4] != PCAPNG:
+                raise CaptureError(
+                    f"{name}: byte 0 of what it expands to: neither pcap nor pcapng; it "
+                    f"starts with {part[:4].hex(' ')}"
+                )
+            parts.append(part)
+            size += len(part)
+            if size > most:
+                raise CaptureError(
+                    f"{name}: byte {file.tell()}: it expands to more than {most} bytes; expand it "
+                    "first if it is to be trusted"
+                )
+    except (zlib.error, lzma.LZMAError, EOFError) as error:
+        raise CaptureError(f"{name}: byte {file.tell()}: compressed data: {error}") from error
+    data = buffer(size)
+    at = 0
+    for index, part in enumerate(parts):
+        data[at : at + len(part)] = np.frombuffer(part, np.uint8)
+        at += len(part)
+        parts[index] = b""  # so that it is not held twice
+    return data, size
+
+
+def _parts(file: IO[bytes], gzip: bool) -> Iterator[bytes]:
+    """Yield what a file expands to piece by piece; it may be several compressed ones in a row."""
+    rest = file.read(_CHUNK)
+    while rest:
+        expand: Any  # both have what is needed here, by other types
+        if gzip:
+            expand = zlib.decompressobj(wbits=31)
+        else:
+            expand = lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=1 << 28)
+        while True:
+            yield expand.decompress(rest, _CHUNK)
+            if expand.eof:
+                break
+            rest = expand.unconsumed_tail if gzip else b""
+            if not rest and (gzip or expand.needs_input):
+                rest = file.read(_CHUNK)
+                if not rest:
+                    raise EOFError("it ends too early")
+        # Both formats allow zeros to follow.
+        rest = expand.unused_data.lstrip(b"\0") or file.read(_CHUNK).lstrip(b"\0")
+
+
+def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int) -> Packets:
+    if size < 24:
+        raise CaptureError(f"{name}: byte {size}: it ends inside of its header")
+    (link,) = struct.unpack_from(order + "I", view(data), 20)
+    read_size = struct.Struct(order + "I").unpack_from
+    source = view(data)
+    headers = array("q")
+    at, end = 24, size - header
+    while at <= end:
+        headers.append(at)
+        at += header + read_size(source, at + 8)[0]
+    # Behind its last packet a file has nothing.
+    if at != size:
+        where = headers.pop() if headers and at > size else at
+        raise CaptureError(
+            f"{name}: byte {where}: packet {len(headers) + 1} is cut or broken; the first "
+            f"{where} bytes of the file hold {len(headers)} whole packets"
+        )
+    place = np.frombuffer(headers, np.int64) if headers else np.zeros(0, np.int64)
+    table: Columns = {
+        "at": place + header,
+        "size": number(data, place + 8, order + "u4").astype(np.int64),
+        "length": number(data, place + 12, order + "u4").astype(np.int64),
+        "time": number(data, place, order + "u4").astype(np.int64) * 1_000_000_000
+        + number(data, place + 4, order + "u4").astype(np.int64) * tick,
+        "interface": np.zeros(len(place), np.int64),
+    }
+    _plausible(name, table)
+    # The upper bits tell of check sequences.
+    return Packets(data, table, (link & 0xFFFF,))
+
+
+def _plausible(name: str, table: Columns) -> None:
+    if len(too_long := np.flatnonzero(table["size"] > MOST)):
+        where = int(too_long[0])
+        raise CaptureError(
+            f"{name}: byte {int(table['at'][where])}: packet {where + 1} is broken: it has "
+            f"{int(table['size'][where])} bytes; there are at most {MOST}"
+        )
+
+
+#: Block types: packets with all, without time, of an old kind; interfaces; sections.
+_ENHANCED, _SIMPLE, _OLD, _INTERFACE, _SECTION = 6, 3, 2, 1, 0x0A0D0D0A
+#: Of each kind of block the bytes around its packet.
+_AROUND = {_ENHANCED: 32, _SIMPLE: 16, _OLD: 32}
+#: Options of an interface: the end, ticks of its clock, seconds to add.
+_END, _RESOLUTION, _OFFSET = 0, 9, 14
+
+
+@dataclass(frozen=True)
+class _Interface:
+    link: int
+    snaplen: int
+    resolution: int = 6
+    offset: int = 0
+
+    def nanoseconds(self, ticks: Array) -> Array:
+        """Return the time of its clock's ticks [ns]."""
+        power = self.resolution & 0x7F
+        if self.resolution & 0x80:
+            since = (ticks / 2.0**power * 1e9).clip(0, 2**62).astype(np.int64)
+        elif power <= 9:
+            since = (ticks * np.uint64(10 ** (9 - power))).astype(np.int64)
+        else:
+            since = (ticks // np.uint64(10 ** min(power - 9, 19))).astype(np.int64)
+        return since + np.int64(self.offset) * np.int64(1_000_000_000)
+
+
+def _pcapng(name: str, data: Bytes, size: int) -> Packets:
+    source = view(data)
+    interfaces: list[_Interface] = []
+    tables: list[Columns] = []
+    at, order, first = 0, "<", 0
+    blocks: dict[int, array[int]] = {kind: array("q") for kind in _AROUND}
+    read_head = struct.Struct("<II").unpack_from
+    while at < size:
+        kind, length = read_head(source, at)
+        if kind == _SECTION:
+            tables += _sections_packets(name, data, blocks, order, interfaces, first)
+            blocks = {kind: array("q") for kind in _AROUND}
+            order = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}.get(
+                source[at + 8 : at + 12].tobytes(), ""
+            )
+            if not order:
+                raise CaptureError(f"{name}: byte {at}: a section without a byte order")
+            first = len(interfaces)
+            read_head = struct.Struct(order + "II").unpack_from
+            kind, length = read_head(source, at)
+        if length < 12 or length & 3 or at + length > size:
+            raise CaptureError(
+                f"{name}: byte {at}: a block of {length} bytes is cut or broken; the first {at} "
+                "bytes of the file hold whole ones"
+            )
+        if kind in _AROUND:
+            if length < _AROUND[kind]:
+                raise CaptureError(f"{name}: byte {at}: a packet's block has {length} bytes")
+            blocks[kind].append(at)
+        elif kind == _INTERFACE:
+            interfaces.append(_interface(name, source, at, length, order))
+        at += length
+    tables += _sections_packets(name, data, blocks, order, interfaces, first)
+    if not tables:
+        empty = np.zeros(0, np.int64)
+        tables = [dict.fromkeys(("at", "size", "length", "time", "interface"), empty)]
+    table = stack(tables)
+    if len(tables) > 1:
+        table = take(table, np.argsort(table["at"], kind="stable"))
+    _plausible(name, table)
+    return Packets(data, table, tuple(interface.link for interface in interfaces))
+
+
+def _interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
+    if length < 20:
+        raise CaptureError(f"{name}: byte {at}: an interface's block has {length} bytes")
+    link, _, snaplen = struct.unpack_from(order + "HHI", source, at + 8)
+    found = _Interface(link, snaplen)
+    option, end = at + 16, at + length - 4
+    while option + 4 <= end:
+        code, size = struct.unpack_from(order + "HH", source, option)
+        value = option + 4
+        if code == _END or value + size > end:
+            break
+        if code == _RESOLUTION and size == 1:
+            found = replace(found, resolution=source[value])
+        elif code == _OFFSET and size == 8:
+            (offset,) = struct.unpack_from(order + "q", source, value)
+            found = replace(found, offset=max(-(2**32), min(offset, 2**32)))
+        option = value + (size + 3 & ~3)
+    return found
+
+
+def _sections_packets(
+    name: str,
+    data: Bytes,
+    blocks: dict[int, "array[int]"],
+    order: str,
+    interfaces: list[_Interface],
+    first: int,
+) -> list[Columns]:
+    """Return the packets of a section, whose interfaces start at the given one."""
+    here = interfaces[first:]
+    tables = []
+    for kind, places in blocks.items():
+        if not places:
+            continue
+        at = np.frombuffer(places, np.int64)
+        around = _AROUND[kind]
+        room = number(data, at + 4, order + "u4").astype(np.int64) - around
+        if kind == _SIMPLE:
+            interface = np.zeros(len(at), np.int64)
+        else:
+            interface = number(data, at + 8, order + ("u4" if kind == _ENHANCED else "u2"))
+            interface = interface.astype(np.int64)
+        if interface.max() >= len(here):
+            where = int(at[interface >= len(here)][0])
+            raise CaptureError(f"{name}: byte {where}: a packet of an interface that is not there")
+        if kind == _SIMPLE:
+            length = number(data, at + 8, order + "u4").astype(np.int64)
+            size = np.minimum(length, room)
+            if here[0].snaplen:
+                size = np.minimum(size, here[0].snaplen)
+            time = np.zeros(len(at), np.int64)
+        else:
+            high, low = (
+                number(data, at + place, order + "u4").astype(np.uint64) for place in (12, 16)
+            )
+            size, length = (
+                number(data, at + place, order + "u4").astype(np.int64) for place in (20, 24)
+            )
+            ticks = (high << np.uint64(32)) | low
+            time = np.zeros(len(at), np.int64)
+            for index in np.unique(interface):
+                mine = interface == index
+                time[mine] = here[index].nanoseconds(ticks[mine])
+        if len(broken := np.flatnonzero(size > room)):
+            where = int(at[broken[0]])
+            raise CaptureError(f"{name}: byte {where}: a packet is longer than its block")
+        tables.append(
+            {
+                "at": at + (12 if kind == _SIMPLE else 28),
+                "size": size,
+                "length": length,
+                "time": time,
+                "interface": interface + first,
+            }
+        )
+    return tables

@@ -1,0 +1,284 @@
+"""From IP packets to UDP datagrams and TCP segments; fragments are put together."""
+
+from collections import Counter
+from ipaddress import ip_address
+
+import numpy as np
+
+from discostorm.capture._bytes import (
+    Array,
+    Bytes,
+    Columns,
+    Numbers,
+    buffer,
+    codes,
+    number,
+    stack,
+    take,
+    view,
+)
+
+TCP, UDP, FRAGMENT = 6, 17, 44
+#: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
+_EXTENSIONS = (0, 43, 60, 135)
+_AUTHENTICATION, _ENCRYPTED = 51, 50
+_MOST_EXTENSIONS = 8
+#: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
+_LIFETIME = 60_000_000_000
+#: So often it is tried to put together what overlaps and has holes.
+_MOST_FAILURES = 16
+
+
+def names(addresses: Numbers) -> list[str]:
+    """Return addresses as text, in the order of their numbers."""
+    return [str(ip_address(address)) for address in addresses.known]
+
+
+def multicast(addresses: Numbers) -> Array:
+    """Return of each address whether it is one of multicast or broadcast."""
+    return np.array(
+        [
+            key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
+            for key in addresses.known
+        ],
+        bool,
+    )
+
+
+def parse(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
+    """Return what IP packets carry.
+
+    Takes what `link.ip_packets` returns. Adds ``source``, ``target`` (numbers of
+    addresses), ``protocol``, ``id``, ``offset`` of a fragment [B], ``more`` and ``wire``, the
+    bytes that were sent; ``at`` and ``end`` are those of the content then.
+    """
+    version = data[found["at"]] >> 4
+    parts = [
+        part
+        for number_, read in ((4, _version_4), (6, _version_6))
+        if (mine := version == number_).any()
+        for part in [read(data, take(found, mine), addresses, notes)]
+    ]
+    return stack(parts) if parts else _version_4(data, take(found, slice(0)), addresses, notes)
+
+
+def _version_4(data: Bytes, found: Columns, addresses: Numbers, _: Counter[str]) -> Columns:
+    at = found["at"]
+    header = (data[at].astype(np.int64) & 15) * 4
+    total = number(data, at + 2, ">u2").astype(np.int64)
+    # The card was to cut it into packets and to fill in the length.
+    total = np.where(total == 0, found["end"] - at, total)
+    good = (header >= 20) & (at + header <= found["end"]) & (total >= header)
+    if not good.all():
+        found, at, header, total = take(found, good), at[good], header[good], total[good]
+    flags = number(data, at + 6, ">u2").astype(np.int64)
+    return found | {
+        "source": addresses.of(data, at + 12, 4),
+        "target": addresses.of(data, at + 16, 4),
+        "protocol": data[at + 9],
+        "id": number(data, at + 4, ">u2").astype(np.int64),
+        "offset": (flags & 0x1FFF) * 8,
+        "more": flags & 0x2000 > 0,
+        "wire": total - header,
+        "at": at + header,
+        "end": np.minimum(found["end"], at + total),
+    }
+
+
+def _version_6(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
+    found = take(found, found["end"] - found["at"] >= 40)
+    start = found["at"]
+    length = number(data, start + 4, ">u2").astype(np.int64)
+    length = np.where(length == 0, found["end"] - start - 40, length)
+    end = np.minimum(found["end"], start + 40 + length)
+    following = data[start + 6].astype(np.int64)
+    at = start + 40
+    id_, offset = np.zeros(len(at), np.int64), np.zeros(len(at), np.int64)
+    more, fragment = np.zeros(len(at), bool), np.zeros(len(at), bool)
+    for _ in range(_MOST_EXTENSIONS):
+        # What follows the header of a fragment is a piece of something.
+        inside = (at + 8 <= end) & ~fragment
+        cut = inside & (following == FRAGMENT)
+        signed = inside & (following == _AUTHENTICATION)
+        step = inside & np.isin(following, _EXTENSIONS) | cut | signed
+        if not step.any():
+            break
+        here = np.where(step, at, 0)
+        flags = number(data, here + 2, ">u2").astype(np.int64)
+        offset = np.where(cut, flags & 0xFFF8, offset)
+        more |= cut & (flags & 1 > 0)
+        id_ = np.where(cut, number(data, here + 4, ">u4"), id_)
+        fragment |= cut
+        length_field = data[here + 1].astype(np.int64)
+        size = np.where(signed, 4 * (length_field + 2), 8 * (length_field + 1))
+        following = np.where(step, data[here], following)
+        at = at + np.where(cut, 8, size * step)
+    if count := int(np.count_nonzero(following == _ENCRYPTED)):
+        notes["encrypted IP packets"] += count
+    return found | {
+        "source": addresses.of(data, start + 8, 16),
+        "target": addresses.of(data, start + 24, 16),
+        "protocol": following.astype(np.uint8),
+        "id": id_,
+        "offset": offset,
+        "more": more,
+        "wire": np.maximum(start + 40 + length - at, 0),
+        "at": np.minimum(at, end),
+        "end": end,
+    }
+
+
+def loopback(addresses: Numbers) -> Array:
+    """Return of each address whether it is of a host's own loopback."""
+    return np.array(
+        [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.known],
+        bool,
+    )
+
+
+def is_piece(found: Columns) -> Array:
+    """Return which of the packets that `parse` found are fragments."""
+    return (found["offset"] > 0) | found["more"]
+
+
+def put_together(
+    pieces: Columns, data: Bytes, time: Array, notes: Counter[str]
+) -> tuple[Bytes, Columns]:
+    """Return what fragments make.
+
+    Parameters
+    ----------
+    pieces : dict
+        The fragments, as `parse` returns them; none is cut.
+    data : numpy.ndarray
+        Where they are.
+    time : numpy.ndarray
+        Of each frame [ns].
+    notes : Counter
+        What could not be read is counted here.
+
+    Returns
+    -------
+    tuple
+        The bytes of the packets, and their table. A packet has the frame that completed it,
+        and ``parts``, the number of its frames.
+    """
+    pieces = take(pieces, pieces["offset"] + pieces["wire"] <= 0xFFFF)
+    group, _ = codes(*(pieces[key] for key in ("source", "target", "protocol", "id", "view")))
+    order = np.argsort(group, kind="stable")
+    pieces, group = take(pieces, order), group[order]
+    chosen, runs = _runs(pieces, group, time[pieces["frame"]], notes)
+    pieces = take(pieces, chosen)
+    # Each run of pieces makes one datagram, laid out one after the other.
+    first = np.flatnonzero(np.diff(runs, prepend=-1))
+    count = np.diff(first, append=len(runs))
+    last = first + count - 1
+    total = np.maximum.reduceat(pieces["offset"] + pieces["wire"], first) if len(first) else first
+    start = np.cumsum(total) - total
+    pool = buffer(int(total.sum()))
+    at = np.repeat(start, count) + pieces["offset"]
+    size = pieces["end"] - pieces["at"]
+    source, target = view(data), view(pool)
+    for to, from_, many in zip(at.tolist(), pieces["at"].tolist(), size.tolist(), strict=True):
+        target[to : to + many] = source[from_ : from_ + many]
+    frame = np.maximum.reduceat(pieces["frame"], first) if len(first) else pieces["frame"]
+    made = take(pieces, last) | {
+        "at": start,
+        "end": start + total,
+        "wire": total,
+        "frame": frame,
+        "parts": count.astype(np.int32),
+    }
+    return pool, made
+
+
+def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tuple[Array, Array]:
+    """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
+    size = len(group)
+    offset, more = pieces["offset"], pieces["more"]
+    start = np.diff(group, prepend=-1) != 0
+    start |= (offset == 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
+    run = np.cumsum(start) - 1
+    follows = np.ones(size, bool)
+    follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
+    last = np.append(start[1:], True)
+    good = np.where(start, offset == 0, follows) & (more != last)
+    whole_run = np.logical_and.reduceat(good, np.flatnonzero(start))
+    easy = whole_run[run]
+    chosen, runs = np.flatnonzero(easy), run[easy]
+    # Those out of order, sent twice or with holes, one by one.
+    hard: list[int] = []
+    hard_runs: list[int] = []
+    waiting: dict[int, tuple[int, int]] = {}  # offset: (end, which)
+    code, since, total, held, failed, lost = -1, 0, 0, 0, 0, 0
+    ends = (offset + pieces["wire"]).tolist()
+    for which in np.flatnonzero(~easy).tolist():
+        if group[which] != code or time[which] - since > _LIFETIME:
+            lost += bool(waiting)
+            code, since = int(group[which]), int(time[which])
+            waiting, total, held, failed = {}, 0, 0, 0
+        here = int(offset[which])
+        old = waiting.get(here, (here, 0))[0]
+        if old < ends[which]:
+            held += ends[which] - old
+            waiting[here] = ends[which], which
+        if not more[which]:
+            total = ends[which]
+        if not total or held < total or failed > _MOST_FAILURES:
+            continue
+        covered, used = 0, []
+        for at, (end, index) in sorted(waiting.items()):
+            if at > covered or covered >= total:
+                break
+            used.append(index)
+            covered = max(covered, end)
+        if covered < total:
+            failed += 1  # overlaps, and a hole
+            continue
+        hard += used
+        hard_runs += [size + which] * len(used)
+        waiting, total, held = {}, 0, 0
+    lost += bool(waiting)
+    if lost:
+        notes["IP datagrams of which fragments are missing"] += lost
+    return (
+        np.append(chosen, np.array(hard, np.int64)),
+        np.append(runs, np.array(hard_runs, np.int64)),
+    )
+
+
+def datagrams(data: Bytes, found: Columns) -> Columns:
+    """Return the UDP datagrams: ``at``, ``size`` and ``wire`` bytes of what they hold, ports."""
+    found = take(found, (found["protocol"] == UDP) & (found["end"] - found["at"] >= 8))
+    at = found["at"]
+    length = number(data, at + 4, ">u2").astype(np.int64)
+    wire = np.where((length >= 8) & (length <= found["wire"]), length, found["wire"]) - 8
+    return found | {
+        "at": at + 8,
+        "size": np.minimum(found["end"] - at - 8, wire),
+        "wire": wire,
+        "from_port": number(data, at, ">u2").astype(np.int32),
+        "to_port": number(data, at + 2, ">u2").astype(np.int32),
+        "check": number(data, at + 6, ">u2"),
+    }
+
+
+def segments(data: Bytes, found: Columns) -> Columns:
+    """Return the TCP segments, as `datagrams`, with ``sequence``, ``acknowledged``, ``flags``."""
+    found = take(found, (found["protocol"] == TCP) & (found["end"] - found["at"] >= 20))
+    at = found["at"]
+    header = (data[at + 12].astype(np.int64) >> 4) * 4
+    good = (header >= 20) & (header <= found["wire"])
+    if not good.all():
+        found, at, header = take(found, good), at[good], header[good]
+    return found | {
+        "at": at + header,
+        "size": np.maximum(found["end"] - at - header, 0),
+        "wire": found["wire"] - header,
+        "from_port": number(data, at, ">u2").astype(np.int32),
+        "to_port": number(data, at + 2, ">u2").astype(np.int32),
+        "check": number(data, at + 16, ">u2"),
+        "sequence": number(data, at + 4, ">u4"),
+        "acknowledged": number(data, at + 8, ">u4"),
+        "flags": data[at + 13],
+    }

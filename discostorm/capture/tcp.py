@@ -1,0 +1,231 @@
+"""TCP streams put together: what was sent again, reordered, overlaps or is lost."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from heapq import heappop, heappush
+
+import numpy as np
+
+from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, stack, take, view
+
+FIN, SYN, RST = 1, 2, 4
+
+
+@dataclass(frozen=True)
+class Streams:
+    """The segments of a capture by stream, each direction of a connection being one.
+
+    Parameters
+    ----------
+    table : dict
+        The segments, those of a stream together, in the order of the capture. Added to what
+        `ip.segments` says are ``place``, where the content stands in the stream [B], and
+        ``stream``, its number.
+    first, last : numpy.ndarray
+        Of each stream, its first row and the one behind its last.
+    reverse : numpy.ndarray
+        Of each stream, the number of the other direction; its own if there is none.
+    complete : numpy.ndarray
+        Of each stream, whether its start was captured: ``place`` 0 is its first byte.
+    """
+
+    table: Columns
+    first: Array
+    last: Array
+    reverse: Array
+    complete: Array
+
+
+def streams(parts: list[Columns]) -> Streams:
+    """Return the segments of all parts by stream."""
+    segments = stack(parts)
+    ends = [segments[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")]
+    there = (ends[0] << 32 | ends[2], ends[1] << 32 | ends[3])
+    code, _ = codes(*there)
+    order = np.argsort(code, kind="stable")
+    table, code = take(segments, order), code[order]
+    del segments
+    sequence = table["sequence"]
+    syn = table["flags"] & SYN > 0
+    new = np.diff(code, prepend=-1) != 0
+    # Ports are used again: a SYN with another number starts a stream of its own.
+    index = np.arange(len(code))
+    last_syn = np.maximum.accumulate(np.where(syn, index, -1)) if len(code) else index
+    before = np.append(-1, last_syn[:-1])[: len(code)]
+    start = np.flatnonzero(new)
+    begin = start[np.cumsum(new) - 1] if len(start) else index
+    again = syn & (before >= begin) & (sequence != sequence[before])
+    # A SYN after the end of what was captured before it, too.
+    again |= syn & (before < begin) & ~new
+    new |= again
+    stream = np.cumsum(new) - 1
+    first = np.flatnonzero(new)
+    last = np.append(first[1:], len(code))
+    step: Array = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
+    place = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
+    # The SYN itself takes a number.
+    place = place + syn
+    complete = syn[first] if len(first) else np.zeros(0, bool)
+    place = place - (place[first] if len(first) else place)[stream]
+    table = table | {"place": place, "stream": stream.astype(np.int32)}
+    # The other direction: the same connection, the same one of those that follow each other.
+    forward = [key[order][first] for key in there]
+    low, high = np.minimum(*forward), np.maximum(*forward)
+    pair, _ = codes(low, high)
+    side = forward[0] == low
+    turn = _turns(pair * 2 + side)
+    by_pair: dict[tuple[int, int, bool], int] = {
+        key: number
+        for number, key in enumerate(zip(pair.tolist(), turn.tolist(), side.tolist(), strict=True))
+    }
+    reverse = np.array(
+        [by_pair.get((one, time, not way), number) for (one, time, way), number in by_pair.items()],
+        np.int64,
+    )
+    return Streams(table, first, last, reverse, complete)
+
+
+def _turns(code: Array) -> Array:
+    """Return how many of the same code stand before each."""
+    order = np.argsort(code, kind="stable")
+    ordered = code[order]
+    new = np.flatnonzero(np.diff(ordered, prepend=-1))
+    turns = np.empty(len(code), np.int64)
+    counts = np.diff(new, append=len(code))
+    turns[order] = np.arange(len(code)) - np.repeat(new, counts)
+    return turns
+
+
+@dataclass(frozen=True)
+class Content:
+    """What streams carry.
+
+    Parameters
+    ----------
+    data : numpy.ndarray
+        The bytes, stream after stream, each without its gaps.
+    pieces : dict
+        ``at``, where a piece of a segment stands in it, in order; ``segment``, its row in
+        `Streams.table`; ``done``, the row of the one that completed it.
+    runs : dict
+        What has no gap: ``at`` and ``end``, the ``stream``, and ``start``, whether it is the
+        start of the stream.
+    old : numpy.ndarray
+        The rows of segments that carry only what was sent before.
+    """
+
+    data: Bytes
+    pieces: Columns
+    runs: Columns
+    old: Array
+
+
+def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
+    """Return what the chosen streams carry."""
+    table = streams_.table
+    wanted = np.zeros(len(streams_.first), bool)
+    wanted[chosen] = True
+    rows = np.flatnonzero(wanted[table["stream"]] & (table["wire"] > 0))
+    stream, place, wire, size = (table[key][rows] for key in ("stream", "place", "wire", "size"))
+    new = np.diff(stream, prepend=-1) != 0
+    follows = (size == wire) & (new | (place == np.roll(place + wire, 1)))
+    broken = np.bincount(stream, ~follows, len(wanted)) > 0
+    # Those in order, all at once.
+    easy = ~broken[stream]
+    segment = rows[easy]
+    start = np.flatnonzero(new[easy])
+    length = size[easy]
+    begin = np.cumsum(length) - length
+    total = int(length.sum())
+    runs = {
+        "at": begin[start],
+        "end": np.append(begin[start][1:], np.full(min(len(start), 1), total)),
+        "stream": stream[easy][start],
+        "start": streams_.complete[stream[easy][start]] & (place[easy][start] == 0),
+    }
+    # The others one by one.
+    skips: list[int] = []
+    sizes: list[int] = []
+    segments: list[int] = []
+    done: list[int] = []
+    old: list[int] = []
+    more: list[tuple[int, int, int, bool]] = []
+    edge = np.searchsorted(stream, np.flatnonzero(broken))
+    for first, number in zip(edge.tolist(), np.flatnonzero(broken).tolist(), strict=True):
+        last = int(np.searchsorted(stream, number, side="right"))
+        mine = rows[first:last].tolist()
+        places = place[first:last].tolist()
+        from_start = bool(streams_.complete[number]) and min(places) == 0
+        begin_ = total
+        for which, skip, many, by in _ordered(
+            places, wire[first:last].tolist(), size[first:last].tolist()
+        ):
+            if many > 0:
+                skips.append(skip)
+                sizes.append(many)
+                segments.append(mine[which])
+                done.append(mine[by])
+                total += many
+            elif many == 0:
+                old.append(mine[which])
+            else:  # a gap
+                if total > begin_:
+                    more.append((begin_, total, number, from_start))
+                begin_, from_start = total, False
+        if total > begin_:
+            more.append((begin_, total, number, from_start))
+    if more:
+        for name, column in zip(runs, zip(*more, strict=True), strict=True):
+            runs[name] = np.append(runs[name], np.array(column))
+    length = np.append(length, np.array(sizes, np.int64))
+    pieces = {
+        "at": np.cumsum(length) - length,
+        "size": length,
+        "segment": np.append(segment, np.array(segments, np.int64)),
+        "done": np.append(segment, np.array(done, np.int64)),
+    }
+    at = table["at"][pieces["segment"]]
+    at[len(segment) :] += np.array(skips, np.int64)
+    source = view(data)
+    parts = [source[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
+    joined = b"".join([*parts, bytes(PAD)])
+    return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
+
+
+def _ordered(
+    place: list[int], wire: list[int], size: list[int]
+) -> Iterator[tuple[int, int, int, int]]:
+    """Yield what of which segment is new, in the order of the stream: segment, skipped, bytes, by.
+
+    ``by`` is the segment with which everything up to there was there. No bytes: nothing of it
+    is new. Fewer than none: a gap.
+    """
+    expected = min(place[0], 0) if 0 in place else place[0]
+    waiting: list[tuple[int, int]] = []
+
+    def new(which: int, by: int) -> Iterator[tuple[int, int, int, int]]:
+        nonlocal expected
+        skip = max(expected - place[which], 0)
+        if skip >= wire[which]:
+            yield which, 0, 0, by
+            return
+        if skip < size[which]:
+            yield which, skip, size[which] - skip, by
+        if size[which] < wire[which]:  # cut when it was captured
+            yield which, 0, -1, by
+        expected = place[which] + wire[which]
+
+    for which, here in enumerate(place):
+        if here > expected:
+            heappush(waiting, (here, which))
+            continue
+        yield from new(which, which)
+        while waiting and waiting[0][0] <= expected:
+            yield from new(heappop(waiting)[1], which)
+    # What is left comes after something that was not captured.
+    while waiting:
+        here, which = heappop(waiting)
+        if here > expected:
+            yield which, 0, -1, which
+            expected = here
+        yield from new(which, which)

@@ -1,0 +1,118 @@
+"""From the lab's captures to tables of `discostorm/data/measured/`.
+
+Two tables: what was run, and what was counted in each run, by window and kind of message.
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import discostorm as ds
+
+#: The windows that are counted, from the time that all processes begin at [s].
+WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
+RUNS = (
+    *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
+    *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
+)
+COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
+
+
+def natural(path: Path) -> list[int | str]:
+    """Sort h2p1e10 behind h2p1e4."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
+
+
+def described(run: int, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+    """Return the row of a run; nothing in it names the machine's folders."""
+    seconds = f"{told['seconds']:g}"
+    shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
+    return {
+        "run": run,
+        **{name: told[name] for name in ("product", "variant", "version", "hosts", "processes")},
+        **{name: told[name] for name in ("endpoints", "names", "use")},
+        "seconds": seconds,
+        "kernel": told["kernel"].partition("-")[0],
+        "number": told["run"],
+        "late_s": f"{max(one['begin'] for one in told['times']) - told['start']:.4f}",
+        "made_s": f"{max(one['endpoints'] for one in told['times']) - told['start']:.4f}",
+        "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
+        "environment": " ".join(f"{key}={value}" for key, value in told["env"].items()),
+        "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
+    }
+
+
+def counted(
+    run: int, capture: Path, told: dict[str, Any], notes: Counter[str]
+) -> Iterable[dict[str, Any]]:
+    """Yield a row for each window and kind; a window that is not over is left out."""
+    found = ds.read_capture(capture)
+    notes.update(found.notes)
+    messages = found.messages()
+    # What RTPS's built-in entities are about, publications or subscriptions; of Zenoh, which
+    # of the messages of a kind: InitSyn or InitAck.
+    rtps = messages["protocol"] == "RTPS"
+    messages["about"] = messages["entity"].astype(str).where(rtps, messages["submessage"])
+    time = messages["time"] + (found.start - told["start"])
+    for window, (begin, end) in WINDOWS.items():
+        if told["seconds"] < end:
+            continue
+        inside = messages[(time >= begin) & (time < end)]
+        for key, group in inside.groupby(["kind", "about", "multicast"], observed=True):
+            yield {
+                **dict(zip(COUNTS, (run, window, *key), strict=False)),
+                "multicast": int(key[2]),
+                "messages": len(group),
+                "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
+                "bytes": int(group["bytes"].sum()),
+            }
+
+
+def write(path: Path, heading: Iterable[str], rows: Iterable[dict[str, Any]]) -> None:
+    """Write a table."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(heading), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def main() -> int:
+    """Count all captures of a folder."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("captures", type=Path, help="folder that run.py filled")
+    parser.add_argument("--out", type=Path, required=True, help="folder for the tables")
+    given = parser.parse_args()
+    captures = sorted(given.captures.glob("*.pcap.gz"), key=natural)
+    if not captures:
+        parser.error(f"captures {given.captures}: no *.pcap.gz in it")
+    runs, counts = [], []
+    notes: Counter[str] = Counter()
+    for run, capture in enumerate(captures, 1):
+        told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
+        runs.append(described(run, capture, told))
+        rows = list(counted(run, capture, told, notes))
+        if not rows:
+            print(f"{capture}: there is no message in it", file=sys.stderr)
+            return 1
+        counts += rows
+        if sys.stderr.isatty() or run == len(captures):
+            print(f"\r[{run}/{len(captures)}] {capture.name}\x1b[K", end="", file=sys.stderr)
+    print(file=sys.stderr)
+    for note, many in notes.most_common():
+        print(f"  in {many}: {note}", file=sys.stderr)
+    given.out.mkdir(parents=True, exist_ok=True)
+    write(given.out / "runs.csv", RUNS, runs)
+    write(given.out / "counts.csv", COUNTS, counts)
+    print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+/* One process of the lab: a participant of Cyclone DDS with ENDPOINTS endpoints, as
+   rmw_cyclonedds makes them. It says that it is ready, reads the time to begin from its input, and
+   leaves SECONDS later without saying goodbye. */
+#define _GNU_SOURCE
+#include <dds/dds.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "String_.h"
+
+static void sleep_until(double when) {
+    struct timespec at = {(time_t)when, (long)((when - (double)(time_t)when) * 1e9)};
+    while (clock_nanosleep(CLOCK_REALTIME, TIMER_ABSTIME, &at, NULL) != 0) {
+    }
+}
+
+static void tell(const char *what) {
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    printf("%s %lld.%06ld\n", what, (long long)now.tv_sec, now.tv_nsec / 1000);
+    fflush(stdout);
+}
+
+static dds_entity_t must(dds_entity_t entity, const char *what) {
+    if (entity < 0) {
+        fprintf(stderr, "cyclone_dds: no %s: %s\n", what, dds_strretcode(-entity));
+        _exit(1);
+    }
+    return entity;
+}
+
+int main(int argc, char **argv) {
+    if (argc != 7) {
+        fprintf(stderr, "usage: cyclone_dds SECONDS HOST PROCESS ENDPOINTS NAMES VARIANT\n");
+        return 2;
+    }
+    const double seconds = atof(argv[1]);
+    const int host = atoi(argv[2]), process = atoi(argv[3]), pairs = atoi(argv[4]) / 2;
+    const int matching = strcmp(argv[5], "matching") == 0;
+
+    dds_qos_t *own = dds_create_qos();
+    dds_qset_userdata(own, "enclave=/;", strlen("enclave=/;"));
+    dds_qos_t *qos = dds_create_qos();
+    dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_INFINITY);
+    dds_qset_durability(qos, DDS_DURABILITY_VOLATILE);
+    dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 10);
+
+    tell("ready");
+    double start = 0;
+    if (scanf("%lf", &start) != 1)
+        return 2;
+    sleep_until(start);
+    tell("begin");
+    const dds_entity_t participant = must(dds_create_participant(0, own, NULL), "participant");
+    tell("participant");
+    for (int number = 0; number < pairs; ++number) {
+        char name[32];
+        dds_entity_t topic = 0;
+        for (int reads = 0; reads < 2; ++reads) {
+            if (matching)
+                snprintf(name, sizeof name, "rt/lab_0000_t%03d", number);
+            else
+                snprintf(name, sizeof name, "rt/lab_%02d%02d_%c%03d", host, process, "wr"[reads], number);
+            if (!matching || !reads)
+                topic = must(dds_create_topic(participant, &std_msgs_msg_dds__String__desc, name, NULL, NULL),
+                             "topic");
+            if (reads)
+                must(dds_create_reader(participant, topic, qos, NULL), "reader");
+            else
+                must(dds_create_writer(participant, topic, qos, NULL), "writer");
+        }
+    }
+    tell("endpoints");
+    sleep_until(start + seconds);
+    tell("end");
+    _exit(0);
+}

@@ -1,0 +1,142 @@
+// One process of the lab: a participant of Fast DDS with ENDPOINTS endpoints, as rmw_fastrtps
+// makes them. It says that it is ready, reads the time to begin from its input, and leaves
+// SECONDS later without saying goodbye.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+
+using namespace eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using Clock = std::chrono::system_clock;
+
+namespace {
+
+// Discovery needs the type's name alone; no sample is ever written.
+class String : public TopicDataType {
+public:
+    String() {
+        m_typeSize = 260;
+        setName("std_msgs::msg::dds_::String_");
+        auto_fill_type_information(false);
+        auto_fill_type_object(false);
+    }
+    bool serialize(void*, rtps::SerializedPayload_t*) override { return false; }
+    bool deserialize(rtps::SerializedPayload_t*, void*) override { return false; }
+    std::function<uint32_t()> getSerializedSizeProvider(void*) override {
+        return [] { return 260u; };
+    }
+    void* createData() override { return new std::string; }
+    void deleteData(void* data) override { delete static_cast<std::string*>(data); }
+    bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+};
+
+std::string topic_name(const std::string& names, int host, int process, char role, int number) {
+    char text[32];
+    if (names == "matching") {
+        std::snprintf(text, sizeof text, "rt/lab_0000_t%03d", number);
+    } else {
+        std::snprintf(text, sizeof text, "rt/lab_%02d%02d_%c%03d", host, process, role, number);
+    }
+    return text;
+}
+
+void tell(const char* what) {
+    const std::chrono::duration<double> now = Clock::now().time_since_epoch();
+    std::printf("%s %.6f\n", what, now.count());
+    std::fflush(stdout);
+}
+
+void must(const void* thing, const char* what) {
+    if (thing == nullptr) {
+        std::fprintf(stderr, "fast_dds: no %s\n", what);
+        std::_Exit(1);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 7) {
+        std::fprintf(stderr, "usage: fast_dds SECONDS HOST PROCESS ENDPOINTS NAMES VARIANT\n");
+        return 2;
+    }
+    const double seconds = std::atof(argv[1]);
+    const int host = std::atoi(argv[2]), process = std::atoi(argv[3]), pairs = std::atoi(argv[4]) / 2;
+    const std::string names = argv[5], variant = argv[6];
+
+    DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
+    qos.name("/");
+    const std::string enclave = "enclave=/;";
+    qos.user_data().data_vec({enclave.begin(), enclave.end()});
+    if (variant == "udp") {
+        qos.transport().use_builtin_transports = false;
+        qos.transport().user_transports.push_back(
+            std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
+    }
+    DataWriterQos writer_qos = DATAWRITER_QOS_DEFAULT;
+    writer_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+    writer_qos.durability().kind = VOLATILE_DURABILITY_QOS;
+    writer_qos.history().kind = KEEP_LAST_HISTORY_QOS;
+    writer_qos.history().depth = 10;
+    writer_qos.data_sharing().off();
+    writer_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    DataReaderQos reader_qos = DATAREADER_QOS_DEFAULT;
+    reader_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+    reader_qos.durability().kind = VOLATILE_DURABILITY_QOS;
+    reader_qos.history().kind = KEEP_LAST_HISTORY_QOS;
+    reader_qos.history().depth = 10;
+    reader_qos.data_sharing().off();
+    reader_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+
+    tell("ready");
+    double start = 0;
+    if (std::scanf("%lf", &start) != 1) {
+        return 2;
+    }
+    const Clock::time_point begin{std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(start))};
+    std::this_thread::sleep_until(begin);
+    tell("begin");
+    auto* participant = DomainParticipantFactory::get_instance()->create_participant(0, qos);
+    must(participant, "participant");
+    tell("participant");
+    TypeSupport type(new String);
+    type.register_type(participant);
+    auto* publisher = participant->create_publisher(PUBLISHER_QOS_DEFAULT);
+    auto* subscriber = participant->create_subscriber(SUBSCRIBER_QOS_DEFAULT);
+    must(publisher, "publisher");
+    must(subscriber, "subscriber");
+    for (int number = 0; number < pairs; ++number) {
+        const std::string written = topic_name(names, host, process, 'w', number);
+        const std::string read = topic_name(names, host, process, 'r', number);
+        auto* topic = participant->create_topic(written, type.get_type_name(), TOPIC_QOS_DEFAULT);
+        must(topic, "topic");
+        must(publisher->create_datawriter(topic, writer_qos), "writer");
+        if (read != written) {
+            topic = participant->create_topic(read, type.get_type_name(), TOPIC_QOS_DEFAULT);
+            must(topic, "topic");
+        }
+        must(subscriber->create_datareader(topic, reader_qos), "reader");
+    }
+    tell("endpoints");
+    std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(
+                                              std::chrono::duration<double>(seconds)));
+    tell("end");
+    _exit(0);
+}

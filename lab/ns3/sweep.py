@@ -1,0 +1,431 @@
+"""Build storm.cc, run its scenarios in ns-3 and write their tables; README.md tells of them."""
+
+import argparse
+import concurrent.futures
+import csv
+import dataclasses
+import hashlib
+import itertools
+import json
+import os
+import statistics
+import subprocess
+import sys
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from tqdm import tqdm
+
+import discostorm as ds
+from discostorm.messages import ENDPOINT_PAIR
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+BUILD = ROOT / "build" / "ns3"
+NS3 = BUILD / "packages" / "ns3"
+CACHE = BUILD / "results"
+TABLES = ROOT / "discostorm" / "data" / "measured"
+VERSION = "3.44"
+PROGRAM = BUILD / "storm"
+PROTOCOLS = {protocol.name: protocol for protocol in (ds.DDS, ds.ZENOH)}
+
+#: Libraries of ns-3 that the program or another of them needs.
+LIBRARIES = (
+    "core",
+    "network",
+    "mobility",
+    "propagation",
+    "wifi",
+    "stats",
+    "antenna",
+    "spectrum",
+    "energy",
+)
+
+#: What is not added up over runs: it is no count, or another one each time.
+SECONDS = ("drain_time_s", "cpu_s")
+
+#: ns-3's default queue, and Linux's in order of magnitude: frames and seconds.
+QUEUE = (500, 0.5)
+
+
+@dataclasses.dataclass(frozen=True)
+class Burst:
+    """One run of a burst; its fields are the options and columns that README.md explains."""
+
+    scenario: str = "burst"
+    protocol: str = "DDS"
+    hosts: int = 3
+    processes: int = 2
+    endpoints: int = 10
+    order: str = "pairs"
+    ampdu: int = 0
+    request: int = 1
+    aifsn: int = 3
+    queue_frames: int = 0
+    queue_s: float = 0.0
+    window_s: float = 0.0
+    loss: float = 0.0
+    seed: int = 1
+
+    def options(self) -> list[str]:
+        """Return the program's options."""
+        named = "hosts processes order ampdu request aifsn queue_frames queue_s window_s loss seed"
+        return [
+            f"--messages={messages(self.protocol, self.endpoints)}",
+            *(f"--{name}={getattr(self, name)}" for name in named.split()),
+        ]
+
+
+@dataclasses.dataclass(frozen=True)
+class Saturation:
+    """One run of stations that always have a frame for the access point."""
+
+    stations: int = 1
+    frame_bytes: int = 464
+    aifsn: int = 3
+    duration_s: float = 1.0
+    seed: int = 1
+
+    def options(self) -> list[str]:
+        """Return the program's options."""
+        return [
+            "--traffic=saturation",
+            f"--messages=saturation:unicast:{self.frame_bytes}:1",
+            f"--hosts={self.stations}",
+            f"--aifsn={self.aifsn}",
+            f"--duration={self.duration_s}",
+            f"--seed={self.seed}",
+        ]
+
+
+Run = Burst | Saturation
+
+
+def messages(protocol: str, endpoints: int) -> str:
+    """Return a protocol's table as the program reads it."""
+    rows = []
+    for message in PROTOCOLS[protocol].messages:
+        count = message.per_unit * (endpoints if message.unit is ENDPOINT_PAIR else 1)
+        rows.append(f"{message.name}:{message.cast}:{message.frame_bytes:g}:{count:g}")
+    return ",".join(rows)
+
+
+def source(run: Run) -> str:
+    """Return the version of ns-3 and the ARGS of `make ns3` that repeat a run."""
+    default = type(run)()
+    options = [
+        f"--{field.name} {getattr(run, field.name)}"
+        for field in dataclasses.fields(run)
+        if field.name != "scenario" and getattr(run, field.name) != getattr(default, field.name)
+    ]
+    return f"ns-3 {VERSION}: " + " ".join([type(run).__name__.lower(), *options])
+
+
+def say(text: str) -> None:
+    """Print, also before the compiler and other programs do."""
+    print(text, flush=True)
+
+
+def build() -> None:
+    """Compile the program if its source changed since."""
+    source = HERE / "storm.cc"
+    mark = BUILD / "storm.sha256"
+    digest = hashlib.sha256(source.read_bytes()).hexdigest()
+    if PROGRAM.exists() and mark.exists() and mark.read_text() == digest:
+        return
+    say("Compiling storm.cc (once) ...")
+    compiler = os.environ.get("CXX", "g++")
+    try:
+        subprocess.run(
+            [compiler, "-std=c++20", "-O2", f"-I{NS3 / 'include'}", str(source), "-o", str(PROGRAM)]
+            + [f"-L{NS3 / 'lib64'}", f"-Wl,-rpath,{NS3 / 'lib64'}"]
+            + [f"-lns{VERSION}-{library}" for library in LIBRARIES],
+            check=True,
+        )
+    except (OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"discostorm: could not compile {source}: {error}")
+    mark.write_text(digest)
+
+
+def storm(options: Iterable[str]) -> str:
+    """Run the program and return what it prints."""
+    done = subprocess.run([str(PROGRAM), *options], capture_output=True, text=True, check=False)
+    if done.returncode:
+        sys.exit(f"discostorm: storm {' '.join(options)}: {done.stderr.strip()}")
+    return done.stdout
+
+
+def cached(run: Run) -> Path:
+    """Return where the result of a run is kept: it depends on the program and its options."""
+    text = "\n".join([(BUILD / "storm.sha256").read_text(), *run.options()])
+    return CACHE / f"{hashlib.sha256(text.encode()).hexdigest()}.json"
+
+
+def result(run: Run) -> dict[str, float]:
+    """Return the result of a run, which runs only if it did not before."""
+    path = cached(run)
+    if not path.exists():
+        # Renamed when complete, so that what is interrupted is done again.
+        part = path.with_suffix(".part")
+        part.write_text(storm(run.options()))
+        part.rename(path)
+    values: dict[str, float] = json.loads(path.read_text())
+    return values
+
+
+def grid(
+    scenario: str,
+    hosts: Iterable[int],
+    seeds: tuple[int, int],
+    *,
+    protocols: Iterable[str] = tuple(PROTOCOLS),
+    queues: Iterable[tuple[int, float]] = ((0, 0.0),),
+    windows: Iterable[float] = (0.0,),
+    losses: Iterable[float] = (0.0,),
+    settings: Iterable[tuple[str, object]] = (),
+) -> list[Run]:
+    """Return the bursts of all combinations, with `settings` the same in all.
+
+    With aggregation (the second number of `seeds`) a burst is few transmissions, runs differ
+    more, and are cheap.
+    """
+    base = dataclasses.replace(Burst(scenario), **dict(settings))  # type: ignore[arg-type]
+    every = itertools.product(
+        hosts, losses, windows, queues, protocols, zip((0, 65535), seeds, strict=True)
+    )
+    return [
+        dataclasses.replace(
+            base,
+            hosts=count,
+            loss=loss,
+            window_s=window,
+            queue_frames=queue[0],
+            queue_s=queue[1],
+            protocol=protocol,
+            ampdu=ampdu,
+            seed=seed,
+        )
+        for count, loss, window, queue, protocol, (ampdu, runs) in every
+        for seed in range(1, runs + 1)
+    ]
+
+
+def saturations(
+    stations: Iterable[int], frame: int = 464, aifsn: int = 3, duration: float = 1.0
+) -> list[Run]:
+    """Return the runs in saturation for some numbers of stations."""
+    return [
+        Saturation(count, frame, aifsn, duration, seed)
+        for count in stations
+        for seed in range(1, 11)
+    ]
+
+
+WINDOWS = (0.5, 1.0, 2.0, 5.0)
+
+#: All runs, in the order of the tables.
+RUNS: list[Run] = [
+    *grid("unlimited", (2, 3, 4), (20, 40)),
+    *grid("unlimited", (5, 6, 7, 8, 10, 12), (10, 20)),
+    *saturations((1, 2, 5, 10, 20)),
+    *grid("queue", (2, 3), (20, 40), queues=[QUEUE]),
+    *grid("queue", (4, 5, 6), (40, 40), queues=[QUEUE]),
+    *grid("queue", (7, 8), (10, 40), queues=[QUEUE]),
+    *grid("staggered", (4, 8), (10, 20), queues=[QUEUE], windows=WINDOWS),
+    *grid("queue", (10, 12), (10, 40), queues=[QUEUE]),
+    *saturations((30, 50), duration=0.5),
+    *grid("errors", (3, 6), (10, 20), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
+    *grid("short_queue", (4, 8, 12), (10, 40), queues=[(100, 0.5)]),
+    *(
+        run
+        for scenario, *settings in (
+            ("one_process", ("processes", 1)),
+            ("four_processes", ("processes", 4), ("endpoints", 4)),
+            ("aifsn", ("aifsn", 2)),
+            ("order", ("order", "messages")),
+            ("no_request", ("request", 0)),
+        )
+        for run in grid(
+            scenario,
+            (4,),
+            (10, 40),
+            protocols=["DDS"],
+            queues=[(0, 0.0), QUEUE],
+            settings=settings,
+        )
+    ),
+    *saturations((1, 5), aifsn=2),
+    *saturations((1, 5), frame=1538),
+]
+
+
+def frames() -> Iterator[dict[str, object]]:
+    """Yield airtime of single frames and of A-MPDUs, read from the trace of one sender."""
+    for protocol, table in PROTOCOLS.items():
+        for message in table.messages:
+            for ampdu, counts in ((0, (1,)), (65535, (2, 16, 64))):
+                if message.cast == "multicast" and ampdu:
+                    continue
+                for count in counts:
+                    frame = int(message.frame_bytes)
+                    options = [
+                        f"--messages={message.name}:{message.cast}:{frame}:{count}",
+                        *("--hosts=2", "--processes=1", "--senders=1", "--trace=1"),
+                        f"--ampdu={ampdu}",
+                    ]
+                    rows = [line.split(",") for line in storm(options).splitlines()[:-1]]
+                    for number, row in enumerate(rows):
+                        if row[4] != "data":
+                            continue
+                        begin, end = int(row[1]), int(row[2])
+                        group = row[7] == "1"
+                        answer = None if group else rows[number + 1]
+                        yield {
+                            "protocol": protocol,
+                            "message": message.name,
+                            "frame_B": frame,
+                            "direction": "up" if row[3] == "0" else "down",
+                            "cast": "multicast" if group else "unicast",
+                            "mpdus": int(row[6]),
+                            "data_ns": end - begin,
+                            "sifs_ns": int(answer[1]) - end if answer else 0,
+                            "answer": answer[4] if answer else "none",
+                            "answer_ns": int(answer[2]) - int(answer[1]) if answer else 0,
+                            "source": f"ns-3 {VERSION}: build/ns3/storm {' '.join(options)}",
+                        }
+
+
+def write(name: str, rows: list[dict[str, object]]) -> None:
+    """Write one table, unless there is nothing to write."""
+    if not rows:
+        return
+    TABLES.mkdir(parents=True, exist_ok=True)
+    path = TABLES / name
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    say(f"{path.relative_to(ROOT)}: {len(rows)} rows")
+
+
+def spread(name: str, values: list[float]) -> dict[str, float]:
+    """Return median and quartiles of what the runs of one setting gave."""
+    low, middle, high = statistics.quantiles(values, n=4, method="inclusive")
+    return {name: round(middle, 9), f"{name}_q25": round(low, 9), f"{name}_q75": round(high, 9)}
+
+
+def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
+    """Return a row for each setting: its options, medians and quartiles, sums of the counts."""
+    rows = []
+    for run, group in results.items():
+        row: dict[str, object] = dataclasses.asdict(run) | {"runs": len(group)}
+        del row["seed"]
+        counts = {name: sum(values[name] for values in group) for name in group[0]}
+        if isinstance(run, Burst):
+            row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
+            row |= spread("lost", [1 - values["arrived"] / values["expected"] for values in group])
+        else:
+            row |= spread("frames_per_s", [values["acked"] / run.duration_s for values in group])
+        counts = {name: round(value, 9) for name, value in counts.items() if name not in SECONDS}
+        rows.append(row | counts | {"source": f"{source(run)} --seed 1 to {len(group)}"})
+    return rows
+
+
+def times(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
+    """Return the median CPU time of the bursts without limits of queue."""
+    return [
+        {
+            "protocol": run.protocol,
+            "hosts": run.hosts,
+            "ampdu": run.ampdu,
+            "runs": len(group),
+            "cpu_s": f"{statistics.median(values['cpu_s'] for values in group):.3g}",
+            "source": f"{source(run)} --seed 1 to {len(group)}",
+        }
+        for run, group in results.items()
+        if isinstance(run, Burst) and run.scenario == "unlimited"
+    ]
+
+
+def write_tables() -> None:
+    """Write the tables of all runs that have a result."""
+    results: defaultdict[Run, list[dict[str, float]]] = defaultdict(list)
+    for run in RUNS:
+        setting = results[dataclasses.replace(run, seed=1)]
+        # No gaps: the table names the first and the last seed.
+        if cached(run).exists() and len(setting) == run.seed - 1:
+            setting.append(result(run))
+    complete = {run: group for run, group in results.items() if len(group) >= 10}
+    write("ns3_frames.csv", list(frames()))
+    for name, kind in (("ns3_bursts.csv", Burst), ("ns3_saturation.csv", Saturation)):
+        write(name, table({run: complete[run] for run in complete if isinstance(run, kind)}))
+    write("ns3_times.csv", times(complete))
+
+
+def cost(run: Run) -> float:
+    """Return about how long a run takes, in no unit: frames sent times stations that hear them."""
+    if isinstance(run, Saturation):
+        return 3000 * run.duration_s * run.stations
+    frames = run.hosts * (run.hosts - 1) * run.processes**2 * (run.endpoints + 4)
+    if run.queue_frames:
+        # Nothing is sent for much longer than the lifetime.
+        frames = min(frames, run.hosts * run.queue_frames, 3000)
+    return run.hosts * frames * (0.1 if run.ampdu else 1)
+
+
+def sweep(jobs: int, only: str | None) -> None:
+    """Run what is not cached, the short ones first, then write the tables."""
+    wanted = [run for run in RUNS if only in (None, getattr(run, "scenario", "saturation"))]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        pending = [pool.submit(result, run) for run in sorted(wanted, key=cost)]
+        try:
+            for done in tqdm(concurrent.futures.as_completed(pending), "ns-3", len(pending)):
+                done.result()
+        except (KeyboardInterrupt, SystemExit):
+            pool.shutdown(cancel_futures=True)
+            raise
+    write_tables()
+
+
+def add_options(parser: argparse.ArgumentParser, kind: type[Run]) -> None:
+    """Give a parser an option for each field of a run."""
+    for field in dataclasses.fields(kind):
+        if field.name == "scenario":
+            continue
+        parser.add_argument(
+            f"--{field.name}",
+            type=type(field.default),
+            default=field.default,
+            choices=list(PROTOCOLS) if field.name == "protocol" else None,
+            help=f"default: {field.default}",
+        )
+
+
+def main() -> None:
+    """Run the sweep, or one scenario."""
+    parser = argparse.ArgumentParser(prog="make ns3", description=__doc__)
+    kinds = parser.add_subparsers(dest="kind", required=True)
+    every = kinds.add_parser("sweep", help="all scenarios and their tables (the default)")
+    kinds.add_parser("tables", help="write the tables from the runs that are cached")
+    every.add_argument("--jobs", type=int, default=2, help="runs side by side, default: 2")
+    every.add_argument("--only", help="one scenario, or saturation")
+    add_options(kinds.add_parser("burst", help="one burst, not cached, with its CPU time"), Burst)
+    add_options(kinds.add_parser("saturation", help="one run in saturation"), Saturation)
+    arguments = vars(parser.parse_args(sys.argv[1:] or ["sweep"]))
+    kind = arguments.pop("kind")
+    build()
+    CACHE.mkdir(parents=True, exist_ok=True)
+    if kind == "tables":
+        write_tables()
+        return
+    if kind == "sweep":
+        sweep(arguments["jobs"], arguments["only"])
+        return
+    run = Burst(**arguments) if kind == "burst" else Saturation(**arguments)
+    say(storm(run.options()).rstrip())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,155 @@
+"""One run of the lab on a stage of its own: hosts, a bridge between them, and tcpdump on it.
+
+Called by run.py as the first process of fresh PID, mount and network namespaces. Whatever ends
+this process ends every other one in there and takes the networks away, so there is nothing to
+clean up: not after a failure, not after Ctrl-C, not after a kill.
+"""
+
+import contextlib
+import json
+import os
+import re
+import resource
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import IO
+
+LEAD = 0.5  # s from the word that all are ready to their start
+TAIL = 2.0  # s that tcpdump runs on, for what the kernel holds back
+LATE = 0.25  # s after the agreed time; a process that begins later spoils the run
+PATIENCE = 30.0  # s beyond its time before a program is given up
+# Nothing of what configures middleware on the user's machine; the mark is of the tests.
+CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
+TIME = re.compile(r"^(ready|begin|participant|endpoints|end) ([0-9.]+)$", re.MULTILINE)
+
+
+def say(command: str, inside: int | None = None) -> None:
+    """Run a command, in the namespaces of the process `inside` if given; fail loudly."""
+    words = shlex.split(command)
+    if inside is not None:
+        words = ["nsenter", f"--target={inside}", "--net", "--mount", *words]
+    done = subprocess.run(words, capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{' '.join(words)}: {done.stderr.strip() or done.returncode}")
+
+
+def quiet(inside: int | None = None) -> None:
+    """No IPv6, so that nothing but the middleware talks (but ARP)."""
+    for which in ("all", "default"):
+        say(f"sysctl -q -w net.ipv6.conf.{which}.disable_ipv6=1", inside)
+
+
+def build_host(number: int) -> int:
+    """A host: network and mount namespaces with eth0 and an own /dev/shm; its holder's PID."""
+    shell = "mount -t tmpfs shm /dev/shm && echo ready && exec sleep infinity"
+    holder = subprocess.Popen(
+        ["unshare", "--net", "--mount", "sh", "-c", shell],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert holder.stdout is not None
+    if holder.stdout.readline() != "ready\n":
+        raise SystemExit(f"host {number}: no namespaces of its own (is this root?)")
+    pid, port = holder.pid, f"port{number}"
+    quiet(pid)
+    say(f"ip link add {port} type veth peer name eth0 netns {pid}")
+    say(f"ip link set {port} master br0 up")
+    say(f"ip link set eth0 address 02:00:00:00:00:{number:02x}", pid)
+    say(f"ip address add 10.77.0.{number}/24 brd + dev eth0", pid)
+    say("ip link set lo up", pid)
+    say("ip link set eth0 up", pid)
+    say("ip route add default dev eth0", pid)
+    # What one end would leave to the hardware, the other would see in sizes of no Ethernet.
+    for end, where in ((port, None), ("eth0", pid)):
+        say(f"ethtool -K {end} tso off gso off gro off tx off rx off", where)
+    return pid
+
+
+def wait_for_tcpdump(log: Path) -> None:
+    for _ in range(500):
+        if "listening on" in log.read_text():
+            return
+        time.sleep(0.01)
+    raise SystemExit(f"tcpdump does not listen: {log.read_text()}")
+
+
+def main() -> None:
+    job = json.loads(sys.argv[1])
+    out = Path(job["out"])
+    hosts, processes = job["hosts"], job["processes"]
+    program_name = Path(job["command"][-1]).name
+    quiet()
+    say("ip link set lo up")
+    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
+    say("ip link set br0 address 02:00:00:00:01:00 up")
+    pids = [build_host(number) for number in range(1, hosts + 1)]
+
+    capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
+    with report.open("w") as stderr:
+        dump = subprocess.Popen(
+            ["tcpdump", "-i", "br0", "-n", "-s", "0", "-B", "32768", "-Z", "root", "-w", capture],
+            stderr=stderr,
+        )
+    wait_for_tcpdump(report)
+
+    running: list[tuple[subprocess.Popen[str], IO[str]]] = []
+    for host, pid in enumerate(pids, 1):
+        for process in range(1, processes + 1):
+            command = [
+                *("nsenter", f"--target={pid}", "--net", "--mount", *job["command"]),
+                *(str(job["seconds"]), str(host), str(process), str(job["endpoints"])),
+                *(job["names"], job["variant"]),
+            ]
+            log = out.with_suffix(f".{host}.{process}.log").open("w+")
+            program = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+                env=CLEAN | job["env"],
+            )
+            running.append((program, log))
+    for program, _ in running:
+        assert program.stdout is not None
+        program.stdout.readline()  # "ready", or nothing from one that failed: see below
+    start = round(time.time() + LEAD, 1)
+    times = []
+    for program, _ in running:
+        assert program.stdin is not None
+        with contextlib.suppress(BrokenPipeError):
+            program.stdin.write(f"{start}\n")
+            program.stdin.flush()
+    for program, errors in running:
+        try:
+            lines, _ = program.communicate(timeout=job["seconds"] + PATIENCE)
+        except subprocess.TimeoutExpired:
+            raise SystemExit(f"{program_name} does not end") from None
+        with errors:
+            if program.returncode:
+                errors.seek(0)
+                raise SystemExit(f"{program_name} ended with {program.returncode}: {errors.read()}")
+            errors.write("".join(line for line in lines.splitlines(True) if not TIME.match(line)))
+        times.append({what: float(when) for what, when in TIME.findall(lines)})
+        if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - start < LATE:
+            raise SystemExit(f"a process began at {times[-1]}, not at {start}: machine too busy")
+    time.sleep(TAIL)
+    dump.send_signal(signal.SIGINT)
+    dump.wait()
+    text = report.read_text()
+    if "\n0 packets dropped by kernel" not in text:
+        raise SystemExit(f"tcpdump has lost packets: {text}")
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    job |= {"start": start, "times": times, "cpu_s": round(spent.ru_utime + spent.ru_stime, 3)}
+    out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
+    report.unlink()
+    for path in out.parent.glob(f"{out.name}.*.log"):
+        if not path.stat().st_size:
+            path.unlink()
+
+
+main()

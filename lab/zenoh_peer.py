@@ -1,0 +1,64 @@
+"""One process of the lab: a Zenoh session, a peer as shipped, with the endpoints of a process.
+
+Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With
+VARIANT "tokens" there is a liveliness token for the node and for each endpoint too, and a
+subscriber to everybody's tokens, as rmw_zenoh has them. The session is left without a close.
+"""
+
+import os
+import sys
+import time
+
+import zenoh
+
+TYPE = "std_msgs::msg::dds_::String_"
+HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
+
+
+def tell(what: str) -> None:
+    print(what, f"{time.time():.6f}", flush=True)
+
+
+def ignore(sample: object) -> None:
+    """Take what comes; nothing is ever published."""
+
+
+def main() -> None:
+    seconds = float(sys.argv[1])
+    host, process, endpoints = map(int, sys.argv[2:5])
+    matching, tokens = sys.argv[5] == "matching", sys.argv[6] == "tokens"
+    zenoh.init_log_from_env_or("error")
+    tell("ready")
+    start = float(sys.stdin.readline())
+    time.sleep(max(0.0, start - time.time()))
+    tell("begin")
+    session = zenoh.open(zenoh.Config())
+    tell("participant")
+    own, node = f"@ros2_lv/0/{session.info.zid()}", f"lab_{host:02}{process:02}"
+    kept = []
+    if tokens:
+        kept += [
+            session.liveliness().declare_token(f"{own}/0/0/NN/%/%/{node}"),
+            session.liveliness().declare_subscriber("@ros2_lv/0/**", ignore, history=True),
+        ]
+    for number in range(endpoints // 2):
+        for count, role in enumerate("wr"):
+            name = f"lab_{host:02}{process:02}_{role}{number:03}"
+            if matching:
+                name = f"lab_0000_t{number:03}"
+            key = f"0/{name}/{TYPE}/{HASH}"
+            if role == "w":
+                kept.append(session.declare_publisher(key))
+            else:
+                kept.append(session.declare_subscriber(key, ignore))
+            if tokens:
+                whose = f"{own}/0/{2 * number + count + 1}/{'MS' if count else 'MP'}/%/%/{node}"
+                about = f"{whose}/%{name}/{TYPE}/{HASH}/::,10:,:,:,,"
+                kept.append(session.liveliness().declare_token(about))
+    tell("endpoints")
+    time.sleep(max(0.0, start + seconds - time.time()))
+    tell("end")
+    os._exit(0)  # without a word to the others, which would still be captured
+
+
+main()

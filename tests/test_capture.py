@@ -1,0 +1,773 @@
+"""Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
+
+import csv
+import gzip
+import lzma
+import random
+import shutil
+import struct
+import subprocess
+import time
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from capture_files import (
+    CAPTURES,
+    LINKS,
+    Packet,
+    ipv6,
+    ipv6_fragments,
+    packets,
+    pcap,
+    pcapng,
+    rewrap,
+    rtps,
+    submessage,
+    tcp,
+    udp,
+    wifi,
+)
+from click.testing import CliRunner
+
+import discostorm as ds
+from discostorm.capture import Capture, CaptureError, read_capture, rtps as rtps_module
+from discostorm.cli import main
+
+DDS_CAPTURES = ["fast_dds", "cyclone_dds_010", "cyclone_dds_11"]
+Read = Callable[[bytes], Capture]
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Read:
+    """Return a function that reads the bytes of a file."""
+
+    def read_bytes(content: bytes) -> Capture:
+        path = tmp_path / "capture"
+        path.write_bytes(content)
+        return read_capture(path)
+
+    return read_bytes
+
+
+def captured(name: str) -> Capture:
+    return read_capture(CAPTURES / f"{name}.pcap.xz")
+
+
+def at(found: list[bytes], step: int = 1_000_000) -> list[Packet]:
+    """Return packets a millisecond apart."""
+    return [(10**18 + index * step, data, len(data)) for index, data in enumerate(found)]
+
+
+def facts(capture: Capture) -> pd.DataFrame:
+    """Return what does not depend on the frames around the packets."""
+    columns = ["time", "kind", "multicast", "bytes", "process", "peer", "submessage", "reader"]
+    found = capture.messages()[[*columns, "writer", "size", "ends", "transport"]]
+    words = found.select_dtypes("category").columns
+    return found.astype(dict.fromkeys(words, str))
+
+
+# ---------------------------------------------------------------- second opinions
+
+#: Submessages that are messages; the others say how to read them.
+MESSAGES = {6, 7, 8, 0x12, 0x13, 0x15, 0x16}
+
+
+def numbers(text: str, base: int = 10) -> list[int]:
+    return [int(part, base) for part in text.split("|") if part]
+
+
+def as_tshark_says(rows: list[dict[str, str]]) -> dict[int, tuple[object, ...]]:
+    found = {}
+    for row in rows:
+        # It tells no size of a vendor's own, from 0x80 on.
+        ids = [id_ for id_ in numbers(row["submessages"], 16) if id_ < 0x80]
+        sizes = numbers(row["sizes"])
+        chosen = [pair for pair in zip(ids, sizes, strict=True) if pair[0] in MESSAGES]
+        entities = tuple(tuple(numbers(row[key], 16)) for key in ("readers", "writers"))
+        if chosen:
+            prefix = row["prefixes"].split("|")[0]
+            found[int(row["frame"])] = (tuple(chosen), *entities, row["sender"], prefix)
+    return found
+
+
+def as_we_say(capture: Capture) -> dict[int, tuple[object, ...]]:
+    ids = {name: number for number, name in enumerate(rtps_module.submessage_names())}
+    messages = capture.messages()
+    found = {}
+    for frame, rows in messages[messages["protocol"] == "RTPS"].groupby("frame"):
+        kinds = [ids[name] for name in rows["submessage"]]
+        (sender,) = set(rows["sender"])
+        (process,) = set(rows["process"])
+        found[frame] = (
+            tuple(zip(kinds, rows["size"], strict=True)),
+            tuple(rows["reader"]),
+            tuple(rows["writer"]),
+            sender,
+            process,
+        )
+    return found
+
+
+@pytest.mark.parametrize("name", DDS_CAPTURES)
+def test_rtps_is_what_tshark_says_frame_by_frame(name: str) -> None:
+    text = lzma.decompress((CAPTURES / f"{name}.tshark.csv.xz").read_bytes()).decode()
+    expected = as_tshark_says(list(csv.DictReader(text.splitlines())))
+    assert len(expected) > 40
+    assert as_we_say(captured(name)) == expected
+
+
+FIELDS = {
+    "frame": "frame.number",
+    "sender": "ip.src",
+    "submessages": "rtps.sm.id",
+    "sizes": "rtps.sm.octetsToNextHeader",
+    "readers": "rtps.sm.rdEntityId",
+    "writers": "rtps.sm.wrEntityId",
+    "prefixes": "rtps.guidPrefix.src",
+}
+
+
+@pytest.mark.skipif(shutil.which("tshark") is None, reason="no tshark here")
+@pytest.mark.parametrize("link", LINKS)
+def test_any_link_type_is_what_tshark_says(link: str, tmp_path: Path) -> None:
+    path = tmp_path / "capture.pcap"
+    number, wrap = LINKS[link]
+    path.write_bytes(pcap(rewrap(packets("cyclone_dds_11"), wrap), number))
+    fields = [part for field in FIELDS.values() for part in ("-e", field)]
+    done = subprocess.run(
+        [
+            *[
+                "tshark",
+                "-n",
+                "-Y",
+                "rtps",
+                "-T",
+                "fields",
+                "-E",
+                "separator=,",
+                "-E",
+                "aggregator=|",
+                "-r",
+            ],
+            str(path),
+            *fields,
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    rows = [dict(zip(FIELDS, line.split(","), strict=True)) for line in done.stdout.splitlines()]
+    assert len(rows) > 40
+    assert as_we_say(read_capture(path)) == as_tshark_says(rows)
+
+
+def test_zenoh_is_what_its_own_log_says() -> None:
+    rows = csv.DictReader((CAPTURES / "zenoh_data.trace.csv").read_text().splitlines())
+    expected = {row["message"]: int(row["count"]) for row in rows}
+    messages = captured("zenoh_data").messages()
+    found = Counter(messages.loc[messages["protocol"] == "Zenoh", "submessage"])
+    found.pop("Frame")  # of which the log says nothing
+    assert found == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "hosts", "processes", "endpoints"),
+    [("fast_dds", 3, 2, 10), ("cyclone_dds_010", 2, 1, 4), ("cyclone_dds_11", 3, 1, 6)],
+)
+def test_the_fleet_is_the_one_that_was_run(
+    name: str, hosts: int, processes: int, endpoints: int
+) -> None:
+    capture = captured(name)
+    assert capture.fleet() == ds.Fleet.swarm(hosts, processes, endpoints)
+    assert capture.notes == ()
+    found = capture.processes()
+    assert list(found["host"].value_counts()) == [processes] * hosts
+    assert set(found["protocol"]) == {"RTPS"}
+    product = "Fast DDS" if name == "fast_dds" else "Cyclone DDS"
+    assert set(found["product"]) == {product}
+
+
+def test_zenohs_fleet_is_its_subscribers_and_queryables() -> None:
+    capture = captured("zenoh_data")
+    # Publishers and tokens are not counted.
+    assert capture.fleet() == ds.Fleet.swarm(3, 1, 5)
+    assert set(capture.processes()["product"]) == {"Zenoh peer"}
+    assert any("publishers" in note for note in capture.notes)
+
+
+@pytest.mark.parametrize("name", [*DDS_CAPTURES, "zenoh_data"])
+def test_bytes_and_frames_add_up_to_what_was_sent(name: str) -> None:
+    rows = captured(name).messages()
+    payload = pieces = 0
+    for _, data, _ in packets(name):
+        if data[12:14] != b"\x08\x00":
+            continue
+        ip = data[14 : 14 + struct.unpack_from(">H", data, 16)[0]]
+        first = struct.unpack_from(">H", ip, 6)[0] & 0x1FFF == 0
+        if ip[9] == 17:
+            payload += len(ip) - 20 - 8 * first
+        elif ip[9] == 6:
+            payload += len(ip) - 20 - (ip[32] >> 4) * 4
+        else:
+            continue
+        pieces += 1
+    assert rows["bytes"].sum() == payload
+    assert rows["frames"].sum() == pytest.approx(pieces, rel=1e-5)
+
+
+# ---------------------------------------------------------------- files and links
+
+
+@pytest.mark.parametrize("link", LINKS)
+@pytest.mark.parametrize("name", ["cyclone_dds_11", "zenoh_data"])
+def test_the_same_in_every_kind_of_frame(name: str, link: str, read: Read) -> None:
+    number, wrap = LINKS[link]
+    found = packets(name)
+    same = read(pcap(rewrap(found, wrap), number))
+    expected = read(pcap(rewrap(found, lambda ip: ip), 101))
+    assert len(expected.messages()) > 100
+    pd.testing.assert_frame_equal(facts(same), facts(expected))
+    ways = {"radiotap": "down", "802.11": "up", "A-MSDU": "up"}
+    way = next((way for start, way in ways.items() if link.startswith(start)), "")
+    assert set(same.messages()["way"]) == {"" if "four" in link else way}
+
+
+def test_the_same_from_every_kind_of_file(read: Read) -> None:
+    found = packets("cyclone_dds_010")
+    expected = facts(captured("cyclone_dds_010"))
+    plain = pcap(found)
+    files = [pcap(found, order=order, nano=nano) for order in "<>" for nano in (False, True)]
+    files += [pcapng(found, order=order, resolution=r) for order in "<>" for r in (6, 9)]
+    files += [
+        gzip.compress(plain),
+        lzma.compress(plain),
+        gzip.compress(plain[:99]) + gzip.compress(plain[99:]),
+    ]
+    files += [lzma.compress(plain[:999]) + bytes(4) + lzma.compress(plain[999:])]
+    for content in files:
+        pd.testing.assert_frame_equal(facts(read(content)), expected)
+    assert read(plain).start == pytest.approx(found[0][0] / 1e9)
+    assert read(plain).duration == pytest.approx((found[-1][0] - found[0][0]) / 1e9)
+
+
+def test_sections_of_both_byte_orders_in_one_file(read: Read) -> None:
+    found = packets("cyclone_dds_010")
+    both = read(pcapng(found[:30]) + pcapng(found[30:], order=">", resolution=6))
+    pd.testing.assert_frame_equal(facts(both), facts(captured("cyclone_dds_010")))
+
+
+def test_ipv6_with_extensions_and_in_fragments(read: Read) -> None:
+    found = packets("cyclone_dds_11")
+    expected = facts(read(pcap(rewrap(found, lambda ip: ip), 101)))
+    for extension in (False, True):
+        plain = read(pcap(rewrap(found, lambda ip, e=extension: ipv6(ip, e)), 229))
+        pd.testing.assert_frame_equal(facts(plain), expected)
+        assert set(plain.messages()["sender"]) == {f"fe80::a4d:{n:x}" for n in (1, 2, 3)}
+    pieces = [
+        (time, piece, len(piece))
+        for number, (time, ip, _) in enumerate(rewrap(found, lambda ip: ip))
+        for piece in ipv6_fragments(ip, 64, number)
+    ]
+    pd.testing.assert_frame_equal(facts(read(pcap(pieces, 229))), expected)
+    shuffled = random.Random(1).sample(pieces, len(pieces))
+    assert Counter(read(pcap(shuffled, 229)).messages()["kind"]) == Counter(expected["kind"])
+    # Without one of its pieces a datagram is missing, and a note says so.
+    some = read(pcap(pieces[:2] + pieces[3:], 229))
+    assert len(some.messages()) < len(expected)
+    assert any("fragments are missing" in note for note in some.notes)
+
+
+# ---------------------------------------------------------------- RTPS
+
+
+def data(
+    writer: int, reader: int = 0, little: bool = True, flags: int = 4, size: int = -1
+) -> bytes:
+    order = "<" if little else ">"
+    body = struct.pack(order + "HH", 0, 16) + struct.pack(">II", reader, writer)
+    return submessage(
+        0x15, body + struct.pack(order + "iI", 0, 1) + b"\0\3\0\0\1\0\0\0", little, flags, size
+    )
+
+
+def control(kind: int, writer: int, reader: int = 0, little: bool = True) -> bytes:
+    return submessage(kind, struct.pack(">II", reader, writer) + bytes(20), little)
+
+
+def kinds(read: Read, *messages: bytes) -> list[str]:
+    return list(read(pcap(at([udp(message) for message in messages]), 101)).messages()["kind"])
+
+
+def test_kinds_by_entity_in_both_byte_orders(read: Read) -> None:
+    for little in (True, False):
+        message = rtps(
+            *(data(entity, little=little) for entity in (0x100C2, 0x3C2, 0x4C2, 0x200C2, 0x300C3)),
+            *(control(7, entity, little=little) for entity in (0x3C2, 0xFF0004C2, 0x200C2, 0x102)),
+            *(control(6, entity, little=little) for entity in (0x4C2, 0x301C3, 0x103)),
+            control(8, 0x3C2, little=little),
+            data(0x203, little=little),
+            data(0x142, little=little),
+        )
+        assert kinds(read, message) == [
+            *("SPDP", "SEDP", "SEDP", "Liveliness", "Type lookup"),
+            *("Heartbeat", "Heartbeat", "Liveliness Heartbeat", "User Heartbeat"),
+            *("ACKNACK", "Type lookup ACKNACK", "User ACKNACK"),
+            *("Gap", "User data", "Vendor"),
+        ]
+
+
+def test_what_stands_between_messages(read: Read) -> None:
+    other = bytes(range(20, 32))
+    message = rtps(
+        submessage(0x0E, other),
+        submessage(0x09, bytes(8)),
+        control(6, 0x3C2),
+        submessage(0x80, bytes(4)),  # a vendor's
+        submessage(0x01, b""),
+        submessage(0x0C, bytes(8) + other),
+        data(0x3C2, size=0),  # the last: its length may be left out
+    )
+    rows = read(pcap(at([udp(rtps(data(0x100C2), prefix=other)), udp(message)]), 101)).messages()
+    assert list(rows["kind"]) == ["SPDP", "ACKNACK", "SEDP"]
+    assert list(rows["peer"]) == ["", other.hex(), other.hex()]
+    assert list(rows["process"]) == [other.hex(), bytes(range(12)).hex(), other.hex()]
+    assert rows["bytes"].sum() == 2 * 20 + len(data(1)) * 2 + 16 + 12 + 32 + 8 + 4 + 24
+
+
+def test_a_key_alone_takes_an_announcement_back(read: Read) -> None:
+    capture = read(pcap(at([udp(rtps(data(0x100C2))), udp(rtps(data(0x100C2, flags=8)))]), 101))
+    assert list(capture.messages()["ends"]) == [False, True]
+    assert capture.compare(ds.DDS).loc["SPDP", "unicast"] == 1
+
+
+def test_what_is_encrypted_is_noted(read: Read) -> None:
+    capture = read(
+        pcap(
+            at(
+                [
+                    udp(
+                        rtps(
+                            submessage(0x31, bytes(8)),
+                            submessage(0x30, bytes(8)),
+                            submessage(0x32, bytes(8)),
+                        )
+                    ),
+                    udp(rtps(submessage(0x33, bytes(8)))),
+                    udp(b"\x16\xfe\xfd" + bytes(20)),
+                    udp(b"\xc0\0\0\0\1" + bytes(30)),
+                    tcp(b"\x16\3\1\0\x50\1" + bytes(75), 5, ports=(9, 7447)),
+                    tcp(b"RTCP" + bytes(30), 5, ports=(9, 7400)),
+                ]
+            ),
+            101,
+        )
+    )
+    assert list(capture.messages()["kind"]) == ["Encrypted", "Encrypted"]
+    notes = "\n".join(capture.notes)
+    for word in ("DDS Security", "DTLS", "QUIC", "TLS", "RTPS over TCP"):
+        assert word in notes
+
+
+def test_a_cut_capture_counts_what_is_there_and_says_so(read: Read) -> None:
+    found = packets("cyclone_dds_11")
+    cut = read(pcap([(when, packet[:130], length) for when, packet, length in found]))
+    expected = captured("cyclone_dds_11")
+    assert 0 < len(cut.messages()) < len(expected.messages())
+    assert "lower bounds" in cut.notes[0]
+
+
+# ---------------------------------------------------------------- views
+
+
+def test_any_shows_a_packet_more_than_once_but_it_is_compared_once(read: Read) -> None:
+    found = packets("cyclone_dds_11")
+    views = [
+        (
+            when + view * 1000,
+            struct.pack(">HHIHBB8s", 0x800, 0, view + 1, 1, 0, 4 * view, bytes(8)) + data_[14:],
+            0,
+        )
+        for when, data_, _ in found
+        if data_[12:14] == b"\x08\x00"
+        for view in (0, 1)
+    ]
+    twice = read(pcap([(when, data_, len(data_)) for when, data_, _ in views], 276))
+    once = captured("cyclone_dds_11")
+    assert len(twice.messages()) == 2 * len(once.messages())
+    assert twice.messages()["copy"].sum() == len(once.messages())
+    assert any("seen again" in note for note in twice.notes)
+    pd.testing.assert_frame_equal(twice.compare(ds.DDS), once.compare(ds.DDS))
+
+
+def test_up_and_down_again_is_one_message(read: Read) -> None:
+    found = packets("zenoh_data")
+    both = [
+        (when + flags * 100_000, wifi(data_[14:], flags=flags), 0)
+        for when, data_, _ in found
+        if data_[12:14] == b"\x08\x00"
+        for flags in (1, 2)
+    ]
+    capture = read(pcap([(when, data_, len(data_)) for when, data_, _ in both], 105))
+    once = captured("zenoh_data")
+    pd.testing.assert_frame_equal(capture.compare(ds.ZENOH), once.compare(ds.ZENOH))
+    scouts = capture.messages().query("kind == 'Scout'")
+    assert list(scouts["way"].unique()) == ["up", "down"]
+
+
+def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> None:
+    everybody = captured("fast_dds")
+    mine = [
+        packet
+        for packet in packets("fast_dds")
+        if packet[1][12:14] == b"\x08\x00"
+        and (
+            packet[1][26:30] == b"\x0a\x4d\0\1"
+            or packet[1][30:34] == b"\x0a\x4d\0\1"
+            or packet[1][30] >= 224
+        )
+    ]
+    capture = read(pcap(mine))
+    assert capture.view() == "10.77.0.1"
+    assert everybody.view() is None
+    assert capture.fleet() == everybody.fleet()
+    table, whole = capture.compare(ds.DDS), everybody.compare(ds.DDS)
+    # Of three hosts' six ordered pairs four have the one.
+    assert table.loc["SEDP", "units"] == whole.loc["SEDP", "units"] * 4 / 6
+    assert table.loc["SPDP", "units"] == whole.loc["SPDP", "units"]
+    assert table.loc["SEDP", "per_unit"] == pytest.approx(whole.loc["SEDP", "per_unit"], rel=0.03)
+
+
+# ---------------------------------------------------------------- TCP and Zenoh
+
+
+def batch(content: bytes) -> bytes:
+    return struct.pack("<H", len(content)) + content
+
+
+ZID = bytes(range(1, 17))
+INIT_SYN = batch(b"\x01\x09\xf1" + ZID)
+KEEP_ALIVE = batch(b"\x04")
+#: Declares the subscribers 1 to 9 in one frame.
+DECLARE = batch(
+    b"\x25\x07" + b"".join(b"\x1e\x22" + bytes([n, 0, 3]) + b"a/b" for n in range(1, 10))
+)
+
+
+def session(*parts: bytes, start: int = 2**32 - 20, init: bytes = INIT_SYN) -> list[bytes]:
+    """Return segments of one side, of which the numbers run over their end."""
+    found = [tcp(b"", start, flags=2)]
+    at_ = start + 1
+    for part in (init, *parts):
+        found.append(tcp(part, at_))
+        at_ += len(part)
+    return found
+
+
+def zenoh_kinds(capture: Capture) -> list[str]:
+    rows = capture.messages()
+    return list(rows.loc[rows["protocol"] == "Zenoh", "kind"])
+
+
+EXPECTED = ["Init", "Frame", *["Declare"] * 9, "KeepAlive", "KeepAlive"]
+
+
+@pytest.mark.parametrize("size", [1, 2, 7, 40, 1000])
+def test_batches_in_segments_of_any_size(size: int, read: Read) -> None:
+    whole = DECLARE + KEEP_ALIVE + KEEP_ALIVE
+    parts = [whole[place : place + size] for place in range(0, len(whole), size)]
+    capture = read(pcap(at(session(*parts)), 101))
+    assert zenoh_kinds(capture) == EXPECTED
+    assert capture.processes().index[0] == f"{int.from_bytes(ZID, 'little'):x}"
+    assert capture.processes()["endpoints"].to_list() == [9]
+
+
+def test_sent_again_reordered_overlapping(read: Read) -> None:
+    whole = DECLARE + KEEP_ALIVE + KEEP_ALIVE
+    parts = [whole[place : place + 9] for place in range(0, len(whole), 9)]
+    start = session(*parts)
+    assert zenoh_kinds(read(pcap(at(start), 101))) == EXPECTED
+    for seed in range(20):
+        order = random.Random(seed)
+        mixed = start[:2] + order.sample(start[2:], len(start) - 2)
+        # Some once more, one of them with what comes after it.
+        again = tcp(whole[5:30], 2**32 - 19 + len(INIT_SYN) + 5)
+        for extra in (start[3], start[4], again):
+            mixed.insert(order.randrange(2, len(mixed)), extra)
+        capture = read(pcap(at(mixed), 101))
+        assert sorted(zenoh_kinds(capture)) == sorted(EXPECTED)
+        assert (capture.messages()["kind"] == "TCP retransmission").sum() >= 1
+
+
+def test_a_gap_is_noted_and_what_follows_it_is_read(read: Read) -> None:
+    found = session(*[KEEP_ALIVE] * 5, DECLARE[:20], DECLARE[20:], *[KEEP_ALIVE] * 4)
+    capture = read(pcap(at([part for index, part in enumerate(found) if index != 7]), 101))
+    assert zenoh_kinds(capture) == ["Init", *["KeepAlive"] * 9]
+    assert any("gaps" in note for note in capture.notes)
+
+
+def test_a_session_that_was_open_before(read: Read) -> None:
+    capture = read(pcap(at(session(DECLARE, *[KEEP_ALIVE] * 3)[2:]), 101))
+    assert zenoh_kinds(capture) == [*EXPECTED[1:-1], "KeepAlive", "KeepAlive"]
+
+
+def test_other_connections_are_left_alone(read: Read) -> None:
+    lines = [b"GET / HTTP/1.1\r\nHost: a\r\n\r\n", b"abc" * 50]
+    capture = read(pcap(at(session(*lines, init=b"hello")), 101))
+    assert capture.messages().empty
+
+
+@pytest.mark.parametrize(("extension", "word"), [(6, "compression"), (5, "low latency")])
+def test_what_is_compressed_or_of_low_latency_is_left_out(
+    extension: int, word: str, read: Read
+) -> None:
+    init = batch(b"\x81\x09\xf1" + ZID + bytes([extension]))
+    answer = batch(b"\xa1\x09\xf1" + ZID[::-1] + b"\x01c" + bytes([extension]))
+    opened = batch(b"\x02\x0a\x01\x01c")
+    there = session(opened, b"\x07\0\0\0garbage" * 3, init=init)
+    back = [tcp(b"", 7, flags=0x12, back=True), tcp(answer, 8, back=True)]
+    capture = read(pcap(at([*there[:1], *back, *there[1:]]), 101))
+    assert sorted(zenoh_kinds(capture)) == ["Init", "Init", "Open"]
+    assert any(word in note for note in capture.notes)
+    # Asked for, but not agreed on: as always.
+    plain = tcp(batch(b"\x21\x09\xf1" + ZID[::-1] + b"\x01c"), 8, back=True)
+    there = session(opened, DECLARE, init=init)
+    capture = read(pcap(at([there[0], back[0], there[1], plain, *there[2:]]), 101))
+    assert len(zenoh_kinds(capture)) == 3 + 10
+
+
+def test_sessions_over_udp(read: Read) -> None:
+    found = [INIT_SYN[2:], DECLARE[2:], KEEP_ALIVE[2:]]
+    capture = read(pcap(at([udp(part, ports=(40000, 7447)) for part in found]), 101))
+    assert zenoh_kinds(capture) == EXPECTED[:-1]
+    assert set(capture.messages()["transport"]) == {"UDP"}
+
+
+# ---------------------------------------------------------------- results
+
+
+def test_columns_and_types() -> None:
+    messages = captured("zenoh_data").messages()
+    assert list(messages.columns[:9]) == [
+        *("time", "frame", "protocol", "kind", "multicast", "bytes", "sender", "receiver", "way")
+    ]
+    assert messages["frame"].is_monotonic_increasing
+    assert messages["frame"].min() >= 1
+    assert not messages.isna().any().any()
+    for column in messages.select_dtypes("category"):
+        assert set(messages[column].cat.categories) == set(messages[column])
+
+
+def test_what_is_returned_can_be_changed_without_harm() -> None:
+    capture = captured("cyclone_dds_010")
+    messages, processes = capture.messages(), capture.processes()
+    messages["bytes"] = 0
+    processes["endpoints"] = 0
+    assert capture.messages()["bytes"].sum() > 0
+    assert capture.fleet() == ds.Fleet.swarm(2, 1, 4)
+
+
+def test_compare_holds_the_capture_against_the_table() -> None:
+    capture = captured("fast_dds")
+    table = capture.compare(ds.DDS)
+    assert list(table.index[:4]) == [message.name for message in ds.DDS.messages]
+    columns = ["units", "expected", "unicast", "multicast", "per_unit", "bytes", "airtime_s"]
+    assert list(table.columns) == columns
+    fleet = capture.fleet()
+    for message in ds.DDS.messages:
+        row = table.loc[message.name]
+        assert row["units"] == message.unit.count(fleet)
+        assert row["expected"] == message.load(fleet)
+        assert row["per_unit"] == (row["unicast"] + row["multicast"]) / row["units"]
+    assert table.loc["SEDP", "expected"] == 240
+    others = table.loc[["Liveliness Heartbeat", "Liveliness ACKNACK"]]
+    assert others["units"].isna().all()
+    assert table["airtime_s"].sum() == pytest.approx(capture.airtime().sum())
+    half = capture.compare(ds.DDS, ds.Fleet.swarm(3, 1, 10))
+    assert half.loc["SPDP", "units"] == 3
+
+
+def test_expected_follows_the_schedule() -> None:
+    message = ds.DDS.messages[0]
+    capture = captured("fast_dds")
+    again = ds.Message(
+        **{
+            name: getattr(message, name)
+            for name in ("name", "phase", "cast", "transport", "payload", "unit", "per_unit")
+        },
+        schedule=ds.Schedule((0.0,), period=3.0),
+    )
+    table = capture.compare(ds.Protocol("again", (again,)))
+    first = capture.messages()["time"].iloc[0]
+    assert table.loc["SPDP", "expected"] == 6 * (1 + np.floor((capture.duration - first) / 3))
+
+
+def test_airtime_is_that_of_the_model() -> None:
+    capture = captured("cyclone_dds_010")
+    messages = capture.messages()
+    whole = messages[messages["frames"] == 1].index
+    assert len(whole) > 5
+    for row in whole:
+        size = messages.loc[row, "bytes"] + 64
+        down = (
+            8 * size / 6e6 + 120e-6
+            if messages.loc[row, "multicast"]
+            else 8 * size / 144.4e6 + 180e-6
+        )
+        assert capture.airtime()[row] == pytest.approx(8 * size / 144.4e6 + 180e-6 + down)
+    assert capture.airtime(ds.WIFI["802.11ac 80 MHz 2x2"]).sum() < capture.airtime().sum()
+
+
+def test_the_picture_shows_all_airtime() -> None:
+    capture = captured("zenoh_data")
+    above, below = capture.picture().axes
+    bars = above.patches
+    assert sum(bar.get_height() for bar in bars) == pytest.approx(len(capture._on_air()))
+    width = bars[0].get_width()
+    seconds = sum(bar.get_height() for bar in below.patches) * width
+    assert seconds == pytest.approx(capture.airtime()[capture._on_air().index].sum())
+
+
+def test_nothing_found(read: Read) -> None:
+    capture = read(pcap([]))
+    assert capture.messages().empty
+    assert (capture.packets, capture.duration) == (0, 0.0)
+    with pytest.raises(CaptureError, match="no message of a process"):
+        capture.fleet()
+    with pytest.raises(CaptureError, match="no message"):
+        capture.picture()
+    assert capture.compare(ds.DDS, ds.Fleet.swarm(2, 1, 1))["unicast"].sum() == 0
+
+
+@pytest.mark.parametrize("name", ["protocol", "wifi", "fleet"])
+def test_wrong_arguments(name: str) -> None:
+    arguments = {"protocol": ds.DDS} | {name: 3}
+    with pytest.raises(TypeError, match=name):
+        captured("cyclone_dds_010").compare(**arguments)  # type: ignore[arg-type]
+
+
+# ---------------------------------------------------------------- broken files
+
+PLAIN = pcap(packets("cyclone_dds_010"))
+NG = pcapng(packets("cyclone_dds_010"))
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "it is empty"),
+        (b"\xd4\xc3", "neither"),
+        (b"# a text file", "neither a pcap nor a pcapng file; it starts with 23 20 61 20"),
+        (PLAIN[:20], "byte 20: it ends inside of its header"),
+        (PLAIN[:-1], "packet 69 is cut"),
+        (PLAIN + b"x", "is cut or broken"),
+        (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is cut or broken"),
+        (NG[:-3], "is cut or broken"),
+        (NG[:8] + bytes(4) + NG[12:], "byte 0: a section without a byte order"),
+        (NG[:28] + NG[60:], "a packet of an interface that is not there"),
+        (gzip.compress(PLAIN)[:-9], "compressed data"),
+        (lzma.compress(PLAIN)[:-9], "compressed data"),
+        (gzip.compress(PLAIN) + b"more", "compressed data"),
+        (gzip.compress(b"not a capture"), "neither pcap nor pcapng"),
+        (lzma.compress(PLAIN[:24] + bytes(200_000_000), preset=0), "expands to more than"),
+    ],
+    # Not the bytes of the files: those of gzip hold the time.
+    ids=lambda value: value.split(";")[0] if isinstance(value, str) else "file",
+)
+def test_broken_files_say_what_and_where(content: bytes, words: str, tmp_path: Path) -> None:
+    path = tmp_path / "broken.pcap"
+    path.write_bytes(content)
+    started = time.process_time()
+    with pytest.raises(CaptureError) as error:
+        read_capture(path)
+    assert time.process_time() - started < 1
+    assert str(error.value).startswith(f"{path}: byte ")
+    assert words in str(error.value)
+    done = CliRunner().invoke(main, ["capture", str(path)])
+    assert done.exit_code == 2
+    assert words.split(";")[0] in " ".join(done.output.split())
+
+
+def test_a_folder_and_a_missing_file(tmp_path: Path) -> None:
+    with pytest.raises(CaptureError, match="must be a file"):
+        read_capture(tmp_path)
+    with pytest.raises(FileNotFoundError):
+        read_capture(tmp_path / "none")
+    done = CliRunner().invoke(main, ["capture", str(tmp_path / "none")])
+    assert (done.exit_code, "No such file" in done.output) == (2, True)
+
+
+def test_a_link_type_that_is_not_read_is_noted(read: Read) -> None:
+    capture = read(pcap(packets("cyclone_dds_010"), link=147))
+    assert capture.messages().empty
+    assert "link type 147" in capture.notes[0]
+
+
+def mutated(content: bytes, chance: random.Random) -> bytes:
+    """Return the content with some bytes changed, taken out, put in, or the end cut off."""
+    changed = bytearray(content)
+    for _ in range(chance.choice((1, 2, 8))):
+        place = chance.randrange(max(len(changed), 1))
+        what = chance.random()
+        if what < 0.6:
+            changed[place : place + 1] = bytes([chance.randrange(256)])
+        elif what < 0.75:
+            del changed[place : place + chance.randrange(1, 9)]
+        elif what < 0.9:
+            changed[place:place] = chance.randbytes(chance.randrange(1, 9))
+        else:
+            del changed[place:]
+    return bytes(changed)
+
+
+@pytest.mark.parametrize("name", [*DDS_CAPTURES, "zenoh_data"])
+def test_mutated_captures_are_read_or_refused(name: str, tmp_path: Path) -> None:
+    chance = random.Random(name)
+    path = tmp_path / "mutated.pcap"
+    outcomes: Counter[str] = Counter()
+    found = packets(name)
+    for turn in range(600):
+        first = chance.randrange(len(found))
+        some = found[first : first + 12]
+        if turn % 3 == 0:  # the framing, too
+            content = mutated(pcap(some) if turn % 2 else pcapng(some), chance)
+        else:
+            link, wrap = chance.choice(list(LINKS.values()))
+            frames = [
+                (when, mutated(frame, chance), length) for when, frame, length in rewrap(some, wrap)
+            ]
+            content = pcap(frames, link)
+        path.write_bytes(content)
+        try:
+            read_capture(path)
+            outcomes["read"] += 1
+        except CaptureError as error:
+            assert str(error).startswith(f"{path}: byte ")  # noqa: PT017
+            outcomes["refused"] += 1
+    assert outcomes["read"] > 300
+    assert outcomes["refused"] > 30
+
+
+# ---------------------------------------------------------------- the command
+
+
+def test_the_command_tells_what_the_package_does(tmp_path: Path) -> None:
+    import json
+
+    path = str(CAPTURES / "fast_dds.pcap.xz")
+    picture = tmp_path / "picture.svg"
+    done = CliRunner().invoke(main, ["capture", path, "--picture", str(picture)])
+    assert done.exit_code == 0
+    assert "hosts: 3 with 2 processes of 10 endpoints each" in done.output
+    assert picture.read_text().startswith("<?xml")
+    answer = json.loads(CliRunner().invoke(main, ["capture", path, "--json"]).output)
+    table = captured("fast_dds").compare(ds.DDS)
+    assert answer["messages"][1]["unicast"] == table.loc["SEDP", "unicast"]
+    assert answer["messages"][-1]["units"] is None
+    csv_ = CliRunner().invoke(main, ["capture", path, "--csv"]).output.splitlines()
+    assert len(csv_) == 1 + len(table)
+    wrong = CliRunner().invoke(main, ["capture", path, "--against", "nothing"])
+    assert (wrong.exit_code, "'dds'" in wrong.output.lower()) == (2, True)

@@ -1,0 +1,261 @@
+"""The command line as people expect it: odd terminals, full disks, pipes, and what can be given."""
+
+import json
+import os
+import subprocess
+import sys
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+import discostorm as ds
+from discostorm import cli, figures
+from discostorm.cli import main
+from discostorm.wifi.radio import radio_named
+
+NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
+SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
+LONE = "nobody to find"
+
+
+def run(*words: str, **given: Any) -> Result:
+    return CliRunner(env={"COLUMNS": "80"}).invoke(main, list(words), **given)
+
+
+def shell(command: str, **env: str) -> subprocess.CompletedProcess[str]:
+    program = f"{sys.executable} -m discostorm"
+    return subprocess.run(
+        ["bash", "-c", command.replace("discostorm", program)],
+        capture_output=True, encoding="utf-8", errors="replace", check=False,
+        env=os.environ | env,
+    )  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["utilization", *SWARM],
+        ["breakdown", *SWARM, "--json"],
+        ["saturation", "--processes", "2", "--endpoints", "10", "--csv"],
+        ["plan", "fleet.toml"],
+    ],
+    ids=lambda command: command[0],
+)
+def test_tables_of_a_few_rows_need_no_pandas(command: list[str]) -> None:
+    code = (
+        "import sys; from discostorm.cli import main\n"
+        f"main({command!r}, standalone_mode=False)\n"
+        "sys.exit(' '.join({'pandas', 'matplotlib', 'numpy.f2py', 'IPython'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stderr.strip() == ""
+
+
+@pytest.mark.parametrize("command", ["utilization", "breakdown", "plan"])
+def test_a_fleet_is_given_in_one_way_everywhere(command: str) -> None:
+    named, placed, piped = (
+        run(command, "--fleet", "fleet.toml"),
+        run(command, "fleet.toml"),
+        run(command, "-", input=NAV2),
+    )
+    assert named.exit_code == piped.exit_code == 0, named.output + piped.output
+    assert named.stdout == placed.stdout
+    assert piped.stdout.splitlines()[-1].split()[-1] == placed.stdout.splitlines()[-1].split()[-1]
+    both = run(command, "fleet.toml", "--fleet", "fleet.toml")
+    assert both.exit_code == 2
+    assert "one fleet at a time" in both.stderr
+    wrong = run(command, "-", input="[[groups]]\nhosts = 0\n")
+    assert wrong.exit_code == 2
+    assert "standard input: group 1" in wrong.stderr
+
+
+def test_other_hosts_are_read_from_standard_input() -> None:
+    arguments = ["saturation", "--processes", "2", "--endpoints", "10", "--limit", "40", "--beside"]
+    assert run(*arguments, "-", input=NAV2).stdout == run(*arguments, "fleet.toml").stdout
+
+
+@pytest.mark.parametrize("name", list(ds.PROTOCOLS))
+def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
+    for written in (name, name.lower(), name.upper()):
+        result = run("utilization", *SWARM, "--protocol", written, "--json")
+        (row,) = json.loads(result.stdout)
+        assert row["protocol"] == name
+        assert row["utilization"] == ds.utilization(ds.PROTOCOLS[name], 7, 2, 10)
+
+
+def test_what_the_planner_advises_can_be_given_back() -> None:
+    fleet = ds.Fleet.from_toml("fleet.toml")
+    for wifi in ("802.11n 20 MHz 2x2", "802.11ac 80 MHz 2x2, AIFSN 3"):
+        advised = ds.plan(fleet, wifi=radio_named(wifi).wifi()).remedies
+        for remedy in advised:
+            if remedy.kind in ("radio", "aggregation", "multicast rate"):
+                given = ["--wifi", remedy.wifi.name, "--protocol", "dds", "--json"]
+                (row,) = json.loads(run("utilization", "fleet.toml", *given).stdout)
+                assert row["utilization"] == remedy.utilization
+    rate = ["--wifi", "802.11n 20 MHz 2x2", "--multicast-rate", "24", "--json"]
+    expected = ds.Radio("802.11n", streams=2, multicast_rate=24e6).wifi()
+    assert json.loads(run("utilization", *SWARM, *rate).stdout)[0]["utilization"] == ds.utilization(
+        ds.DDS, 7, 2, 10, wifi=expected
+    )
+
+
+@pytest.mark.parametrize(
+    "radio",
+    [
+        ds.Radio("802.11a"),
+        ds.Radio("802.11n", streams=2, band=2.4e9, mcs=3, multicast_rate=1e6),
+        ds.Radio("802.11n", guard_interval=0.8e-6, aifsn=3, mpdus=64, start_spacing=0.25e-6),
+        ds.Radio("802.11ax", width=160e6, streams=4, guard_interval=3.2e-6, multicast_rate=12e6),
+        *(wifi.radio for wifi in ds.WIFI.values()),
+    ],
+    ids=lambda radio: radio.wifi().name,
+)
+def test_a_radio_is_found_by_the_name_it_gives_itself(radio: ds.Radio) -> None:
+    assert radio_named(radio.wifi().name).wifi() == radio.wifi()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("wlan", "must be like '802.11ac 80 MHz 2x2'"),
+        ("802.11n 20 MHz 2x3", "must be like"),
+        ("802.11n 20 MHz 2x2, turbo", "'turbo' is not what"),
+        ("802.11n 20 MHz 2x2, MCS 3, MCS 4", "'MCS 4' is not what"),
+        ("802.11n 20 MHz 2x2, multicast x Mbit/s", "'multicast x Mbit/s' is not what"),
+        ("802.11n 80 MHz 2x2", "width must be"),
+        ("802.11n 20 MHz 2x2, A-MPDU 65", "mpdus must be a whole number .* at most 64"),
+    ],
+)
+def test_a_wrong_name_of_a_radio_is_refused(name: str, text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        radio_named(name)
+    result = run("utilization", *SWARM, "--wifi", name)
+    assert result.exit_code == 2
+    assert "--wifi must be one of 'paper', '802.11a" in result.stderr
+
+
+def test_a_lone_robot_is_told_that_it_has_nobody_to_find(folder: Path) -> None:
+    alone = NAV2[: NAV2.rindex("[[groups]]")].replace("hosts = 10", "hosts = 1")
+    (folder / "alone.toml").write_text(alone, encoding="utf-8")
+    lone = ["--hosts", "1", "--processes", "2", "--endpoints", "10"]
+    for words in (["utilization", *lone], ["utilization", "alone.toml"], ["plan", "alone.toml"]):
+        assert LONE in run(*words).stdout
+        assert LONE not in run(*words, "--json").stdout
+    assert LONE not in run("utilization", *SWARM).stdout
+
+
+def test_a_table_fits_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = [{"id": 1, "statement": "words " * 30}]
+    for columns in (60, 120):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        lines = cli._aligned(rows, {}, {}).splitlines()
+        assert columns - 12 < max(map(len, lines)) < columns
+
+
+def test_a_dumb_terminal_gets_no_progress(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("TERM", "dumb")
+    with cli._working("planning"):
+        pass
+    assert capsys.readouterr().err == ""
+
+
+# What goes wrong
+
+
+def test_exit_codes_are_told() -> None:
+    words = " ".join(run("--help").output.split())
+    assert "Exit codes: 0 it worked, 1 the output could not be written or was stopped, 2" in words
+
+
+def test_a_full_disk_is_told_without_a_traceback() -> None:
+    done = shell(f"discostorm utilization {' '.join(SWARM)} > /dev/full")
+    assert done.returncode == 1
+    assert done.stderr == "Error: the output could not be written: No space left on device\n"
+
+
+def test_a_closed_pipe_blames_nothing(folder: Path) -> None:
+    done = shell("discostorm figures --out out | head -n 1; exit ${PIPESTATUS[0]}")
+    assert done.returncode == 1
+    assert done.stdout.startswith("[ 1/12] out")
+    assert done.stderr.strip() == ""
+    assert not list((folder / "out").glob(".*"))
+
+
+def test_what_a_terminal_cannot_show_is_escaped(folder: Path) -> None:
+    name = "\u30ed\u30dc"
+    (folder / "kana.toml").write_text(NAV2.replace("robots", name), encoding="utf-8")
+    env = {"PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
+    people = shell("discostorm plan kana.toml", **env)
+    assert (people.returncode, people.stderr) == (0, "")
+    assert r"\u30ed\u30dc" in people.stdout
+    machines = shell("discostorm plan kana.toml --json", **env)
+    names = [group["name"] for group in json.loads(machines.stdout)["fleet"]]
+    assert names == [name, "laptop"]
+
+
+def test_control_characters_of_a_name_are_shown_escaped(folder: Path) -> None:
+    name = "\\u001b[2J\\u0007"
+    (folder / "odd.toml").write_text(NAV2.replace("robots", name), encoding="utf-8")
+    advice = run("plan", "odd.toml")
+    assert advice.exit_code == 0
+    assert "\x1b" not in advice.stdout
+    assert "\\x1b[2J\\x07" in advice.stdout
+    wrong = NAV2.replace("robots", name).replace("hosts = 10", "hosts = 0")
+    (folder / "odd.toml").write_text(wrong, encoding="utf-8")
+    refused = run("plan", "odd.toml")
+    assert refused.exit_code == 2
+    assert "\x1b" not in refused.stderr
+    assert "\\x1b[2J" in refused.stderr
+
+
+def test_a_fleet_file_nested_a_thousand_deep_is_refused(folder: Path) -> None:
+    (folder / "deep.toml").write_text("groups = " + "[" * 5000 + "]" * 5000)
+    result = run("plan", "deep.toml")
+    assert result.exit_code == 2
+    assert "deep.toml" in result.stderr
+    assert "Traceback" not in result.output
+
+
+# Files
+
+
+def test_a_figure_that_cannot_be_written_leaves_the_old_one(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = folder / "fig2.csv"
+    path.write_text("good")
+
+    def cut(beside: Path) -> None:
+        beside.write_text("ba")
+        raise OSError(28, "No space left on device", str(beside))
+
+    with pytest.raises(OSError, match="No space left"), figures._replacing(path) as beside:
+        cut(beside)
+    assert path.read_text() == "good"
+    assert {file.name for file in folder.iterdir()} == {"fig2.csv", "fleet.toml"}
+    with figures._replacing(path) as beside:
+        beside.write_text("better")
+    assert path.read_text() == "better"
+    assert {file.name for file in folder.iterdir()} == {"fig2.csv", "fleet.toml"}
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", full)
+    result = run("figures", "--out", "out")
+    assert result.exit_code == 2
+    assert "--out must be a folder to write to; got 'out': No space left" in result.stderr
+    assert not list((folder / "out").iterdir())

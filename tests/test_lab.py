@@ -1,0 +1,239 @@
+"""The lab: its grid tells the units apart, it says what it needs, it leaves nothing behind."""
+
+import csv
+import gzip
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import uuid
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import missing
+
+ROOT = Path(__file__).parents[1]
+LAB = ROOT / "lab"
+sys.path.insert(0, str(LAB))
+
+import run as lab  # noqa: E402
+
+pytestmark = pytest.mark.book
+
+
+def points(use: str) -> list[tuple[int, int, int, str]]:
+    with (LAB / "grid.csv").open(newline="") as file:
+        return [
+            (int(row["hosts"]), int(row["processes"]), int(row["endpoints"]), row["names"])
+            for row in csv.DictReader(file)
+            if use in ("all", row["use"])
+        ]
+
+
+def test_the_grid_has_what_was_asked_for_and_no_point_twice() -> None:
+    every = points("all")
+    assert len(every) == len(set(every)) >= 12
+    assert {names for *_, names in every} == {"matching", "unique"}
+    assert not set(points("fit")) & set(points("test"))
+    assert all(endpoints % 2 == 0 for _, _, endpoints, _ in every)  # half of them write
+
+
+@pytest.mark.parametrize("use", ["fit", "test"])
+def test_each_half_of_the_grid_can_tell_the_units_apart(use: str) -> None:
+    """Processes, ordered pairs, endpoints and remote processes, and matched endpoints."""
+    rows = []
+    for hosts, processes, endpoints, names in points(use):
+        everyone, pairs = hosts * processes, hosts * (hosts - 1) * processes**2
+        matched = pairs * endpoints if names == "matching" else 0
+        rows.append([everyone, pairs, pairs * endpoints, matched, everyone * pairs])
+    scaled = np.array(rows) / np.max(rows, axis=0)
+    assert np.linalg.cond(scaled) < 100
+
+
+def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
+    versions = dict.fromkeys(lab.PACKAGES, "1")
+    names = [job["name"] for job in lab.jobs(LAB / "grid.csv", [], False, versions)]
+    with (LAB / "grid.csv").open(newline="") as file:
+        runs = sum(int(row["runs"]) for row in csv.DictReader(file))
+    assert len(names) == len(set(names)) == runs * len(lab.PRODUCTS)
+    assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)  # with_suffix needs no dot
+
+
+def test_the_lock_of_the_lab_has_a_hash_for_each_version() -> None:
+    lock = (LAB / "requirements.lock").read_text(encoding="utf-8")
+    pins = re.findall(r"^([\w-]+)==\S+.*\\\n(?:    --hash=sha256:[0-9a-f]{64}.*\n?)+", lock, re.M)
+    assert len(pins) == len(re.findall(r"^\S", lock, re.M))
+    assert {"cyclonedds", "eclipse-zenoh"} <= set(pins)
+
+
+def check(tmp_path: Path, *programs: str) -> subprocess.CompletedProcess[str]:
+    """Run check.sh where only these programs are."""
+    for program in programs:
+        (tmp_path / program).write_text("#!/bin/sh\nexec echo 1000\n")
+        (tmp_path / program).chmod(0o755)
+    return subprocess.run(
+        ["/bin/sh", "lab/check.sh"],
+        cwd=ROOT,
+        env={"PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_what_is_missing_is_said_with_the_packages_to_install(tmp_path: Path) -> None:
+    made = check(tmp_path, "ip", "unshare")
+    assert made.returncode == 1
+    assert re.search(r"missing:.* tcpdump", made.stderr)
+    assert " ip " not in made.stderr.splitlines()[0]
+    assert re.search(r"apt-get install .*tcpdump", made.stderr)
+
+
+def ready() -> None:
+    """Skip where the lab cannot run."""
+    if os.geteuid() != 0:
+        missing("the lab needs root")
+    if subprocess.run(
+        ["sh", "lab/check.sh"], cwd=ROOT, capture_output=True, check=False
+    ).returncode:
+        missing("the lab's programs are not installed: see lab/check.sh")
+    if not (lab.BUILD / ".ready").exists():
+        missing("the lab is not set up: run make lab GRID=short")
+
+
+def marked(mark: str) -> list[int]:
+    """Return the processes, in whatever namespaces, that inherited the mark."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if mark.encode() in (folder / "environ").read_bytes():
+                found.append(int(folder.name))
+        except OSError:  # it has just ended
+            continue
+    return found
+
+
+def wait_until(true: object, seconds: float = 20.0) -> bool:
+    assert callable(true)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if true():
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[str]:
+    """Run the lab on one point of two hosts, for all products or some."""
+    grid = out.with_suffix(".csv")
+    heading = "hosts,processes,endpoints,names,use,runs,seconds"
+    grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
+    command = [sys.executable, str(LAB / "run.py"), "--grid", str(grid), "--out", str(out)]
+    command += ["--spacing", "0.2", *(f"--only={name}" for name in only)]
+    return subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env=os.environ | {"DISCOSTORM_MARK": mark},
+    )
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_nothing_is_left_after_an_end_before_time(tmp_path: Path, how: signal.Signals) -> None:
+    """Ctrl-C, kill, and even kill -9, in the middle of captures."""
+    ready()
+    mark = uuid.uuid4().hex
+    made = begin(out := tmp_path / "out", mark, 60)
+    # Two stages at least, each with tcpdump and programs of two hosts.
+    assert wait_until(lambda: len(list(out.glob("*.pcap"))) > 1 and len(marked(mark)) > 14)
+    made.send_signal(how)
+    made.communicate(timeout=20)
+    assert wait_until(lambda: not marked(mark)), "processes of the lab are still there"
+    if how != signal.SIGKILL:
+        assert made.returncode == 128 + how
+        assert not list(out.iterdir()), "half a capture was left"
+
+
+def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
+    ready()
+    broken = tmp_path / "broken"
+    broken.write_text("#!/bin/sh\necho 'no such domain' >&2\nexit 3\n")
+    broken.chmod(0o755)
+    mark = uuid.uuid4().hex
+    job = {"command": [str(broken)], "hosts": 2, "processes": 1, "endpoints": 2, "names": "unique"}
+    job |= {"variant": "default", "seconds": 5.0, "env": {}, "out": str(tmp_path / "out")}
+    made = subprocess.run(
+        [*lab.STAGE, json.dumps(job)],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=os.environ | {"DISCOSTORM_MARK": mark},
+        timeout=60,
+    )
+    assert made.returncode == 1
+    assert "ended with 3: no such domain" in made.stderr
+    assert wait_until(lambda: not marked(mark))
+
+
+def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
+    """For real: two hosts, and each product's processes find each other."""
+    ready()
+    mark = uuid.uuid4().hex
+    before = subprocess.run(["ip", "link"], capture_output=True, text=True, check=True).stdout
+    made = begin(out := tmp_path / "out", mark, 4)
+    said, _ = made.communicate(timeout=300)
+    assert made.returncode == 0, said
+    assert not marked(mark)
+    after = subprocess.run(["ip", "link"], capture_output=True, text=True, check=True).stdout
+    assert after == before
+    for product, variant in lab.PRODUCTS:
+        [capture] = out.glob(f"{product.replace('.', '')}-{variant}-*.pcap.gz")
+        told = json.loads(capture.with_suffix("").with_suffix(".json").read_text())
+        assert told["version"]
+        assert len(told["times"]) == 2
+        hosts = talk(capture)
+        assert hosts >= {("10.77.0.1", "10.77.0.2"), ("10.77.0.2", "10.77.0.1")}, capture
+        assert {who for who, _ in hosts} == {"10.77.0.1", "10.77.0.2"}
+
+
+def test_captures_are_counted_in_windows(tmp_path: Path) -> None:
+    """Of a run of 14 s the start-up is counted, and of the steady window nothing."""
+    ready()
+    made = begin(out := tmp_path / "out", uuid.uuid4().hex, 14, "fast_dds-default")
+    said, _ = made.communicate(timeout=300)
+    assert made.returncode == 0, said
+    command = [sys.executable, str(LAB / "count.py"), str(out), "--out", str(tmp_path / "tables")]
+    subprocess.run(command, check=True, capture_output=True)
+    with (tmp_path / "tables" / "runs.csv").open(newline="") as file:
+        [run] = csv.DictReader(file)
+    assert (run["product"], run["hosts"], run["command"].split()[:2]) == (
+        "fast_dds",
+        "2",
+        ["fast_dds", "14"],
+    )
+    with (tmp_path / "tables" / "counts.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["window"] for row in rows} == {"startup"}
+    announced = [row for row in rows if row["kind"] == "SPDP" and row["multicast"] == "1"]
+    # At once, five times 0.1 s apart, at 3.5, 6.5, 9.5 s, and for the other: 10 for each of two.
+    assert [row["messages"] for row in announced] == ["20"]
+
+
+def talk(capture: Path) -> set[tuple[str, str]]:
+    """Return who sends IP packets to whom, as tcpdump reads them."""
+    tcpdump = shutil.which("tcpdump")
+    assert tcpdump
+    plain = capture.with_suffix("")
+    with gzip.open(capture) as packed:
+        plain.write_bytes(packed.read())
+    read = subprocess.run(
+        [tcpdump, "-n", "-t", "-r", plain, "udp or tcp"], capture_output=True, text=True, check=True
+    )
+    pattern = re.compile(r"^IP (\d+\.\d+\.\d+\.\d+)\S* > (\d+\.\d+\.\d+\.\d+)", re.M)
+    return set(pattern.findall(read.stdout))
