@@ -454,7 +454,7 @@ def test_command_prints_what_the_package_finds() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--protocol", "CORBA"), "'CORBA' is not one of 'DDS'"),
+        (("--protocol", "CORBA"), "Invalid value for '--protocol': 'CORBA'"),
         (("--window", "-1"), "--window must be a finite number of at least 0; got -1"),
         (("--runs", "0"), "runs must be"),
         (("--loss", "1"), "loss must be below 1"),

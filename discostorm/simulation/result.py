@@ -85,8 +85,8 @@ class Simulation:
         For each run rows of time [s], and frames waiting at all hosts and at the access
         point [1].
     pair_times : ndarray of shape (runs, pairs)
-        When each process had all of each other one, in ascending order [s]; without recovery
-        of shape (runs, 0).
+        Since when each process has all of each other one, in ascending order [s]; infinity for
+        those that at the end have not, or no longer. Without recovery of shape (runs, 0).
     transmissions : ndarray
         The first transmissions of the first run, see `transmission_table`.
     """
@@ -197,7 +197,7 @@ class Simulation:
             panels[1].step(times[good], known[good], where="post")
             panels[1].set(
                 xlabel="time after the start [s]",
-                ylabel="pairs that know each other [1], all runs",
+                ylabel="pairs complete [1], all runs",
                 ylim=(0, 1.02),
             )
         return figure
