@@ -18,6 +18,7 @@ from discostorm.messages import (
 from discostorm.planner import Plan, Remedy, Share, plan
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
+from discostorm.simulation import Simulation, simulate
 from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ __all__ = [
     "Remedy",
     "Schedule",
     "Share",
+    "Simulation",
     "Unit",
     "Wifi",
     "breakdown",
@@ -56,6 +58,7 @@ __all__ = [
     "plan",
     "read_capture",
     "saturation_hosts",
+    "simulate",
     "utilization",
 ]
 

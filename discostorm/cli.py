@@ -675,6 +675,111 @@ def plan(file: str | None, protocol: str, nodes: Any, wifi: Wifi, output: Output
             click.echo(f"\n{ALONE}")
 
 
+@dataclass(frozen=True)
+class Runs:
+    """How `simulate` runs: what its options say."""
+
+    runs: int
+    seed: int
+    loss: float
+    window: float
+    until: float
+    unlimited: bool
+    no_recovery: bool
+
+    def arguments(self) -> dict[str, Any]:
+        """Return the arguments of the package's function."""
+        if not 0 <= self.window < float("inf"):
+            raise ValueError(f"--window must be a finite number of at least 0; got {self.window:g}")
+        start = (lambda rng, hosts: rng.uniform(0, self.window, hosts)) if self.window else 0.0
+        return {
+            "queue": None if self.unlimited else (500, 0.5),
+            "start": start,
+            "loss": self.loss,
+            "recovery": not self.no_recovery,
+            "runs": self.runs,
+            "seed": self.seed,
+            "until": self.until,
+        }
+
+
+@main.command(short_help="The start of a fleet on the air, frame by frame.")
+@_packed("file", _one_file, *file_options)
+@click.option(
+    "--protocol",
+    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
+    default=ds.DDS.name,
+    show_default=True,
+    help="The middleware, in any case of letters.",
+)
+@_packed(
+    "how",
+    Runs,
+    click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
+    click.option("--seed", type=int, default=0, show_default=True, help="Of the random numbers."),
+    click.option(
+        "--loss", type=float, default=0.0, show_default=True, help="Frame errors of a link, 0 to 1."
+    ),
+    click.option(
+        "--window",
+        type=float,
+        default=0.0,
+        show_default=True,
+        metavar="s",
+        help="Hosts start at random within this time.",
+    ),
+    click.option(
+        "--until",
+        type=float,
+        default=120.0,
+        show_default=True,
+        metavar="s",
+        help="When to give up after the last start, with recovery.",
+    ),
+    click.option(
+        "--unlimited", is_flag=True, help="Queues without limits, not 500 frames and 0.5 s."
+    ),
+    click.option("--no-recovery", is_flag=True, help="Nothing answers and nothing is repaired."),
+)
+@wifi_options
+@output_options
+def simulate(file: str | None, protocol: str, how: Runs, wifi: Wifi, output: Output) -> None:
+    """Simulate how the fleet of a file starts, frame by frame, in several runs.
+
+    FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
+    messages answer messages and the middleware repairs what is lost.
+
+    \b
+    Examples:
+      discostorm simulate fleet.toml --until 5
+      discostorm simulate fleet.toml --protocol 'Fast DDS' --window 30 --until 5 --json
+      discostorm simulate fleet.toml --no-recovery --wifi '802.11n 20 MHz 2x2, A-MPDU 64'
+    """
+    if file is None:
+        raise click.UsageError("Missing argument 'FLEET'.")
+    with _bad_input():
+        try:
+            found = ds.simulate(_read(file), ds.PROTOCOLS[protocol], wifi, **how.arguments())
+        except ImportError as error:
+            raise click.ClickException(str(error)) from error
+    if output.as_json:
+        click.echo(_json(found.to_dict()))
+        return
+    table = found.table().reset_index()
+    if not output.as_csv:
+        table = table[["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]]
+    _print(
+        table.to_dict("records"),
+        output,
+        {"drain_time_s": _never, "lost": _percent, "convergence_time_s": _never},
+        {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},
+    )
+
+
+def _never(value: float) -> str:
+    return "never" if value == float("inf") else _seconds(value)
+
+
 @main.command(short_help="Write the paper's figures and their data.")
 @click.option("--out", required=True, metavar="DIR", help="Folder to write to, made if missing.")
 @output_options

@@ -372,9 +372,10 @@ def every_command() -> dict[str, click.Command]:
     return dict(main.commands)
 
 
-def test_there_are_seven_commands() -> None:
+def test_there_are_eight_commands() -> None:
     assert sorted(every_command()) == [
-        "breakdown", "capture", "claims", "figures", "plan", "saturation", "utilization",
+        "breakdown", "capture", "claims", "figures", "plan", "saturation", "simulate",
+        "utilization",
     ]  # fmt: skip
 
 

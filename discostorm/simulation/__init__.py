@@ -1,0 +1,217 @@
+"""The burst on the air, frame by frame: contention, queues, losses, recovery.
+
+A second opinion of the closed form: one 802.11 cell whose hosts contend for the channel, see
+`simulate`. The inner loops are compiled by numba, an extra: `pip install discostorm[simulation]`.
+"""
+
+from __future__ import annotations
+
+import sys
+from importlib.util import find_spec
+from threading import Timer
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from discostorm import _checks
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol
+from discostorm.simulation.result import Run, Simulation
+from discostorm.wifi import Wifi
+
+if TYPE_CHECKING:
+    from discostorm.simulation.run import Plan
+
+__all__ = ["Simulation", "simulate"]
+
+#: What users wait for without being told how long it takes [s].
+_PATIENCE = 60.0
+#: Loading what was compiled takes less [s].
+_LOADING = 3.0
+#: Runs that take less in all go one after the other: starting processes takes longer [s].
+_ALONE = 5.0
+
+
+def simulate(
+    fleet: Fleet,
+    protocol: Protocol,
+    wifi: Wifi,
+    *,
+    queue: tuple[float, float] | None = (500, 0.5),
+    start: Any = 0.0,
+    loss: Any = 0.0,
+    recovery: bool = True,
+    runs: int = 1,
+    seed: int = 0,
+    until: float = 120.0,
+    eifs: bool = False,
+) -> Simulation:
+    """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
+
+    All hosts hear each other and the access point, at equal strength. Every frame goes up to
+    the access point as unicast, waits there and goes down again, multicast once at the basic
+    rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
+    DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
+    With aggregation, block acknowledgements are agreed on before; one that is missing
+    is asked for, and frames are repeated until they arrive or are too old.
+
+    Parameters
+    ----------
+    fleet : Fleet
+        At least two hosts; hosts, processes and endpoints must be whole numbers.
+    protocol : Protocol
+        Its messages, schedules, answers and lease.
+    wifi : Wifi
+        A channel with a radio, such as `discostorm.PAPER` or ``Radio(...).wifi()``.
+    queue : tuple of (float, float), optional
+        Frames [1] and seconds that the queue of each station and of the access point holds,
+        as ns-3 has them by default; infinity or None for no limit.
+    start : float, array or distribution, optional
+        When hosts start [s], at least 0: one time for all, an array of one a host, an object
+        with ``rvs`` (of `scipy.stats`), or a function of a `numpy.random.Generator` and
+        a number of hosts that returns their times.
+    loss : float or array, optional
+        Part of the data frames with errors on the link between a host and the access point
+        [1], up and down alike, at least 0 and below 1; an array has one a host.
+    recovery : bool, optional
+        Whether messages answer messages and the middleware repairs what is lost, as
+        `discostorm.simulation.recovery` says. If not, each host sends all that its
+        schedules say by the clock, nothing answers and nothing is repeated but by Wi-Fi.
+    runs : int, optional
+        Independent runs [1]. They go side by side through joblib, which
+        `joblib.parallel_config` directs.
+    seed : int, optional
+        Of the random numbers [1], at least 0: the same arguments give the same result to the
+        bit.
+    until : float, optional
+        With recovery, when to give up [s] after the last host's start, above 0; without it a
+        run ends when the burst is through.
+    eifs : bool, optional
+        Whether those who hear a collision take it for a frame with errors and wait EIFS. If
+        not, as ns-3 has it, frames of equal strength hide each other's preamble.
+
+    Returns
+    -------
+    Simulation
+        Drain time, losses, convergence time and more, one value a run.
+
+    Raises
+    ------
+    ImportError
+        If numba, joblib or tqdm is missing.
+    ValueError
+        If an argument is out of range, or the fleet, protocol or channel cannot be simulated.
+    TypeError
+        If an argument is of another kind.
+
+    References
+    ----------
+    IEEE Std 802.11-2020, 10.3 and 10.23.2 (contention), 10.25 (block acknowledgement); OMG
+    DDSI-RTPS 2.5, 8.4; RFC 6298. Periods: ``data/vendors/middleware_defaults.csv``.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> swarm = ds.Fleet.swarm(3, 2, 10)
+    >>> found = ds.simulate(swarm, ds.DDS, ds.PAPER, recovery=False, runs=3)
+    >>> bool((found.drain_time > ds.utilization(ds.DDS, 3, 2, 10) / 2).all())
+    True
+    """
+    for name in ("numba", "joblib", "tqdm"):
+        if find_spec(name) is None:
+            raise ImportError(
+                f"the simulator needs {name}: pip install discostorm[simulation]", name=name
+            )
+    _checks.instance("fleet", fleet, Fleet)
+    _checks.instance("protocol", protocol, Protocol)
+    _checks.instance("wifi", wifi, Wifi)
+    _checks.instance("recovery", recovery, bool)
+    _checks.instance("eifs", eifs, bool)
+    _checks.whole("runs", runs, 1)
+    _checks.whole("seed", seed, 0)
+    _checks.number("until", until, 0, above=True)
+
+    from discostorm.simulation.run import plan_runs
+
+    plan = plan_runs(
+        fleet,
+        protocol,
+        wifi,
+        _queue(queue),
+        start,
+        loss,
+        recovery,
+        float(until),
+        eifs,
+    )
+    seeds = np.random.SeedSequence(int(seed)).spawn(int(runs))
+    settings = {
+        "hosts": plan.hosts.processes.size,
+        "queue_frames": plan.queue[0],
+        "queue_s": plan.queue[1],
+        "recovery": recovery,
+        "runs": int(runs),
+        "seed": int(seed),
+        "until_s": float(until),
+        "eifs": eifs,
+    }
+    return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(plan, seeds))
+
+
+def _queue(queue: Any) -> tuple[float, float]:
+    """Return frames and seconds of a queue; infinity for no limit."""
+    if queue is None:
+        return np.inf, np.inf
+    if np.shape(queue) != (2,):
+        raise TypeError(f"queue must be None or a tuple of frames and seconds; got {queue!r}")
+    frames, seconds = (np.inf if value is None else value for value in queue)
+    if frames != np.inf:
+        _checks.whole("queue[0]", frames, 1)
+    if seconds != np.inf:
+        seconds = _checks.number("queue[1]", seconds, 0, above=True)
+    return float(frames), float(seconds)
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(f"discostorm: {text}\n")
+    sys.stderr.flush()
+
+
+def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
+    from joblib import Parallel, delayed
+    from tqdm import tqdm
+
+    from discostorm.simulation.run import compiled, one_run
+
+    notice = Timer(_LOADING, _say, ["compiling the simulator, once on this machine ..."])
+    notice.daemon = True
+    notice.start()
+    compiled()
+    notice.cancel()
+    seconds, megabytes = plan.estimate()
+    if seconds * len(seeds) > _PATIENCE:
+        _say(
+            f"{len(seeds)} run{'s'[: len(seeds) > 1]} of about {seconds / 60:.1f} min and "
+            f"{megabytes:.0f} MB each"
+        )
+    hidden = None if seconds * len(seeds) > 1 else True
+    with tqdm(total=len(seeds), desc="simulating", unit="run", disable=hidden) as bar:
+        found = []
+        if len(seeds) == 1 or seconds * len(seeds) < _ALONE:
+            for seed in seeds:
+                found.append(one_run(plan, seed))
+                bar.update()
+            return found
+        jobs = Parallel(return_as="generator", **_jobs())
+        for run in jobs(delayed(one_run)(plan, seed) for seed in seeds):
+            found.append(run)
+            bar.update()
+    return found
+
+
+def _jobs() -> dict[str, int]:
+    """Return how many jobs go side by side: what the user's configuration says, or all."""
+    from joblib.parallel import get_active_backend
+
+    _, jobs = get_active_backend()
+    return {} if jobs not in (None, 1) else {"n_jobs": -1}

@@ -1,0 +1,44 @@
+"""How the inner loops are compiled: to machine code that is kept on disk."""
+
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+#: Without reference counts (nothing here makes an array), which would cost more than all else.
+_OPTIONS: dict[str, Any] = {"nogil": True, "_nrt": False}
+
+
+def njit(function: Function) -> Function:
+    """Compile a function that becomes part of each that calls it."""
+    compiled: Function = numba.njit(**_OPTIONS, forceinline=True)(function)
+    return compiled
+
+
+def shared(function: Function) -> Function:
+    """Compile a function that many call: once, so that compiling does not take too long."""
+    compiled: Function = numba.njit(**_OPTIONS)(function)
+    return compiled
+
+
+def entry(function: Function) -> Function:
+    """Compile a function that Python calls and keep it on disk, if anywhere."""
+    try:
+        options: dict[str, Any] = _OPTIONS | {"cache": True}
+        compiled: Function = numba.njit(**options)(function)
+    except RuntimeError:  # nowhere to write
+        compiled = numba.njit(**_OPTIONS)(function)
+    return compiled
+
+
+@cache
+def sources() -> str:
+    """Return a digest of all that is compiled: other sources must not use old machine code."""
+    texts = (file.read_bytes() for file in sorted(Path(__file__).parent.glob("*.py")))
+    return sha256(b"".join(text for text in texts if b"_compile import" in text)).hexdigest()

@@ -1,0 +1,258 @@
+"""What a simulated cell consists of, as arrays; chance; and the heap of what will happen.
+
+Time is counted in whole ticks of 100 ns. Stations are the hosts, then the access point.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm.simulation._compile import njit, shared
+
+Ints = NDArray[np.int64]
+
+#: Later than anything.
+NEVER = np.int64(2**62)
+
+# ---------------------------------------------------------------- a frame in one number
+
+#: Bits of kind, destination process, source process and item, from the lowest on.
+KIND_BITS, PROCESS_BITS, ITEM_BITS = 6, 20, 14
+_KINDS, _PROCESSES, _ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
+_TO = KIND_BITS
+_FROM = _TO + PROCESS_BITS
+_ITEM = _FROM + PROCESS_BITS
+#: Of a frame that belongs to the traffic that stays, not to the burst.
+STEADY = np.int64(1) << (_ITEM + ITEM_BITS)
+#: Of a frame that the middleware sends again.
+REPAIR = STEADY << 1
+
+
+@njit
+def compose(kind, source, destination, item):
+    """Return a frame."""
+    return kind | (destination << _TO) | (source << _FROM) | ((item & _ITEMS) << _ITEM)
+
+
+@njit
+def kind_of(frame):
+    """Return the row of the protocol's table that a frame carries."""
+    return frame & _KINDS
+
+
+@njit
+def destination_of(frame):
+    """Return the process that a unicast frame is for."""
+    return (frame >> _TO) & _PROCESSES
+
+
+@njit
+def source_of(frame):
+    """Return the process that a frame is from."""
+    return (frame >> _FROM) & _PROCESSES
+
+
+@njit
+def item_of(frame):
+    """Return which of the like messages of a pair of processes it is."""
+    return (frame >> _ITEM) & _ITEMS
+
+
+def _record(*names: str, floats: tuple[str, ...] = ()) -> np.dtype[np.void]:
+    return np.dtype([(name, np.float64 if name in floats else np.int64) for name in names])
+
+
+#: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
+#: begun; `heard`: how much longer who heard a frame with errors waits (EIFS - AIFS).
+RADIO = _record(
+    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
+    *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
+    *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
+)
+
+#: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
+#: before; the medium is idle from ``idle`` on; then counts. ``open``: frames of the burst that
+#: are on their way, ``coming``: parts of the burst that hosts have still to send.
+NOW = _record(
+    *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "events", "free", "spare"),
+    *("open", "coming", "drained", "queued", "sample", "step", "samples", "logged", "random"),
+    *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
+    *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
+    *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
+    *("busy", "wasted", "expired"),
+)
+
+#: Causes of losses, for `lose`.
+FULL, AGE, RETRY, AIR = range(4)
+
+#: A station: the slot in which it sends, whether it waits for it, who waits behind it for the
+#: same; failures in a row; frames that it holds, has just sent, has numbered; whether it has
+#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst. The
+#: access point's frames for host h hang on ``to_head`` and ``to_tail`` of h.
+STATION = _record(
+    *("send_slot", "waits", "behind", "failures", "held", "sent", "length", "must_ask"),
+    *("head", "tail", "following", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
+    *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
+    floats=("loss",),
+)
+
+#: A frame that a station is sending, the tick at which it came, its number, its failures.
+HELD = _record("frame", "came", "number", "tries")
+
+#: A frame that waits, or a burst that does; the next in the queue, the next to the same host.
+ENTRY = _record("frame", "came", "next", "same")
+
+#: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
+STRAY = _record("station", "base", "left", "time")
+
+#: Who sends now, and until when; also what has just arrived.
+SENDER = _record("station", "end", "frame")
+
+#: What happens later.
+EVENT = _record("time", "what")
+
+#: A row of the protocol's table; see `discostorm.simulation.traffic`.
+KIND = _record(
+    *(
+        "octets",
+        "multicast",
+        "to_all",
+        "up",
+        "down",
+        "per",
+        "each_endpoint",
+        "time_up",
+        "time_down",
+    ),
+    *("role", "informs", "trigger", "answers", "each_answer", "before", "tcp", "gap_first"),
+    *("gap_number",),
+)
+
+#: What a message is for: `role`; and when it is sent: `trigger`.
+OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
+CLOCK, ANSWER, DISCOVERY = range(3)
+
+#: How the middleware repairs, in ticks; see `discostorm.simulation.recovery`.
+REPAIRS = _record(
+    *("announce_first", "announce_most", "heartbeat_first", "heartbeat_most", "lease", "topics"),
+    *("items", "heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
+)
+
+#: What process x holds of process y, at [x, y]: whether x knows y, when it heard of it last, how
+#: many items of y it misses, when it had all; whether x has sent y its own, which topics y has
+#: acknowledged; and of x's connection to y the timer, when it ends, round trip and its spread.
+OF_PAIR = _record(
+    *("known", "heard", "missing", "done", "offered", "acknowledged"),
+    *("rto", "due", "round_trip", "spread", "armed"),
+)
+
+#: A process.
+PROCESS = _record("host", "endpoints", "start", "announce", "heartbeat", "beating")
+
+#: A transmission.
+SENT = _record("start", "end", "station", "kind", "frames", "outcome")
+SUCCESS, COLLISION, ERROR = range(3)
+
+#: Queue lengths at a time.
+SAMPLE = _record("time", "hosts", "access_point")
+
+Records = NDArray[np.void]
+
+
+class Cell(NamedTuple):
+    """All that a run reads and changes."""
+
+    radio: Records
+    now: Records
+    stations: Records
+    window: Records
+    wheel: Ints
+    strays: Records
+    senders: Records
+    pool: Records
+    events: Records
+    kinds: Records
+    batches: Ints
+    processes: Records
+    repairs: Records
+    pairs: Records
+    has: Ints
+    airtime: Ints
+    samples: Records
+    log: Records
+
+
+#: What happens, above the bits that say to whom: a host or process, another, a row of the table.
+_EVENT = 56
+SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT = (np.int64(n) << _EVENT for n in range(6))
+
+# ---------------------------------------------------------------- chance
+
+
+@njit
+def random_bits(now):
+    """Return 64 random bits (xorshift64*, Vigna 2016)."""
+    x = np.uint64(now.random)
+    x ^= x >> np.uint64(12)
+    x ^= x << np.uint64(25)
+    x ^= x >> np.uint64(27)
+    now.random = np.int64(x)
+    return x * np.uint64(2685821657736338717)
+
+
+@njit
+def below(now, number):
+    """Return a whole number from 0 to below ``number``, all alike."""
+    return (np.int64(random_bits(now) >> np.uint64(33)) * number) >> 31
+
+
+@njit
+def uniform(now):
+    """Return a number from 0 to below 1."""
+    return np.float64(np.int64(random_bits(now) >> np.uint64(11))) * 2.0**-53
+
+
+# ---------------------------------------------------------------- events
+
+
+@shared
+def later(cell, time, what):
+    """Put an event on the heap."""
+    events = cell.events
+    place = cell.now[0].events
+    cell.now[0].events = place + 1
+    while place > 0:
+        above = (place - 1) >> 1
+        if events[above].time <= time:
+            break
+        events[place].time = events[above].time
+        events[place].what = events[above].what
+        place = above
+    events[place].time = time
+    events[place].what = what
+
+
+@njit
+def next_event(cell):
+    """Take the earliest event off the heap and return what it is."""
+    events = cell.events
+    result = events[0].what
+    count = cell.now[0].events - 1
+    cell.now[0].events = count
+    time, what = events[count].time, events[count].what
+    place = 0
+    while True:
+        lower = 2 * place + 1
+        if lower >= count:
+            break
+        if lower + 1 < count and events[lower + 1].time < events[lower].time:
+            lower += 1
+        if events[lower].time >= time:
+            break
+        events[place].time = events[lower].time
+        events[place].what = events[lower].what
+        place = lower
+    events[place].time = time
+    events[place].what = what
+    return result

@@ -1,0 +1,264 @@
+"""What waits to be sent: queues with a length and a lifetime, and bursts that are not written out.
+
+A burst of many frames waits as one entry; its frames are made one after the other when it is
+their turn.
+"""
+
+import numpy as np
+
+from discostorm.simulation._compile import njit, shared
+from discostorm.simulation.cell import (
+    AGE,
+    FULL,
+    RETRY,
+    STEADY,
+    compose,
+    destination_of,
+    kind_of,
+)
+
+#: An entry whose frame has been taken already.
+_TAKEN = np.int64(2**62)
+#: Most different bursts.
+BATCHES = 256
+
+
+@njit
+def burst_entry(batch, frames):
+    """Return the entry of so many frames of a burst."""
+    return -1 - (frames * BATCHES + batch)
+
+
+@njit
+def frames_of(entry):
+    """Return how many frames an entry stands for."""
+    if entry < 0:
+        return (-1 - entry) // BATCHES
+    return np.int64(entry != _TAKEN)
+
+
+@njit
+def batch_of(entry):
+    """Return which burst an entry stands for."""
+    return (-1 - entry) % BATCHES
+
+
+@njit
+def is_steady(cell, batch):
+    """Return whether a burst is one that comes again and again."""
+    return cell.batches[batch, cell.now[0].kinds] > 0
+
+
+@njit
+def receivers(cell, frame):
+    """Return how many are to receive a frame."""
+    kind = cell.kinds[kind_of(frame)]
+    return cell.now[0].links if kind.multicast and kind.down else np.int64(1)
+
+
+@shared
+def lose(cell, frame, station, cause):
+    """Count a frame as lost for good."""
+    if not frame & STEADY:
+        cell.now[0].open -= 1
+        count_lost(cell, receivers(cell, frame), station, cause)
+
+
+@shared
+def count_lost(cell, times, station, cause):
+    """Count receptions that will not be, by cause."""
+    now = cell.now[0]
+    host = station < now.hosts
+    if cause == FULL:
+        if host:
+            now.host_full += times
+        else:
+            now.ap_full += times
+    elif cause == AGE:
+        if host:
+            now.host_age += times
+        else:
+            now.ap_age += times
+    elif cause == RETRY:
+        if host:
+            now.host_retry += times
+        else:
+            now.ap_retry += times
+    else:
+        now.on_air += times
+
+
+@njit
+def change_length(cell, station, frames):
+    """Note that frames have come to a station or left it."""
+    cell.stations[station].length += frames
+    if station < cell.now[0].hosts:
+        cell.now[0].queued += frames
+
+
+@njit
+def receiver(cell, frame):
+    """Return the host that a frame goes to; of multicast the number of hosts."""
+    if cell.kinds[kind_of(frame)].multicast:
+        return cell.now[0].hosts
+    return cell.processes[destination_of(frame)].host
+
+
+@njit
+def put(cell, station, entry, time):
+    """Append an entry to a queue."""
+    now, queue = cell.now[0], cell.stations[station]
+    node = now.free
+    waiting = cell.pool[node]
+    now.free = waiting.next
+    now.spare -= 1
+    waiting.frame = entry
+    waiting.came = time
+    waiting.next = -1
+    if queue.tail < 0:
+        queue.head = node
+    else:
+        cell.pool[queue.tail].next = node
+    queue.tail = node
+    if now.per_receiver and station == now.hosts:
+        # The access point finds the frames of one receiver without a search.
+        waiting.same = -1
+        to = cell.stations[receiver(cell, entry)]
+        if to.to_tail < 0:
+            to.to_head = node
+        else:
+            cell.pool[to.to_tail].same = node
+        to.to_tail = node
+
+
+@njit
+def drop_head(cell, station):
+    """Take the first entry off a queue."""
+    now, queue = cell.now[0], cell.stations[station]
+    node = queue.head
+    queue.head = cell.pool[node].next
+    if queue.head < 0:
+        queue.tail = -1
+    cell.pool[node].next = now.free
+    now.free = node
+    now.spare += 1
+
+
+@njit
+def take_same(cell, host):
+    """Take the access point's first frame for a host; its entry leaves the queue later."""
+    to = cell.stations[host]
+    waiting = cell.pool[to.to_head]
+    to.to_head = waiting.same
+    if to.to_head < 0:
+        to.to_tail = -1
+    waiting.frame = _TAKEN
+
+
+@shared
+def first_entry(cell, station, time):
+    """Return the first entry of a queue, after throwing out what is too old, or -1."""
+    queue = cell.stations[station]
+    while queue.head >= 0:
+        waiting = cell.pool[queue.head]
+        entry = waiting.frame
+        if entry != _TAKEN:
+            if time - waiting.came <= cell.radio[0].lifetime:
+                return queue.head
+            if cell.now[0].per_receiver and station == cell.now[0].hosts:
+                take_same(cell, receiver(cell, entry))
+            change_length(cell, station, -frames_of(entry))
+            if entry < 0:
+                lose_burst(cell, station, entry)
+            else:
+                lose(cell, entry, station, AGE)
+        drop_head(cell, station)
+    return np.int64(-1)
+
+
+@shared
+def lose_burst(cell, station, entry):
+    """Count what is left of a burst as too old."""
+    maker = cell.stations[station]
+    left = frames_of(entry)
+    multicast = frames_to_all(cell, station, batch_of(entry))
+    if maker.begun:
+        multicast -= maker.made
+    multicast = min(max(multicast, 0), left)
+    maker.begun = 0
+    if not is_steady(cell, batch_of(entry)):
+        cell.now[0].open -= left
+        count_lost(cell, left + multicast * (cell.now[0].links - 1), station, AGE)
+
+
+@njit
+def each(cell, host, kind):
+    """Return how often a message is sent for each process or pair of processes."""
+    row = cell.kinds[kind]
+    return row.per * cell.stations[host].endpoints if row.each_endpoint else row.per
+
+
+@shared
+def frames_to_all(cell, host, batch):
+    """Return how many frames, counted by process, a host sends in a burst."""
+    total = np.int64(0)
+    for kind in range(cell.now[0].kinds):
+        if cell.kinds[kind].to_all and cell.batches[batch, kind]:
+            total += each(cell, host, kind)
+    return total * cell.stations[host].processes
+
+
+@njit
+def burst_frames(cell, host, batch):
+    """Return how many frames a host sends in a burst."""
+    total = np.int64(0)
+    own = cell.stations[host].processes
+    for kind in range(cell.now[0].kinds):
+        if cell.batches[batch, kind] and not cell.kinds[kind].to_all:
+            total += each(cell, host, kind)
+    return frames_to_all(cell, host, batch) + total * own * (cell.processes.size - own)
+
+
+@shared
+def make(cell, host, batch):
+    """Return the next frame of a burst.
+
+    First the messages to all of each process, then, for each process, what goes to each
+    remote process, the next host first, in the order of the table.
+    """
+    maker, hosts, kinds = cell.stations[host], cell.now[0].hosts, cell.now[0].kinds
+    if not maker.begun:
+        maker.begun, maker.made, maker.stage = 1, 0, 0
+        maker.process, maker.steps, maker.there, maker.kind, maker.times = 0, 1, 0, 0, 0
+    while True:
+        kind = maker.kind
+        if kind < kinds:
+            if (
+                cell.batches[batch, kind]
+                and cell.kinds[kind].to_all != maker.stage
+                and maker.times < each(cell, host, kind)
+            ):
+                to = maker.first + maker.process
+                if maker.stage:
+                    to = cell.stations[(host + maker.steps) % hosts].first + maker.there
+                frame = compose(kind, maker.first + maker.process, to, maker.times)
+                maker.times += 1
+                maker.made += 1
+                return frame | STEADY if is_steady(cell, batch) else frame
+            maker.kind += 1
+            maker.times = 0
+            continue
+        maker.kind = 0
+        if maker.stage:
+            maker.there += 1
+            if maker.there < cell.stations[(host + maker.steps) % hosts].processes:
+                continue
+            maker.there = 0
+            maker.steps += 1
+            if maker.steps < hosts:
+                continue
+            maker.steps = 1
+        maker.process += 1
+        if maker.process == maker.processes:
+            maker.process = 0
+            maker.stage = 1

@@ -1,0 +1,370 @@
+"""What the middlewares do with what arrives: discovery, repair, leases.
+
+Whoever learns of a process sends it what the table says answers an announcement, above all one
+message for each of its own endpoints, an item. Over UDP a writer repeats Heartbeats to all
+that have not acknowledged, a reader answers each with an ACKNACK, and what this says is
+missing is sent again (OMG DDSI-RTPS 2.5, 8.4). Over TCP the sender repeats the first missing
+item when its timer ends, doubles the timer, and goes on as in slow start (RFC 6298, 5681); the
+acknowledgements of TCP travel for free. Who has not been heard of for a lease is forgotten
+with all that it sent, and may be discovered again.
+"""
+
+import numpy as np
+
+from discostorm.simulation._compile import njit, shared
+from discostorm.simulation.cell import (
+    ANNOUNCE,
+    ANSWER,
+    BEAT,
+    CLOCK,
+    DATA,
+    DISCOVERY,
+    EXPIRE,
+    HEARTBEAT,
+    OTHER,
+    PROCESS_BITS,
+    REPAIR,
+    REPEAT,
+    SEND,
+    STEADY,
+    TIMEOUT,
+    compose,
+    item_of,
+    kind_of,
+    later,
+    source_of,
+)
+from discostorm.simulation.medium import offer_burst, offer_new
+
+_MASK = (1 << PROCESS_BITS) - 1
+_WORD = 64
+
+
+@njit
+def pair_event(what, one, other, row):
+    """Return an event of one process about another and a row of the table."""
+    return what | one | (other << PROCESS_BITS) | (row << (2 * PROCESS_BITS))
+
+
+@njit
+def items(cell, process):
+    """Return how many items a process sends to each other."""
+    return cell.repairs[0].items * cell.processes[process].endpoints
+
+
+@njit
+def has_item(cell, reader, writer, item):
+    """Return whether an item of a writer has arrived at a reader."""
+    return (cell.has[reader, writer, item // _WORD] >> (item % _WORD)) & 1
+
+
+@njit
+def first_item(cell, writer, topic):
+    """Return the first item of a topic; those of the next one begin where it ends."""
+    return items(cell, writer) * topic // max(cell.repairs[0].topics, 1)
+
+
+@shared
+def send_items(cell, row, source, to, time, flag):
+    """Send all messages of a row for a pair of processes."""
+    kind = cell.kinds[row]
+    times = kind.per * cell.processes[source].endpoints if kind.each_endpoint else kind.per
+    for item in range(times):
+        offer_new(cell, compose(row, source, to, item) | flag, time)
+
+
+@shared
+def send_item(cell, source, to, item, time):
+    """Send one item again."""
+    endpoints = cell.processes[source].endpoints
+    for row in range(cell.now[0].kinds):
+        kind = cell.kinds[row]
+        if kind.role == DATA:
+            place = item - kind.before * endpoints
+            if 0 <= place < kind.per * endpoints:
+                offer_new(cell, compose(row, source, to, place) | REPAIR, time)
+
+
+@shared
+def complete(cell, reader, writer, time):
+    """Note that a process may have all that it can know of another."""
+    now, pair = cell.now[0], cell.pairs[reader, writer]
+    if pair.known and pair.missing == 0 and pair.done == 0:
+        pair.done = max(time, 1)
+        now.finished += 1
+        if now.finished == now.pairs and now.converged == 0:
+            now.converged = time
+
+
+@shared
+def start_beating(cell, writer, time):
+    """Let a writer send Heartbeats until all have acknowledged."""
+    its, repairs = cell.processes[writer], cell.repairs[0]
+    if repairs.topics > 0:
+        its.heartbeat = repairs.heartbeat_first
+        if not its.beating:
+            its.beating = 1
+            later(cell, time + its.heartbeat, BEAT | writer)
+
+
+@shared
+def beat(cell, writer, time):
+    """Send Heartbeats to all that have not acknowledged."""
+    its, repairs = cell.processes[writer], cell.repairs[0]
+    all_topics = (1 << repairs.topics) - 1
+    waiting = False
+    for reader in range(cell.processes.size):
+        pair = cell.pairs[writer, reader]
+        if pair.known and pair.offered and pair.acknowledged != all_topics:
+            waiting = True
+            for topic in range(repairs.topics):
+                if not (pair.acknowledged >> topic) & 1:
+                    frame = compose(repairs.heartbeat, writer, reader, topic)
+                    offer_new(cell, frame | REPAIR, time)
+    its.beating = waiting
+    if waiting:
+        its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_most)
+        later(cell, time + its.heartbeat, BEAT | writer)
+
+
+@shared
+def arm(cell, source, to, time):
+    """Start the timer of a connection unless it runs."""
+    pair = cell.pairs[source, to]
+    if pair.rto == 0:
+        pair.rto = cell.repairs[0].rto_first
+    pair.due = time + pair.rto
+    if not pair.armed:
+        pair.armed = 1
+        later(cell, pair.due, pair_event(TIMEOUT, source, to, 0))
+
+
+@shared
+def end_timer(cell, source, to, time):
+    """Send the first missing item again if the timer of a connection has really ended."""
+    pair = cell.pairs[source, to]
+    pair.armed = 0
+    if not pair.offered or not pair.known or cell.pairs[to, source].missing == 0:
+        return
+    if pair.due > time:
+        pair.armed = 1
+        later(cell, pair.due, pair_event(TIMEOUT, source, to, 0))
+        return
+    for item in range(items(cell, source)):
+        if not has_item(cell, to, source, item):
+            send_item(cell, source, to, item, time)
+            break
+    pair.rto = min(2 * pair.rto, cell.repairs[0].rto_most)
+    arm(cell, source, to, time)
+
+
+@njit
+def measure(cell, pair, sent_for):
+    """Take a round trip into the timer (RFC 6298, 2)."""
+    repairs = cell.repairs[0]
+    if pair.round_trip == 0:
+        pair.round_trip = max(sent_for, 1)
+        pair.spread = sent_for // 2
+    else:
+        pair.spread += (abs(pair.round_trip - sent_for) - pair.spread) // 4
+        pair.round_trip += (sent_for - pair.round_trip) // 8
+    wanted = pair.round_trip + 4 * pair.spread
+    pair.rto = min(max(wanted, repairs.rto_least), repairs.rto_most)
+
+
+@njit
+def acknowledge_tcp(cell, source, to, place, frame, time):
+    """Let the sender of an item know that it has arrived."""
+    pair = cell.pairs[source, to]
+    if frame & REPAIR:
+        again = 0
+        for item in range(place + 1, items(cell, source)):
+            if again < 2 and not has_item(cell, to, source, item):
+                send_item(cell, source, to, item, time)
+                again += 1
+    else:
+        measure(cell, pair, time - pair.offered)
+    if cell.pairs[to, source].missing > 0:
+        pair.due = time + pair.rto
+
+
+@shared
+def discover(cell, finder, found, time):
+    """Let a process send what it has to one that it did not know."""
+    now = cell.now[0]
+    pair = cell.pairs[finder, found]
+    pair.known = 1
+    pair.heard, pair.offered, pair.acknowledged = time, max(time, 1), 0
+    tcp = False
+    for row in range(now.kinds):
+        kind = cell.kinds[row]
+        if kind.trigger == DISCOVERY:
+            send_items(cell, row, finder, found, time, np.int64(0))
+            tcp |= kind.tcp > 0 and kind.role == DATA
+            if kind.gap_number > 0:
+                what = pair_event(REPEAT, finder, found, row)
+                for number in range(1, kind.gap_number + 1):
+                    later(cell, time + number * kind.gap_first, what)
+    if items(cell, finder) > 0:
+        start_beating(cell, finder, time)
+        if tcp:
+            arm(cell, finder, found, time)
+    complete(cell, finder, found, time)
+
+
+@shared
+def forget(cell, reader, writer, time):
+    """Forget a process and all that it sent."""
+    pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
+    if not pair.known:
+        return
+    if pair.done:
+        cell.now[0].finished -= 1
+    pair.known, pair.done, pair.offered = 0, 0, 0
+    pair.missing = items(cell, writer)
+    for word in range(cell.has.shape[2]):
+        cell.has[reader, writer, word] = 0
+    cell.now[0].expired += 1
+    # The new reader asks for everything: the writer's Heartbeats begin anew.
+    its.acknowledged = 0
+    if its.known and its.offered and its.acknowledged == 0:
+        start_beating(cell, writer, time)
+
+
+@shared
+def expire(cell, reader, time):
+    """Forget who has not been heard of for a lease; look again when the next may expire."""
+    lease = cell.repairs[0].lease
+    following = time + lease
+    for writer in range(cell.processes.size):
+        pair = cell.pairs[reader, writer]
+        if pair.known:
+            if pair.heard + lease <= time:
+                forget(cell, reader, writer, time)
+                if cell.repairs[0].topics == 0:  # the connection ends for both
+                    forget(cell, writer, reader, time)
+            else:
+                following = min(following, pair.heard + lease)
+    later(cell, following, EXPIRE | reader)
+
+
+@shared
+def send_by_clock(cell, host, batch, time):
+    """Send what a host's processes send by the clock: to all, or to each that is known."""
+    now, its = cell.now[0], cell.stations[host]
+    flag = STEADY if cell.batches[batch, now.kinds] > 0 else np.int64(0)
+    for process in range(its.first, its.first + its.processes):
+        for row in range(now.kinds):
+            kind = cell.kinds[row]
+            if not cell.batches[batch, row] or kind.trigger != CLOCK:
+                continue
+            if kind.to_all:
+                for item in range(kind.per):
+                    offer_new(cell, compose(row, process, process, item) | flag, time)
+                continue
+            for other in range(cell.processes.size):
+                if cell.pairs[process, other].known:
+                    send_items(cell, row, process, other, time, flag)
+
+
+@shared
+def announce(cell, process, time):
+    """Announce a process again whose table does not say when it does."""
+    its, repairs = cell.processes[process], cell.repairs[0]
+    for row in range(cell.now[0].kinds):
+        kind = cell.kinds[row]
+        if kind.to_all and kind.trigger == CLOCK:
+            frame = compose(row, process, process, 0)
+            offer_new(cell, frame | STEADY, time)
+    its.announce = min(2 * its.announce, repairs.announce_most)
+    later(cell, time + its.announce, ANNOUNCE | process)
+
+
+@njit
+def answer(cell, frame, process, time):
+    """Send what answers a message each time."""
+    row, source = kind_of(frame), source_of(frame)
+    for other in range(cell.now[0].kinds):
+        kind = cell.kinds[other]
+        if kind.trigger == ANSWER and kind.answers == row:
+            for item in range(kind.each_answer):
+                reply = compose(other, process, source, item)
+                offer_new(cell, reply | (frame & STEADY), time)
+
+
+@njit
+def take_item(cell, frame, process, time):
+    """Let a process take in an item of another."""
+    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
+    place = kind.before * cell.processes[source].endpoints + item_of(frame)
+    if not has_item(cell, process, source, place):
+        cell.has[process, source, place // _WORD] |= np.int64(1) << (place % _WORD)
+        cell.pairs[process, source].missing -= 1
+        complete(cell, process, source, time)
+    if kind.tcp:
+        acknowledge_tcp(cell, source, process, place, frame, time)
+
+
+@shared
+def arrive(cell, frame, process, time):
+    """Let a process take in a message."""
+    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
+    if time < cell.processes[process].start:
+        return
+    pair = cell.pairs[process, source]
+    if kind.informs and not pair.known:
+        discover(cell, process, source, time)
+    pair.heard = time
+    if kind.role == OTHER:
+        answer(cell, frame, process, time)
+    elif not pair.known:  # nothing is matched yet, so nothing is taken
+        return
+    elif kind.role == DATA:
+        take_item(cell, frame, process, time)
+    elif kind.role == HEARTBEAT:
+        topic = item_of(frame)
+        missing = False
+        for item in range(first_item(cell, source, topic), first_item(cell, source, topic + 1)):
+            missing |= not has_item(cell, process, source, item)
+        reply = compose(cell.repairs[0].acknack, process, source, 2 * topic + (not missing))
+        offer_new(cell, reply | (frame & REPAIR), time)
+    elif item_of(frame) & 1:
+        pair.acknowledged |= 1 << (item_of(frame) >> 1)
+    else:
+        topic = item_of(frame) >> 1
+        for item in range(first_item(cell, process, topic), first_item(cell, process, topic + 1)):
+            if not has_item(cell, source, process, item):
+                send_item(cell, process, source, item, time)
+
+
+@njit
+def settled(cell):
+    """Return whether everybody knows everybody, or need not."""
+    return cell.now[0].repairs == 0 or cell.now[0].converged > 0
+
+
+@shared
+def happen(cell, time, what):
+    """Let happen what was to happen now."""
+    kind, one = what & ~np.int64(2**56 - 1), what & _MASK
+    other, row = (what >> PROCESS_BITS) & _MASK, (what >> (2 * PROCESS_BITS)) & 63
+    if kind == SEND:
+        period = cell.batches[other, cell.now[0].kinds]
+        if period > 0:
+            later(cell, time + period, what)
+        else:
+            cell.now[0].coming -= 1
+        if cell.now[0].repairs:
+            send_by_clock(cell, one, other, time)
+        else:
+            offer_burst(cell, one, other, time)
+    elif kind == ANNOUNCE:
+        announce(cell, one, time)
+    elif kind == BEAT:
+        beat(cell, one, time)
+    elif kind == EXPIRE:
+        expire(cell, one, time)
+    elif kind == TIMEOUT:
+        end_timer(cell, one, other, time)
+    elif cell.pairs[one, other].known:
+        send_items(cell, row, one, other, time, STEADY)

@@ -1,0 +1,230 @@
+"""What a simulation found: numbers a run, tables, pictures, JSON."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol
+from discostorm.wifi import Wifi
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: What becomes of receptions besides arriving; host: at the sender, ap: at the access point.
+CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
+#: What is counted in each run.
+COUNTS = (
+    *("expected", "arrived", *CAUSES, "waiting"),
+    *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
+)
+DIRECTIONS = ("up", "down", "failed")
+OUTCOMES = ("success", "collision", "error")
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one run found; `Simulation` has them side by side."""
+
+    drain_time: float
+    lost: float
+    convergence_time: float
+    busy: float
+    counts: dict[str, int]
+    airtime: Floats
+    queues: Floats
+    pair_times: Floats
+    transmissions: NDArray[np.void]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Simulation:
+    """What `simulate` found, one value a run unless it says otherwise.
+
+    Parameters
+    ----------
+    fleet : Fleet
+        Who was on the channel.
+    protocol : Protocol
+        What they sent.
+    wifi : Wifi
+        The channel.
+    settings : dict
+        The other arguments of `simulate`.
+    drain_time : ndarray
+        End of the last transmission of the burst, with its acknowledgement [s]; infinity if
+        some of it was still waiting at the end. With recovery the repairs belong to it.
+    lost : ndarray
+        The part of the frames that never arrived [1]. A multicast frame counts once for each
+        host that was to receive it; with recovery repeated frames count, too.
+    convergence_time : ndarray
+        When every process knew every other one and all its endpoints, for the first time [s];
+        infinity if never. Without recovery it is the drain time if nothing was lost.
+    busy_time : ndarray
+        How long at least one station sent [s].
+    counts : dict of str to ndarray
+        How many [1]: receptions ``expected``, ``arrived``, lost by cause (``host_full``,
+        ``host_age``, ``host_retry`` at the sending host: queue full, too old, retry limit;
+        ``ap_*`` the same at the access point; ``on_air``: multicast, which nobody repeats)
+        and still ``waiting``;
+        ``ppdus``, the ``mpdus`` in them, those ``retried``; ``collisions`` and the PPDUs
+        ``collided`` in them; ``requests`` for block acknowledgements; ``expired`` leases.
+    airtime : ndarray of shape (runs, messages + 1, 3)
+        Airtime by message, the last row for requests, with acknowledgements: up, down,
+        and failed [s].
+    queues : tuple of ndarray
+        For each run rows of time [s], and frames waiting at all hosts and at the access
+        point [1].
+    pair_times : ndarray of shape (runs, pairs)
+        Since when each process has all of each other one, in ascending order [s]; infinity for
+        those that at the end have not, or no longer. Without recovery of shape (runs, 0).
+    transmissions : ndarray
+        The first transmissions of the first run, see `transmission_table`.
+    """
+
+    fleet: Fleet
+    protocol: Protocol
+    wifi: Wifi
+    settings: dict[str, Any]
+    drain_time: Floats
+    lost: Floats
+    convergence_time: Floats
+    busy_time: Floats
+    counts: dict[str, Ints]
+    airtime: Floats
+    queues: tuple[Floats, ...] = field(repr=False)
+    pair_times: Floats = field(repr=False)
+    transmissions: NDArray[np.void] = field(repr=False)
+
+    @classmethod
+    def of_runs(
+        cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
+    ) -> Simulation:
+        """Return the runs side by side."""
+        return cls(
+            fleet,
+            protocol,
+            wifi,
+            settings,
+            np.array([run.drain_time for run in runs]),
+            np.array([run.lost for run in runs]),
+            np.array([run.convergence_time for run in runs]),
+            np.array([run.busy for run in runs]),
+            {name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
+            np.array([run.airtime for run in runs]),
+            tuple(run.queues for run in runs),
+            np.array([run.pair_times for run in runs]),
+            runs[0].transmissions,
+        )
+
+    def __repr__(self) -> str:
+        runs = self.drain_time.size
+        middle = (
+            f"{name} {np.median(getattr(self, name)):.4g}{unit}"
+            for name, unit in (("drain_time", " s"), ("lost", ""), ("convergence_time", " s"))
+        )
+        return (
+            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs} "
+            f"run{'s'[: runs > 1]}; medians: {', '.join(middle)})"
+        )
+
+    def table(self) -> pd.DataFrame:
+        """Return one row a run: the three times and parts, and all counts."""
+        import pandas as pd
+
+        columns: dict[str, Any] = {
+            "drain_time_s": self.drain_time,
+            "lost": self.lost,
+            "convergence_time_s": self.convergence_time,
+            "busy_time_s": self.busy_time,
+        }
+        return pd.DataFrame(columns | self.counts).rename_axis("run")
+
+    def airtime_table(self) -> pd.DataFrame:
+        """Return the mean airtime of each message up, down and failed [s]."""
+        import pandas as pd
+
+        names = [message.name for message in self.protocol.messages]
+        index = pd.Index([*names, "block ACK request"], name="message")
+        columns = [f"{direction}_s" for direction in DIRECTIONS]
+        return pd.DataFrame(self.airtime.mean(axis=0), index=index, columns=columns)
+
+    def transmission_table(self) -> pd.DataFrame:
+        """Return the first transmissions of the first run, one row each."""
+        import pandas as pd
+
+        sent = self.transmissions
+        hosts = int(self.settings["hosts"])
+        names = [*(message.name for message in self.protocol.messages), "block ACK request"]
+        return pd.DataFrame(
+            {
+                "start_s": sent["start"] * 1e-7,
+                "end_s": sent["end"] * 1e-7,
+                "station": [
+                    "access point" if number == hosts else f"host {number + 1}"
+                    for number in sent["station"]
+                ],
+                "message": [names[kind] for kind in sent["kind"]],
+                "frames": sent["frames"],
+                "outcome": [OUTCOMES[outcome] for outcome in sent["outcome"]],
+            }
+        )
+
+    def figure(self) -> Figure:
+        """Return a picture: frames that wait over time, and how many pairs know each other."""
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(7, 3.2), layout="constrained")
+        panels = figure.subplots(1, 2 if self.pair_times.size else 1, squeeze=False)[0]
+        time, hosts, access_point = self.queues[0].T
+        panels[0].plot(time, hosts, label="all hosts")
+        panels[0].plot(time, access_point, label="access point", linestyle="--")
+        panels[0].set(xlabel="time after the start [s]", ylabel="frames waiting [1], first run")
+        panels[0].legend()
+        if self.pair_times.size:
+            times = np.sort(self.pair_times, axis=None)
+            known = np.arange(1, times.size + 1) / times.size
+            good = np.isfinite(times)
+            panels[1].step(times[good], known[good], where="post")
+            panels[1].set(
+                xlabel="time after the start [s]",
+                ylabel="pairs complete [1], all runs",
+                ylim=(0, 1.02),
+            )
+        return figure
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all numbers a run as plain Python; infinity is None, as JSON has none."""
+        finite = {
+            name: [value if np.isfinite(value) else None for value in getattr(self, name).tolist()]
+            for name in ("drain_time", "lost", "convergence_time", "busy_time")
+        }
+        return {
+            "protocol": self.protocol.name,
+            "wifi": self.wifi.name,
+            "settings": {
+                key: None if isinstance(value, float) and not np.isfinite(value) else value
+                for key, value in self.settings.items()
+            },
+            **finite,
+            "counts": {name: values.tolist() for name, values in self.counts.items()},
+            "airtime": {
+                str(name): dict(zip(DIRECTIONS, row, strict=True))
+                for name, row in zip(
+                    self.airtime_table().index, self.airtime.mean(axis=0).tolist(), strict=True
+                )
+            },
+        }
+
+    def to_json(self) -> str:
+        """Return `to_dict` as JSON."""
+        return json.dumps(self.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)

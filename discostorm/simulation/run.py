@@ -1,0 +1,201 @@
+"""Runs: what is to be simulated, made once; one run, from its start to its end."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm import _checks
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol
+from discostorm.simulation import cell as _cell
+from discostorm.simulation.cell import Cell, Records
+from discostorm.simulation.engine import MEMORY, OVER, PARTS, advance
+from discostorm.simulation.middleware import clock_only, fill_kinds, repair_record
+from discostorm.simulation.result import CAUSES, COUNTS, Run
+from discostorm.simulation.traffic import (
+    Bursts,
+    Hosts,
+    bursts_of,
+    delays,
+    grown,
+    hosts_of,
+    kind_records,
+    new_cell,
+    radio_record,
+    ticks,
+)
+from discostorm.wifi import Wifi
+from discostorm.wifi.channel import TICK
+
+#: Steps of a run between two looks at Python.
+_SHARE = 5_000_000
+#: Time that a transmission takes to simulate, and transmissions for each frame and hop: about.
+_PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be simulated; runs differ only in their seed."""
+
+    hosts: Hosts
+    kinds: Records
+    bursts: Bursts
+    radio: Records
+    repairs: Records | None
+    queue: tuple[float, float]
+    start: Any
+    loss: NDArray[np.float64]
+    until: float
+
+    def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, float]:
+        """Return a cell at the start of a run, and when the last host starts [s]."""
+        for_start, for_run = seed.spawn(2)
+        count = self.hosts.processes.size
+        starts = delays(self.start, count, np.random.default_rng(for_start))
+        cell = new_cell(
+            self.hosts,
+            self.kinds.copy(),
+            self.bursts,
+            self.radio,
+            starts,
+            self.loss,
+            for_run,
+            self.repairs,
+        )
+        return cell, float(starts.max())
+
+    @property
+    def reserve(self) -> int:
+        """How many frames and events one step adds at most."""
+        count = self.hosts.host_of.size
+        each = self.kinds["per"] * np.where(
+            self.kinds["each_endpoint"] > 0, self.hosts.endpoints.max(), 1
+        )
+        if self.repairs is None:
+            one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
+            sent = int((each * one_hop).sum()) * int(self.hosts.processes.max()) * count
+            return 1024 + sent + int(self.radio["mpdus"][0])
+        most = int(self.hosts.processes.max()) * count
+        return 1024 + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
+
+    def estimate(self) -> tuple[float, float]:
+        """Return about how long a run takes [s], and how much memory [MB]."""
+        count = self.hosts.host_of.size
+        endpoints = self.hosts.endpoints[self.hosts.host_of]
+        each = self.kinds["per"] * np.where(self.kinds["each_endpoint"] > 0, endpoints.mean(), 1)
+        to_all = self.kinds["to_all"] > 0
+        remote = count - self.hosts.processes.mean()
+        frames = float(count * (each[to_all].sum() + remote * each[~to_all].sum()))
+        held = min(frames, self.queue[0] * (1 + self.hosts.processes.size))
+        carried = frames if self.repairs is not None else min(frames, 4 * held)
+        seconds = 2 * carried * _ATTEMPTS * _PER_TRANSMISSION
+        pairs = 0 if self.repairs is None else count**2 * (96 + endpoints.max() // 8)
+        return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * 48) / 1e6
+
+
+def plan_runs(
+    fleet: Fleet,
+    protocol: Protocol,
+    wifi: Wifi,
+    queue: tuple[float, float],
+    start: Any,
+    loss: Any,
+    recovery: bool,
+    until: float,
+    eifs: bool,
+) -> Plan:
+    """Check what `discostorm.simulate` was given and return what a run needs."""
+    hosts = hosts_of(fleet)
+    count = hosts.processes.size
+    errors = np.asarray(_checks.numbers("loss", loss, 0, 1))
+    if errors.ndim and errors.shape != (count,):
+        raise ValueError(
+            f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
+        )
+    if (errors >= 1).any():
+        raise ValueError(f"loss must be below 1; got {errors.max():g}")
+    radio = radio_record(wifi, queue, eifs)
+    kinds = kind_records(protocol, wifi)
+    repairs, table = None, protocol
+    if recovery:
+        fill_kinds(protocol, kinds)
+        repairs, table = repair_record(protocol), clock_only(protocol)
+    names = [message.name for message in protocol.messages]
+    rows = [names.index(message.name) for message in table.messages]
+    bursts = bursts_of(table)
+    bursts = Bursts(
+        tuple(tuple(rows[row] for row in burst) for burst in bursts.messages),
+        bursts.period,
+        bursts.times,
+    )
+    plan = Plan(
+        hosts,
+        kinds,
+        bursts,
+        radio,
+        repairs,
+        queue,
+        start,
+        np.broadcast_to(errors, count),
+        until if recovery else np.inf,
+    )
+    delays(start, count, np.random.default_rng(0))  # refuses a bad one before all runs
+    return plan
+
+
+def compiled() -> None:
+    """Compile the inner loops, or load them from disk, unless that is done."""
+    cell = new_cell(
+        Hosts(np.ones(2, np.int64), np.zeros(2, np.int64)),
+        np.zeros(1, _cell.KIND),
+        Bursts((), (), ()),
+        np.zeros(1, _cell.RADIO),
+        np.zeros(2),
+        np.zeros(2),
+        np.random.SeedSequence(0),
+    )
+    advance(cell, 0, 0, 0)
+
+
+def finish(cell: Cell, until: int, reserve: int = 1024) -> Cell:
+    """Return the cell at the end of its run."""
+    while True:
+        state = advance(cell, until, reserve, _SHARE)
+        if state == OVER:
+            return cell
+        if state == MEMORY:
+            cell = grown(cell)
+
+
+def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
+    """Return what one run finds."""
+    cell, last = plan.cell(seed)
+    until = min(ticks(last + plan.until), int(_cell.NEVER) - 1)
+    cell = finish(cell, until, plan.reserve)
+    now = cell.now[0]
+    counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
+    lost = sum(counts[cause] for cause in CAUSES)
+    counts["waiting"] = counts["expected"] - counts["arrived"] - lost
+    drained = float(now["drained"] * TICK) if now["open"] == 0 and now["coming"] == 0 else np.inf
+    if plan.repairs is None:
+        converged = drained if counts["arrived"] == counts["expected"] else np.inf
+        pair_times = np.empty(0)
+    else:
+        converged = float(now["converged"] * TICK) if now["converged"] else np.inf
+        remote = plan.hosts.host_of[:, None] != plan.hosts.host_of
+        done = cell.pairs["done"][remote]
+        pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
+    samples = cell.samples[: now["samples"]]
+    return Run(
+        drained,
+        lost / counts["expected"] if counts["expected"] else 0.0,
+        converged,
+        float(now["busy"] * TICK),
+        counts,
+        np.asarray(cell.airtime * (TICK / PARTS), dtype=np.float64),
+        np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
+        pair_times,
+        cell.log[: now["logged"]].copy(),
+    )

@@ -1,0 +1,467 @@
+"""The simulator, held against the closed form, Markov chains, Bianchi and itself."""
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from functools import partial
+from math import comb
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from numpy.typing import NDArray
+
+import discostorm as ds
+from discostorm.cli import main
+from discostorm.data import data_path
+from discostorm.simulation.cell import Cell
+from discostorm.simulation.engine import advance
+from discostorm.simulation.result import CAUSES
+from discostorm.simulation.run import Plan, finish, one_run, plan_runs
+from discostorm.simulation.traffic import TICK, ticks
+
+FLEET = data_path("fleets/nav2_laptop.toml")
+RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
+SEDP = ds.DDS.message("SEDP")
+UNLIMITED = (np.inf, np.inf)
+
+
+def plan(
+    fleet: ds.Fleet,
+    protocol: ds.Protocol,
+    wifi: ds.Wifi,
+    *,
+    start: Any = 0.0,
+    loss: Any = 0.0,
+    recovery: bool = False,
+) -> Plan:
+    """Return a plan without limits of the queues whose radio the test may change."""
+    return plan_runs(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, 1e5, False)
+
+
+def cell_of(what: Plan, seed: int = 0) -> Cell:
+    return what.cell(np.random.SeedSequence(seed))[0]
+
+
+# ---------------------------------------------------------------- the closed form, exactly
+
+
+def drained(what: Plan) -> int:
+    """Return when the last frame is over if each back-off is its mean, also the first [ticks]."""
+    waiting = int(what.radio["cw_min"][0]) * int(what.radio["slot"][0]) // 2
+    what.radio["cw_min"] = what.radio["cw_max"] = 0
+    what.radio["aifs"] += waiting
+    cell = cell_of(what)
+    cell.now["base"] = what.radio["aifs"]
+    cell = finish(cell, ticks(1e6), what.reserve)
+    assert cell.now["collisions"] == 0
+    return int(cell.now["drained"][0])
+
+
+def numbers(message: ds.Message, hop: str, wifi: ds.Wifi) -> float:
+    """Return the closed form's airtime of one frame of a message on a hop [s]."""
+    up, down = message.airtime_up(wifi.model), message.airtime_down(wifi.model)
+    values = ds.Protocol("one", (message,)).values() | wifi.values()
+    return float((up if hop == "up" else down).subs(values))
+
+
+@pytest.mark.parametrize("band", [2.4e9, 5e9])
+@pytest.mark.parametrize("standard", ["802.11a", "802.11g", "802.11n", "802.11ax"])
+def test_access_point_alone_takes_the_time_of_the_closed_form(standard: str, band: float) -> None:
+    if (standard, band) in (("802.11a", 2.4e9), ("802.11g", 5e9)):
+        band = {"802.11a": 5e9, "802.11g": 2.4e9}[standard]
+    wifi = ds.Radio(standard, band=band).wifi()
+    rows = tuple(replace(message, hops=("down",), answers=None) for message in ds.DDS.messages)
+    fleet = ds.Fleet.swarm(4, 2, 3)
+    found = drained(plan(fleet, ds.Protocol("down", rows), wifi))
+    closed = sum(message.load(fleet) * numbers(message, "down", wifi) for message in rows)
+    assert found == round(closed / TICK)
+
+
+@pytest.mark.parametrize("endpoints", [64, 640])
+def test_a_full_aggregate_takes_the_time_of_the_closed_form(endpoints: int) -> None:
+    wifi = replace(RADIO, mpdus=64).wifi()
+    for hop in ("up", "down"):
+        row = replace(SEDP, hops=(hop,), answers=None)
+        fleet = ds.Fleet((ds.HostGroup(1, 1, endpoints), ds.HostGroup(1, 1, 0)))
+        found = drained(plan(fleet, ds.Protocol("one way", (row,)), wifi))
+        closed = row.load(fleet) * numbers(row, hop, wifi)
+        assert found == round(closed / TICK)
+
+
+# ---------------------------------------------------------------- conservation
+
+UNLIKE = ds.Fleet((ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)))
+
+
+@pytest.mark.parametrize("name", ["DDS", "Zenoh", "Fast DDS", "Cyclone DDS", "Zenoh peer"])
+@pytest.mark.parametrize("mpdus", [1, 64])
+@pytest.mark.parametrize("queue", [(500, 0.5), (20, 0.05), None])
+@pytest.mark.parametrize("recovery", [False, True])
+def test_each_frame_arrives_or_is_lost_for_a_reason(
+    name: str, mpdus: int, queue: tuple[float, float] | None, recovery: bool
+) -> None:
+    found = ds.simulate(
+        UNLIKE,
+        ds.PROTOCOLS[name],
+        replace(RADIO, mpdus=mpdus).wifi(),
+        queue=queue,
+        loss=0.1,
+        recovery=recovery,
+        runs=2,
+        until=10,
+    )
+    counts = found.counts
+    gone = sum(counts[cause] for cause in CAUSES)
+    assert (counts["waiting"] >= 0).all()
+    done = np.isfinite(found.drain_time)
+    assert (counts["waiting"][done] == 0).all()
+    assert recovery or done.all()
+    assert (gone / counts["expected"] == found.lost).all()
+    if not recovery and name in ("DDS", "Zenoh"):
+        (several, *single) = ds.PROTOCOLS[name].messages
+        hosts = 6
+        expected = several.load(UNLIKE) * (hosts - 1) + sum(m.load(UNLIKE) for m in single)
+        assert (counts["expected"] == expected).all()
+    # Each frame is sent as often as it is tried: what is counted fits together.
+    assert (counts["mpdus"] >= counts["ppdus"]).all()
+    assert (counts["collided"] >= 2 * counts["collisions"]).all()
+    assert (found.airtime.sum(axis=(1, 2)) >= found.busy_time * 0.99).all()
+
+
+# ---------------------------------------------------------------- saturation
+
+
+def bianchi(stations: int, success: float, collision: float, slot: float) -> float:
+    """Return frames a second: Bianchi, IEEE JSAC 18(3), 2000, with W = 16 and m = 6."""
+    window, stages = 16, 6
+
+    def send(p: float) -> float:
+        growth = sum((2 * p) ** k for k in range(stages))
+        return 2 / (1 + window + p * window * growth)
+
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        p = (low + high) / 2
+        low, high = (p, high) if 1 - (1 - send(p)) ** (stations - 1) > p else (low, p)
+    tau = send((low + high) / 2)
+    busy = 1 - (1 - tau) ** stations
+    good = stations * tau * (1 - tau) ** (stations - 1)
+    return good / ((1 - busy) * slot + good * success + (busy - good) * collision)
+
+
+def saturated(what: Plan, stations: int, seconds: float) -> float:
+    """Return how many frames a second arrive when all but the last host send all the time."""
+    cell = cell_of(what)
+    cell = finish(cell, ticks(seconds), what.reserve)
+    assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
+    return int(cell.now["arrived"][0]) / seconds
+
+
+def saturation_plan(stations: int, endpoints: int) -> Plan:
+    starts = np.zeros(stations + 1)
+    starts[-1] = 1e4  # only there to be sent to
+    row = replace(SEDP, hops=("up",), answers=None)
+    fleet = ds.Fleet.swarm(stations + 1, 1, endpoints)
+    return plan(fleet, ds.Protocol("saturation", (row,)), RADIO.wifi(), start=starts)
+
+
+@pytest.mark.parametrize("stations", [1, 2, 5, 10, 20, 50])
+def test_saturation_is_that_of_bianchis_chain(stations: int) -> None:
+    what = saturation_plan(stations, max(12_000 // stations**2, 200))
+    # The chain knows no timeout of its own and gives up no frame.
+    what.radio["timeout"] = 0
+    what.radio["attempts"] = 10**6
+    record = what.radio[0]
+    data = int(what.kinds["time_up"][0])
+    success = data + int(record["sifs"]) + int(record["ack"]) + int(record["aifs"])
+    collision = data + int(record["aifs"])
+    chain = bianchi(stations, success * TICK, collision * TICK, RADIO.slot)
+    assert saturated(what, stations, 2.0) == pytest.approx(chain, rel=0.02)
+
+
+# ---------------------------------------------------------------- repair alone
+
+
+def repair_chain(items: int, good: float, rounds: int) -> NDArray[np.float64]:
+    """Return the chance that a reader has all items after each round of Heartbeat and ACKNACK.
+
+    State: how many are missing. At the begin each item arrives with chance ``good``. A round
+    repeats all that is missing if both its Heartbeat and its ACKNACK arrive.
+    """
+    lose = np.zeros((items + 1, items + 1))
+    for before in range(items + 1):
+        for after in range(before + 1):
+            chance = comb(before, after) * (1 - good) ** after * good ** (before - after)
+            lose[before, after] = chance
+    step = good**2 * lose + (1 - good**2) * np.eye(items + 1)
+    state = lose[items]
+    chances = [state[0]]
+    for _ in range(rounds):
+        state = state @ step
+        chances.append(state[0])
+    return np.array(chances)
+
+
+@pytest.mark.parametrize("loss", [0.2, 0.5])
+def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
+    items, runs, rounds = 4, 400, 12
+    announcement = replace(
+        ds.DDS.message("SPDP"), hops=("down",), schedule=ds.Schedule((0.0, 0.1), 1000.0)
+    )
+    rows = (
+        announcement,
+        replace(SEDP, hops=("down",)),
+        replace(ds.DDS.message("Heartbeat"), hops=("down",), per_unit=1),
+        replace(ds.DDS.message("ACKNACK"), hops=("down",), per_unit=1),
+    )
+    # Only the access point sends, so nothing collides; what is lost Wi-Fi does not repeat.
+    what = plan(
+        ds.Fleet.swarm(2, 1, items),
+        ds.Protocol("repair", rows),
+        RADIO.wifi(),
+        start=[0.0, 0.01],
+        recovery=True,
+    )
+    what.radio["attempts"] = 1
+    period = int(what.repairs["heartbeat_first"][0])  # type: ignore[index]
+    times = []
+    for seed in range(runs):
+        cell = cell_of(what, seed)
+        cell = finish(cell, ticks(0.0999), what.reserve)
+        # The second host is known to the first; now it learns of the first and sends to it.
+        while not cell.pairs["known"][1, 0]:
+            advance(cell, ticks(1e6), what.reserve, 1)
+        begin = int(cell.pairs["offered"][1, 0])
+        cell.stations["loss"] = loss
+        while not cell.pairs["done"][0, 1]:
+            advance(cell, ticks(1e6), what.reserve, 1)
+        times.append(int(cell.pairs["done"][0, 1]) - begin)
+    taken = np.array(times)
+    # The Heartbeat sent with the items is the first round, the timer gives the others; each
+    # takes some milliseconds.
+    first = np.ceil((taken - ticks(0.02)) / period).clip(0)
+    found = [(first <= round_).mean() for round_ in range(rounds)]
+    chain = repair_chain(items, 1 - loss, rounds)[1 : rounds + 1]
+    # Kolmogorov and Smirnov: at one in a hundred the distance is above 1.63 / sqrt(runs).
+    assert np.abs(found - chain).max() < 1.63 / np.sqrt(runs)
+
+
+# ---------------------------------------------------------------- what users rely on
+
+
+SWARM = ds.Fleet.swarm(5, 2, 10)
+small = partial(ds.simulate, SWARM, ds.DDS, RADIO.wifi(), runs=3)
+
+
+def test_the_same_seed_gives_the_same_bits() -> None:
+    one, same, other = small(), small(), small(seed=1)
+    assert one.to_json() == same.to_json()
+    assert (one.pair_times == same.pair_times).all()
+    assert (one.drain_time != other.drain_time).any()
+    # Each run has its own numbers, whatever the number of runs.
+    assert small(runs=2).drain_time.tolist() == one.drain_time[:2].tolist()
+
+
+def test_runs_side_by_side_are_the_same_as_one_after_the_other(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    one = small()
+    monkeypatch.setattr("discostorm.simulation._ALONE", 0.0)
+    import joblib
+
+    with joblib.parallel_config("threading", n_jobs=2):
+        assert small().to_json() == one.to_json()
+
+
+def test_nothing_is_lost_without_limits_and_collisions() -> None:
+    # Hosts that start far apart do not meet.
+    found = small(queue=None, start=lambda _, hosts: 5.0 * np.arange(hosts), recovery=False)
+    assert (found.counts["host_full"] == 0).all()
+    assert (found.drain_time > 20).all()
+    assert np.isfinite(found.convergence_time[found.lost == 0]).all()
+
+
+def test_everybody_knows_everybody_in_the_end() -> None:
+    for name, protocol in ds.PROTOCOLS.items():
+        found = ds.simulate(SWARM, protocol, RADIO.wifi(), loss=0.05, runs=2)
+        assert np.isfinite(found.convergence_time).all(), name
+        assert found.pair_times.shape == (2, 10 * 8)
+        assert (found.pair_times.max(axis=1) == found.convergence_time).all(), name
+
+
+def test_a_lease_that_is_too_short_never_settles() -> None:
+    hasty = replace(ds.PROTOCOLS["Fast DDS"], lease=0.05)
+    found = ds.simulate(SWARM, hasty, RADIO.wifi(), until=5)
+    assert found.convergence_time[0] == np.inf
+    assert found.counts["expired"][0] > 100
+
+
+def test_losses_make_discovery_longer() -> None:
+    medians = [np.median(small(loss=loss, runs=15).convergence_time) for loss in (0.0, 0.5)]
+    assert medians[0] < medians[1] < np.inf
+
+
+def test_starting_one_after_the_other_loses_less() -> None:
+    big = ds.Fleet.swarm(10, 2, 10)
+
+    def lost(start: Any) -> float:
+        found = ds.simulate(big, ds.DDS, RADIO.wifi(), start=start, recovery=False, runs=5)
+        return float(np.median(found.lost))
+
+    assert lost(lambda rng, hosts: rng.uniform(0, 10, hosts)) < 0.1 < 0.5 < lost(0.0)
+
+
+def test_tables_pictures_and_json_hold_the_same() -> None:
+    found = small()
+    table = found.table()
+    assert table["drain_time_s"].tolist() == found.drain_time.tolist()
+    assert table["collisions"].tolist() == found.counts["collisions"].tolist()
+    answer = json.loads(found.to_json())
+    assert answer["drain_time"] == found.drain_time.tolist()
+    assert answer["counts"]["ppdus"] == found.counts["ppdus"].tolist()
+    airtime = found.airtime_table()
+    assert airtime.loc["SEDP", "up_s"] == answer["airtime"]["SEDP"]["up"] > 0
+    sent = found.transmission_table()
+    assert (sent["start_s"].diff().dropna() >= 0).all()
+    # At the start all send at once.
+    first = sent[sent["start_s"] == sent["start_s"].min()]
+    assert sorted(first["station"]) == [f"host {number}" for number in range(1, 6)]
+    assert set(first["outcome"]) == {"collision"}
+    labels = [axes.get_xlabel() + axes.get_ylabel() for axes in found.figure().axes]
+    assert len(labels) == 2
+    assert all("[s]" in label and "[1]" in label for label in labels)
+    assert "DDS" in repr(found)
+    never = small(loss=0.9, until=0.01, runs=1)
+    assert json.loads(never.to_json())["convergence_time"] == [None]
+
+
+def test_time_grows_with_transmissions_not_with_stations() -> None:
+    from time import process_time
+
+    def cost(hosts: int) -> float:
+        what = plan(ds.Fleet.swarm(hosts, 2, 10), ds.DDS, RADIO.wifi())
+        cell = finish(cell_of(what), ticks(0.01), what.reserve)
+        begin, before = process_time(), int(cell.now["ppdus"][0])
+        cell = finish(cell, ticks(4.0), what.reserve)
+        return (process_time() - begin) / (int(cell.now["ppdus"][0]) - before)
+
+    cost(10)
+    assert min(cost(500) for _ in range(3)) < 5 * min(cost(10) for _ in range(3))
+
+
+BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
+    ({"queue": (0, 0.5)}, ValueError, r"queue\[0\] must be .* at least 1.*; got 0"),
+    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number; got 2.5"),
+    ({"queue": (500, 0)}, ValueError, r"queue\[1\] must be .* above 0; got 0"),
+    ({"queue": 500}, TypeError, "queue must be None or a tuple"),
+    ({"start": -1.0}, ValueError, "start must be .* at least 0; got -1"),
+    ({"start": [0.0, 1.0]}, ValueError, r"start must give one time for each of the 5 hosts"),
+    ({"start": "soon"}, TypeError, "start must be"),
+    ({"loss": 1.0}, ValueError, "loss must be below 1; got 1"),
+    ({"loss": -0.1}, ValueError, "loss must be .* at least 0"),
+    ({"loss": [0.1, 0.1]}, ValueError, "loss must be one number, or one for each of the 5 hosts"),
+    ({"recovery": 1}, TypeError, "recovery must be a bool; got 1"),
+    ({"runs": 0}, ValueError, "runs must be .* at least 1.*; got 0"),
+    ({"seed": 1.5}, ValueError, "seed must be a whole number; got 1.5"),
+    ({"until": 0}, ValueError, "until must be .* above 0; got 0"),
+]
+
+
+@pytest.mark.parametrize(("argument", "error", "message"), BAD)
+def test_bad_input_is_refused_by_name(
+    argument: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        small(**argument)
+
+
+def test_what_cannot_be_simulated_is_refused() -> None:
+    wifi = RADIO.wifi()
+    with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number .*; got 2.5"):
+        ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
+    with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
+        ds.simulate(ds.Fleet.swarm(1, 1, 1), ds.DDS, wifi)
+    with pytest.raises(TypeError, match="must be a number to simulate; got N_H"):
+        ds.simulate(ds.Fleet.symbolic(1), ds.DDS, wifi)
+    with pytest.raises(ValueError, match="wifi must have a radio"):
+        ds.simulate(SWARM, ds.DDS, replace(wifi, radio=None))
+    odd = ds.Unit("odd", ds.Fleet.pairs)
+    table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
+    with pytest.raises(ValueError, match=r"message 'SEDP': unit must be one of .*; got 'odd'"):
+        ds.simulate(SWARM, table, wifi)
+    table = ds.Protocol("own", (replace(SEDP, per_unit=0.5, answers=None),))
+    with pytest.raises(ValueError, match=r"per_unit must be a whole number; got 0.5"):
+        ds.simulate(SWARM, table, wifi)
+
+
+def test_package_does_not_load_what_only_the_simulator_needs() -> None:
+    code = (
+        "import sys, discostorm, discostorm.simulation; "
+        "print([m for m in ('numba', 'joblib', 'tqdm') if m in sys.modules])"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "[]"
+
+
+def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("discostorm.simulation.find_spec", lambda _: None)
+    with pytest.raises(ImportError, match=r"pip install discostorm\[simulation\]"):
+        small()
+
+
+def test_long_runs_are_announced(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("discostorm.simulation._PATIENCE", 0.0)
+    small()
+    assert "3 runs of about" in capsys.readouterr().err
+    what = plan(ds.Fleet.swarm(1000, 2, 10), ds.DDS, RADIO.wifi())
+    seconds, megabytes = what.estimate()
+    assert 5 < seconds < 200
+    assert 500 < megabytes < 10_000
+
+
+def test_one_run_fits_the_others() -> None:
+    what = plan(SWARM, ds.DDS, RADIO.wifi())
+    run = one_run(what, np.random.SeedSequence(0).spawn(1)[0])
+    assert run.drain_time == small(queue=None, recovery=False, runs=1).drain_time[0]
+
+
+# ---------------------------------------------------------------- command line
+
+
+def command(*arguments: str) -> Any:
+    return CliRunner().invoke(main, ["simulate", str(FLEET), "--runs", "2", *arguments])
+
+
+def test_command_prints_what_the_package_finds() -> None:
+    answer = json.loads(command("--no-recovery", "--json").stdout)
+    found = ds.simulate(
+        ds.Fleet.from_toml(FLEET), ds.DDS, ds.PAPER, recovery=False, runs=2
+    ).to_dict()
+    assert answer == found
+    rows = command("--no-recovery", "--csv").stdout.splitlines()
+    assert rows[0].startswith("run,drain_time_s,lost,convergence_time_s")
+    assert len(rows) == 3
+    table = command("--no-recovery", "--protocol", "Zenoh", "--window", "3")
+    assert "drained [s]" in table.stdout
+    assert "never" in table.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--protocol", "CORBA"), "Invalid value for '--protocol': 'CORBA'"),
+        (("--window", "-1"), "--window must be a finite number of at least 0; got -1"),
+        (("--runs", "0"), "runs must be"),
+        (("--loss", "1"), "loss must be below 1"),
+        (("--wifi", "tin cans"), "--wifi must be one of"),
+    ],
+)
+def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> None:
+    result = command(*arguments)
+    assert result.exit_code == 2
+    assert message in result.output
