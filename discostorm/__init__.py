@@ -66,9 +66,17 @@ __all__ = [
 _LATER = dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture")
 
 
+#: Modules that need not be imported by name.
+_MODULES = frozenset(
+    ("capture", "figures", "notation", "paper", "simulation", "timeline", "uncertainty", "wifi")
+)
+
+
 def __getattr__(name: str) -> Any:
-    if name not in _LATER:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(_LATER[name]), name)
+    if name in _MODULES:
+        return import_module(f"discostorm.{name}")
+    if name in _LATER:
+        return getattr(import_module(_LATER[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

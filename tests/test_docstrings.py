@@ -4,6 +4,8 @@ import importlib
 import inspect
 import pkgutil
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import is_dataclass
 
@@ -95,6 +97,14 @@ def test_what_is_public() -> None:
 def test_modules_in_folders_are_found() -> None:
     names = {module.__name__ for module in MODULES}
     assert {"discostorm.fleet", "discostorm.wifi", "discostorm.wifi.aggregation"} < names
+
+
+def test_modules_are_there_whatever_was_imported_before() -> None:
+    for name in ("capture", "figures", "paper", "timeline", "uncertainty"):
+        code = f"import discostorm as ds; assert ds.{name}.__name__ == 'discostorm.{name}'"
+        subprocess.run([sys.executable, "-c", code], check=True)
+    with pytest.raises(AttributeError, match="module 'discostorm' has no attribute 'nothing'"):
+        ds.nothing  # noqa: B018
 
 
 def test_every_dataclass_is_frozen() -> None:
