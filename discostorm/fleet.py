@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial
@@ -266,6 +267,36 @@ class Fleet:
                 remote = remote + after[index + 1]
             pairs.append(own[index] * remote)
         return pairs
+
+
+def as_fleet(
+    hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
+) -> Fleet:
+    """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
+    given = {"processes": processes, "endpoints": endpoints}
+    if isinstance(hosts, Fleet):
+        for name, value in given.items():
+            if value is not None:
+                raise TypeError(f"{name} must be left out when hosts is a Fleet; got {value!r}")
+        fleet = hosts
+    else:
+        for name, value in given.items():
+            if value is None:
+                raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
+        fleet = Fleet.swarm(hosts, processes, endpoints)
+    reject_symbols(fleet)
+    return fleet
+
+
+def reject_symbols(fleet: Fleet) -> None:
+    """Raise a TypeError if the fleet is in symbols."""
+    for group in fleet.groups:
+        for name, count in zip(COUNTS, group.counts(), strict=True):
+            if is_symbolic(count):
+                raise TypeError(
+                    f"{name} must be a number here, not an expression; got {count}. "
+                    "In symbols: Protocol.utilization"
+                )
 
 
 def is_symbolic(value: Any) -> bool:

@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from discostorm import _checks, words
 from discostorm.data import read_data
-from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup
+from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
-from discostorm.scalability import as_fleet, message_costs, utilization, without_each
+from discostorm.scalability import message_costs, utilization, without_each
 from discostorm.wifi import PAPER, Radio, Wifi
 
 if TYPE_CHECKING:

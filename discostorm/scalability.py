@@ -30,7 +30,8 @@ from discostorm.fleet import (
     SWARM,
     Fleet,
     HostGroup,
-    is_symbolic,
+    as_fleet,
+    reject_symbols,
     symbolic_group,
 )
 from discostorm.messages import HOPS, PAPER_WINDOW, Protocol, Unit
@@ -38,35 +39,6 @@ from discostorm.wifi import PAPER, Model, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
-
-
-def as_fleet(
-    hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
-) -> Fleet:
-    """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
-    given = {"processes": processes, "endpoints": endpoints}
-    if isinstance(hosts, Fleet):
-        for name, value in given.items():
-            if value is not None:
-                raise TypeError(f"{name} must be left out when hosts is a Fleet; got {value!r}")
-        fleet = hosts
-    else:
-        for name, value in given.items():
-            if value is None:
-                raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
-        fleet = Fleet.swarm(hosts, processes, endpoints)
-    _reject_symbols(fleet)
-    return fleet
-
-
-def _reject_symbols(fleet: Fleet) -> None:
-    for group in fleet.groups:
-        for name, count in zip(COUNTS, group.counts(), strict=True):
-            if is_symbolic(count):
-                raise TypeError(
-                    f"{name} must be a number here, not an expression; got {count}. "
-                    "In symbols: Protocol.utilization"
-                )
 
 
 @cache
@@ -418,7 +390,7 @@ def saturation_hosts(
         _checks.instance("beside", beside, Fleet)
     others = beside.groups if beside else ()
     fleet = Fleet((host, *others))
-    _reject_symbols(fleet)
+    reject_symbols(fleet)
     seconds = _seconds(window)
     single = utilization(protocol, fleet, wifi=wifi, window=seconds)
     most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)

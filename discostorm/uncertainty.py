@@ -8,6 +8,7 @@ protocol's messages, those of the others from ``data/paper/parameter_ranges.csv`
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from numbers import Integral
@@ -20,10 +21,10 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
-from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Protocol, header_bytes
-from discostorm.scalability import as_fleet, saturation
-from discostorm.wifi import PAPER
+from discostorm.fleet import Fleet, as_fleet
+from discostorm.messages import Message, Payload, Protocol, header_bytes
+from discostorm.scalability import saturation_hosts
+from discostorm.wifi import PAPER, Link, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -273,27 +274,35 @@ def saturation_bounds(
     )
 
 
+def _at(protocol: Protocol, values: Mapping[sp.Symbol, float]) -> tuple[Protocol, Wifi]:
+    """Return the protocol and the paper's channel with other values of the parameters."""
+    headers = header_bytes()
+
+    def resized(message: Message) -> Message:
+        # What a header is longer is added to the payload: only their sum is on the air.
+        longer = values[nt.NOTATION[f"H_{message.transport}"].symbol] - headers[message.transport]
+        size = values[message.payload_symbol] + longer
+        return replace(message, payload=Payload(size, size, size, message.payload.source))
+
+    known = PAPER.values() | dict(values)
+    links = (
+        Link(known[nt.R_UNI], known[nt.O_UNI]),
+        Link(known[nt.R_MULTI], known[nt.O_MULTI]),
+    )
+    messages = tuple(resized(message) for message in protocol.messages)
+    return replace(protocol, messages=messages), Wifi(PAPER.name, *links)
+
+
 def _saturation(
     protocol: Protocol,
     processes: ArrayLike,
     endpoints: ArrayLike,
     limit: ArrayLike,
-    values: Mapping[sp.Symbol, Value],
+    values: Mapping[sp.Symbol, float],
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
-    swarm = HostGroup(1, processes, endpoints)
-    most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
-    _checks.shape(processes=swarm.processes, endpoints=swarm.endpoints, limit=most)
-    given = {nt.N_P: swarm.processes, nt.N_E: swarm.endpoints} | dict(values)
-    single = evaluate(protocol.utilization(), {nt.N_H: 1.0} | given)
-    short = np.less(most, single)
-    if short.any():
-        low, needed = _checks.first_where(short, most, single)
-        raise ValueError(
-            f"limit must be at least the utilization of a single host, {needed:g} within the "
-            f"ranges; got {low:g}"
-        )
-    return evaluate(saturation(protocol), {nt.U_LIMIT: most} | given)
+    table, wifi = _at(protocol, values)
+    return saturation_hosts(table, processes, endpoints, wifi, limit)
 
 
 def sensitivity(
@@ -369,8 +378,10 @@ def sensitivity(
     rows = []
     for name, (low, high) in ends.items():
         slope = -evaluate(total.diff(name), here) / growth
-        moved = at | {name: np.array([low, high])}
-        at_low, at_high = np.asarray(_saturation(protocol, processes, endpoints, limit, moved))
+        at_low, at_high = (
+            _saturation(protocol, processes, endpoints, limit, at | {name: end})
+            for end in (low, high)
+        )
         rows.append(
             {
                 "parameter": name.name,
