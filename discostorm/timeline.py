@@ -23,7 +23,7 @@ from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
 from discostorm.scalability import burst, utilization
 from discostorm.wifi import PAPER, Wifi
 
-#: Airtime of a burst [s], and the utilization of the traffic that stays [1].
+#: Airtime of a burst [s], and the utilization of the steady state [1].
 BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 
 #: By when the channel has caught up with the burst [s].
@@ -41,7 +41,7 @@ def drain_time(
 
     .. math:: t = \frac{B}{1 - \rho}
 
-    B is the airtime of the burst, :math:`\rho` the utilization of the traffic that stays.
+    B is the airtime of the burst, :math:`\rho` the utilization of the steady state.
     It is a bound: `first_idle` tells when the channel really has, with each repeated message
     sent at its own instant, and is never later.
 
@@ -61,7 +61,7 @@ def drain_time(
     Returns
     -------
     float or ndarray
-        Time after the start [s]; infinity where the traffic that stays fills the channel.
+        Time after the start [s]; infinity where the steady state fills the channel.
 
     Raises
     ------
@@ -219,7 +219,7 @@ def outlook(
         "within a second at best" if the burst is carried in the paper's one second if nothing
         is lost; "slow at best" if it then is carried within the lease; "leases at risk" if it
         takes longer even so, and peers may be dropped and the burst be sent again before it
-        was carried; "never catches up" if the traffic that stays fills the channel.
+        was carried; "never catches up" if the steady state fills the channel.
 
     Raises
     ------

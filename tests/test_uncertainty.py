@@ -383,7 +383,9 @@ def test_bad_counts_and_limits_are_named() -> None:
         uncertainty.saturation_bounds(ds.DDS, [1, 2], [1, 2, 3])
     with pytest.raises(ValueError, match=r"processes must be .* at least 1.*; got 0"):
         uncertainty.saturation_bounds(ds.DDS, 0, 10)
-    with pytest.raises(ValueError, match=r"limit must be at least .* single host with DDS, 0\.00\d+.*1e-09"):
+    with pytest.raises(
+        ValueError, match=r"limit must be at least .* single host with DDS, 0\.00\d+.*1e-09"
+    ):
         uncertainty.saturation_bounds(ds.DDS, 2, 10, limit=1e-9)
     with pytest.raises(ValueError, match=r"limit must be at least .*; got 0\.001$"):
         uncertainty.saturation_bounds(ds.DDS, 2, 10, limit=[1, 0.001, 0.002])
