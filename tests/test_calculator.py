@@ -198,7 +198,8 @@ def test_says_what_python_says(tab: Page) -> None:
         kinds |= {
             (math.isnan(wanted["DDS saturation"]), wanted["DDS drain Fast DDS"] == math.inf),
         }
-    assert len(kinds) == 3  # all that can happen: fits, fits but never drains, does not fit
+    # All that can happen: one host fits into the second or does not, and drains or never does.
+    assert len(kinds) == 4
     # One of twenty may meet a busy machine.
     took = sorted(answer["took"] for answer in answers)
     assert took[int(0.95 * len(took))] < 50

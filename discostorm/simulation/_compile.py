@@ -6,7 +6,13 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numba
+try:
+    import numba
+except ImportError as error:
+    raise ImportError(
+        "discostorm.simulation needs numba; to get it: pip install discostorm[simulation]",
+        name="numba",
+    ) from error
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
