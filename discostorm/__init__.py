@@ -15,14 +15,14 @@ from discostorm.messages import (
     Schedule,
     Unit,
 )
-from discostorm.planner import Plan, Remedy, Share, plan
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import breakdown, saturation_hosts, utilization
-from discostorm.simulation import Simulation, simulate
 from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 if TYPE_CHECKING:
     from discostorm.capture import Capture, CaptureError as CaptureError, read_capture
+    from discostorm.planner import Plan, Remedy, Share, plan
+    from discostorm.simulation import Simulation, simulate
 
 __version__ = "0.1.0"
 
@@ -63,12 +63,26 @@ __all__ = [
 ]
 
 #: Loaded when they are asked for, by the package that has them.
-_LATER = dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture")
+_LATER = {
+    **dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture"),
+    **dict.fromkeys(("Plan", "Remedy", "Share", "plan"), "discostorm.planner"),
+    **dict.fromkeys(("Simulation", "simulate"), "discostorm.simulation"),
+}
 
 
 #: Modules that need not be imported by name.
 _MODULES = frozenset(
-    ("capture", "figures", "notation", "paper", "simulation", "timeline", "uncertainty", "wifi")
+    (
+        "capture",
+        "figures",
+        "notation",
+        "paper",
+        "planner",
+        "simulation",
+        "timeline",
+        "uncertainty",
+        "wifi",
+    )
 )
 
 
