@@ -43,10 +43,12 @@ def sources() -> Iterator[Path]:
 
 
 class ByFileOrPage(LoadScopeScheduling):
-    """Keep the tests of a file in one process, and in test_browser.py those of a page."""
+    """Keep in one process the tests of a file, of simulation, and in test_browser.py of a page."""
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
+        if "simulation" in file:
+            return "simulation"  # compiled by one of the processes, and not by each
         if not file.endswith("test_browser.py"):
             return file
         return test.partition("[")[2].removeprefix("http-").removeprefix("file-")
