@@ -539,7 +539,7 @@ def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
             if own:
                 groups.append(replace(group, hosts=own))
         before += int(group.hosts)
-    return tuple(Fleet(tuple(groups)) for groups in dealt)
+    return tuple(Fleet(tuple(groups), fleet.matching) for groups in dealt)
 
 
 class _Change(NamedTuple):
@@ -652,7 +652,7 @@ def _other_fleets(
         except ValueError as error:
             yield f"{what}: {error}"
         else:
-            yield "processes", what, Fleet(composed)
+            yield "processes", what, Fleet(composed, fleet.matching)
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
@@ -664,7 +664,7 @@ def _other_fleets(
         counts = " and ".join(f"{own:g}" for own in dict.fromkeys(nodes))
         noun = "node" if set(nodes) == {1} else "nodes"
         what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
-        yield "endpoints", what, Fleet(tuple(fewer))
+        yield "endpoints", what, Fleet(tuple(fewer), fleet.matching)
     else:
         yield f"parameter services: no process has any (those of a node are {each} endpoints)"
 

@@ -218,7 +218,7 @@ def bounds(
     """
     corners = _corners(protocol, phase, ranges)
     fleet = as_fleet(hosts, processes, endpoints)
-    symbolic = Fleet.symbolic(len(fleet.groups))
+    symbolic = Fleet.symbolic(len(fleet.groups), fleet.matching)
     expression = protocol.utilization(phase, symbolic)
     counts = dict(zip(symbolic.counts(), fleet.counts(), strict=True))
     return Bounds(*(evaluate(expression, counts | corner) for corner in corners))
@@ -281,7 +281,7 @@ def _at(protocol: Protocol, values: Mapping[sp.Symbol, float]) -> tuple[Protocol
     def resized(message: Message) -> Message:
         # What a header is longer is added to the payload: only their sum is on the air.
         longer = values[nt.NOTATION[f"H_{message.transport}"].symbol] - headers[message.transport]
-        size = values[message.payload_symbol] + longer
+        size = values[message.payload_symbol] + message.frames * longer
         return replace(message, payload=Payload(size, size, size, message.payload.source))
 
     known = PAPER.values() | dict(values)
