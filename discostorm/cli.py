@@ -752,7 +752,7 @@ def simulate(file: str | None, protocol: str, how: Runs, wifi: Wifi, output: Out
     \b
     Examples:
       discostorm simulate fleet.toml --until 5
-      discostorm simulate fleet.toml --protocol 'Fast DDS' --window 30 --until 5 --json
+      discostorm simulate fleet.toml --protocol Zenoh --window 30 --until 5 --json
       discostorm simulate fleet.toml --no-recovery --wifi '802.11n 20 MHz 2x2, A-MPDU 64'
     """
     if file is None:

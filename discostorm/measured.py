@@ -192,3 +192,44 @@ def _row(
         "most_bytes": float(runs[:, 2].max()),
         "expected_bytes": size,
     }
+
+
+#: How far a table may be from the median of the runs [1]: of a phase, and of a kind of message.
+WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
+
+
+def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
+    """Return where a table as built is off by more than it should be, on one half of the grid.
+
+    Returns
+    -------
+    list of dict
+        ``protocol``, ``point``, ``window``, ``phase``, ``kind`` ("all" of a phase), ``quantity``
+        (messages or bytes), ``error`` [1], and ``reason``, one of ``data/measured/reasons.csv``.
+    """
+    table = held(protocol)
+    found = []
+    for row in table[table["use"] == use].to_dict("records"):
+        for quantity, end in (("messages", ""), ("bytes", "_bytes")):
+            measured, count = row[f"measured{end}"], row[f"expected{end}"]
+            limit = WITHIN_PHASE if row["kind"] == "all" else WITHIN_KIND
+            if abs(count - measured) > limit * measured:
+                error = f"{count / measured - 1:+.3f}" if measured else "none"
+                head = {name: row[name] for name in ("point", "window", "phase", "kind")}
+                reason = _reason(row, count, row[f"least{end}"], row[f"most{end}"])
+                tail = {"quantity": quantity, "error": error, "reason": reason}
+                found.append({"protocol": protocol.name} | head | tail)
+    return found
+
+
+def _reason(row: dict[str, str], count: float, least: float, most: float) -> str:
+    """Return why a table may be off: what the runs of a point and its size say."""
+    hosts, processes, _ = row["point"].split("x")
+    if least <= count <= most:
+        return "scatter"
+    if row["phase"] in ("Session", "KeepAlive", "TCP"):
+        return "connections"
+    everyone = int(hosts) * int(processes)
+    if everyone == 2:
+        return "one pair"
+    return "crowd" if everyone >= 6 else "form"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -213,9 +213,9 @@ def utilization(
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
 
-    Of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
+    With the periods of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
 
-    >>> fast_dds = ds.PROTOCOLS["Fast DDS"]
+    >>> fast_dds = ds.PROTOCOLS["DDS, periods of Fast DDS"]
     >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
     array([1.011, 0.263])
     """
@@ -298,14 +298,25 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
     ValueError
         If the utilization grows faster than that, or not at all.
     """
+    return _solved(*_powers(utilization))
+
+
+def _powers(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return what multiplies the cube, square, first and zeroth power of N_H - 1."""
     more = sp.Symbol("x", positive=True)
     polynomial = utilization.subs(nt.N_H, 1 + more)
+    if polynomial.diff(more, 4) != 0:
+        raise ValueError(_GROWS)
     # By derivatives: to collect the powers would expand a sum over all pairs of groups.
-    third, a, b, c = (
+    return tuple(
         polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree)
         for degree in (3, 2, 1, 0)
     )
-    if polynomial.diff(more, 4) != 0 or (third == 0 and a == 0 and b == 0):
+
+
+def _solved(third: sp.Expr, a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
+    """Return the N_H of `solve_hosts` for these factors of the powers of N_H - 1."""
+    if third == 0 and a == 0 and b == 0:
         raise ValueError(_GROWS)
     if third == 0:
         return _root(a, b, nt.U_LIMIT - c, sp.sqrt)
@@ -325,9 +336,17 @@ def _cubic_root(third: Any, a: Any, b: Any, rest: Any, of: Any) -> Any:
 
     See `solve_hosts`; ``of`` is the module whose functions to take, sympy or NumPy.
     """
-    numpy = of is np
-    least, most = (np.minimum, np.maximum) if numpy else (sp.Min, sp.Max)
-    arccos, arccosh = (np.arccos, np.arccosh) if numpy else (sp.acos, sp.acosh)
+    least, most, arccos, arccosh = (
+        (np.minimum, np.maximum, np.arccos, np.arccosh)
+        if of is np
+        # Which of two long expressions is the larger one is not to be proven.
+        else (
+            partial(sp.Min, evaluate=False),
+            partial(sp.Max, evaluate=False),
+            sp.acos,
+            sp.acosh,
+        )
+    )
     p = a * rest / 3 + b**2 / 9
     k = (b**3 / 27 + a * b * rest / 6 + third * rest**2 / 2) / (p * of.sqrt(p))
     # One of the two factors is 1.
@@ -352,8 +371,9 @@ def saturation(
     # Solved with a symbol for what each unit costs, which is many terms.
     costs = {unit: protocol.cost(unit, None, model, window) for unit in protocol.units()}
     some = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
-    found = solve_hosts(sp.Add(*(symbol * unit.count(fleet) for symbol, unit in some.items())))
-    return found.xreplace({symbol: costs[unit] for symbol, unit in some.items()})
+    total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in some.items()))
+    known = {symbol: costs[unit] for symbol, unit in some.items()}
+    return _solved(*(power.xreplace(known) for power in _powers(total)))
 
 
 def saturation_hosts(

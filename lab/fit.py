@@ -9,7 +9,7 @@ import argparse
 import csv
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -19,14 +19,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import WINDOWS, Point, points, products, times
+from discostorm.measured import WINDOWS, Point, misses, points, products, times
 from discostorm.messages import UNITS
-from discostorm.protocols.as_built import schedule
+from discostorm.protocols import PROTOCOLS
+from discostorm.protocols.as_built import as_built, schedule
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
     *("frames", "fewest_frames", "most_frames"),
 )
+MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
 #: Digits that are kept: the fits are no better than this.
 DIGITS = 4
 #: What is left of a kind without what is repeated must be this part of it to tell its size.
@@ -81,7 +83,7 @@ def fit(rows: list[Row], seen: list[Point]) -> list[float]:
                     terms.append(each[free])
                     wanted.append(1 - each @ given)
         given[free] = least_deviations(np.array(terms), np.array(wanted))
-    return given.tolist()
+    return [float(number) for number in given]
 
 
 def sent(row: Row, point: Point, window: str) -> float:
@@ -144,17 +146,31 @@ def fitted() -> Iterator[list[str]]:
                 yield [name, row["message"], *(f"{value:.{DIGITS}g}" for value in values)]
 
 
-def main() -> None:
-    """Write the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=data_path("measured/as_built.csv"))
-    out = parser.parse_args().out
-    rows = list(fitted())
-    with out.open("w", newline="", encoding="utf-8") as file:
+def missed() -> list[list[str]]:
+    """Return the rows of the table of exceptions."""
+    tables = [PROTOCOLS.get(name) or as_built(name) for name in products()]
+    return [list(row.values()) for table in tables for row in misses(table)]
+
+
+def write(path: Path, columns: Sequence[str], rows: list[list[str]]) -> None:
+    """Write a table."""
+    with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
+        writer.writerow(columns)
         writer.writerows(rows)
-    print(f"{out}: {len(rows)} messages", file=sys.stderr)
+    print(f"{path}: {len(rows)} rows", file=sys.stderr)
+
+
+def main() -> None:
+    """Write the table, or with it as it is what it misses."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
+    parser.add_argument("--misses", action="store_true", help="what the tables as they are miss")
+    told = parser.parse_args()
+    if told.misses:
+        write(told.out / "misses.csv", MISSES, missed())
+    else:
+        write(told.out / "as_built.csv", COLUMNS, list(fitted()))
 
 
 if __name__ == "__main__":

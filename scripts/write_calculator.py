@@ -16,6 +16,7 @@ from discostorm import _checks, figures, notation as nt, timeline
 from discostorm._numeric import share
 from discostorm.fleet import LEAST
 from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.protocols import MEASURED
 from discostorm.scalability import saturation
 from discostorm.wifi import Model, Wifi
 
@@ -153,7 +154,11 @@ def products(protocol: Protocol) -> list[Protocol]:
     if protocol not in COMPARED:
         return [protocol]
     first = protocol.messages[0].name
-    return [own for own in ds.PROTOCOLS.values() if own.repeats and own.messages[0].name == first]
+    return [
+        own
+        for own in ds.PROTOCOLS.values()
+        if own.repeats and own.name not in MEASURED and own.messages[0].name == first
+    ]
 
 
 def product(own: Protocol, model: Model) -> Code:

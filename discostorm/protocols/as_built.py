@@ -44,14 +44,14 @@ def as_built(name: str) -> Protocol:
 
 def _message(row: dict[str, str], known: Mapping[str, Any]) -> Message:
     source = f"{row['source']}; size: measured (discostorm/data/measured/as_built.csv)"
-    size = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
+    nominal, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
     cast, transport = row["cast"], row["transport"]
     return Message(
         row["message"],
         row["phase"],
         "multicast" if cast == "multicast" else "unicast",
         "TCP" if transport == "TCP" else "UDP",
-        Payload(*size, source),
+        Payload(nominal, low, high, source),
         UNITS[row["unit"]],
         float(row["per_unit"]),
         schedule(row),

@@ -4,5 +4,4 @@ from discostorm.protocols.as_built import as_built
 
 CYCLONE_DDS = as_built("Cyclone DDS")
 CYCLONE_DDS_WIRED = as_built("Cyclone DDS, wired")
-CYCLONE_DDS_11 = as_built("Cyclone DDS 11")
-CYCLONE_DDS_11_WIRED = as_built("Cyclone DDS 11, wired")
+CYCLONE_DDS_11 = as_built("Cyclone DDS, version 11")

@@ -111,7 +111,7 @@ _ZENOH_SCOUTING = Schedule(tuple(accumulate(_gaps())), _ZENOH_VALUE["scout_most"
 _ZENOH_KEEP_ALIVE = _ZENOH_VALUE["lease"] / _ZENOH_VALUE["keep_alives"]
 
 ZENOH_PERIODS = Protocol(
-    "Zenoh, periods of Zenoh peers",
+    "Zenoh, periods of Zenoh peer",
     (
         replace(ZENOH.message("Scout"), schedule=_ZENOH_SCOUTING),
         replace(ZENOH.message("Hello"), per_unit=_ZENOH_VALUE["hellos"], schedule=_ZENOH_SCOUTING),
