@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -222,7 +223,7 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
     return found
 
 
-def _reason(row: dict[str, str], count: float, least: float, most: float) -> str:
+def _reason(row: dict[Hashable, Any], count: float, least: float, most: float) -> str:
     """Return why a table may be off: what the runs of a point and its size say."""
     hosts, processes, _ = row["point"].split("x")
     if least <= count <= most:
