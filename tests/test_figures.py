@@ -38,7 +38,7 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
         "figures.bars(robots_compared, share=True)",
         lambda: figures.bars(robots_compared(), share=True),
     ),
-    ("16_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
+    ("18_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
 ]
 FILES = {f"{name}.{kind}" for name in figures.FIGURES for kind in ("svg", "pdf", "png", "csv")}
 
