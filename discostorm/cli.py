@@ -13,6 +13,7 @@ import shutil
 import sys
 import textwrap
 import unicodedata
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -931,18 +932,16 @@ def claims(verdict: str | None, output: Output) -> None:
     """
     with _working("loading"):
         from discostorm.paper import claims as ledger
-    checked = ledger.claims()
-    with click.progressbar(checked, label="computing", file=sys.stderr, hidden=not _live()) as bar:
-        for claim in bar:
-            claim.verdict()
-    table = ledger.ledger().reset_index()
-    counts = table["verdict"].value_counts()
-    if verdict:
-        table = table[table["verdict"] == verdict]
-    table["ours"] = [ledger.exact(value) for value in table["ours"]]
+    with click.progressbar(
+        ledger.claims(), label="computing", file=sys.stderr, hidden=not _live()
+    ) as bar:
+        rows = [row | {"ours": ledger.exact(row["ours"])} for row in map(ledger.row, bar)]
+    counts = Counter(row["verdict"] for row in rows)
+    chosen = [row for row in rows if verdict in (None, row["verdict"])]
     if output.for_people:
-        table = table[["id", "where", "verdict", "statement"]]
-    _print(table.to_dict("records"), output)
+        shown = ("id", "where", "verdict", "statement")
+        chosen = [{name: row[name] for name in shown} for row in chosen]
+    _print(chosen, output)
     if output.for_people:
-        found = ", ".join(f"{counts.get(known, 0)} {known}" for known in ledger.VERDICTS)
-        click.echo(f"\n{len(checked)} claims: {found}.")
+        found = ", ".join(f"{counts[known]} {known}" for known in ledger.VERDICTS)
+        click.echo(f"\n{len(rows)} claims: {found}.")
