@@ -466,11 +466,11 @@ def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
     if engine := figure.get_layout_engine():
         with style():
             engine.execute(figure)
-    laid_out = {"figure.constrained_layout.use": False}
     for kind, metadata in _METADATA.items():
         path = folder / f"{name}.{kind}"
-        with style(), mpl.rc_context(laid_out), _replacing(path) as beside:
+        with style(), _replacing(path) as beside:
             # With an engine, even "none", each file would first be drawn once more.
+            mpl.rcParams["figure.constrained_layout.use"] = False
             figure.set_layout_engine(None)
             figure.savefig(beside, dpi=200, metadata=metadata, format=kind)
         yield path

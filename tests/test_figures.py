@@ -291,7 +291,7 @@ def test_a_saved_figure_is_laid_out(tmp_path: Path) -> None:
     unplaced = axis.get_position().x0
     list(figures.save(figure, tmp_path, "small"))
     assert axis.get_position().x0 > unplaced
-    assert 0 <= axis.yaxis.label.get_window_extent().x0
+    assert axis.yaxis.label.get_window_extent().x0 >= 0
 
 
 def test_pixels_are_two_hundred_an_inch(tmp_path: Path) -> None:
