@@ -21,9 +21,9 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
-from discostorm.fleet import Fleet
+from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
-from discostorm.scalability import saturation_hosts, utilization
+from discostorm.scalability import saturation_hosts, utilization_at
 from discostorm.wifi import PAPER, Link, Wifi
 
 if TYPE_CHECKING:
@@ -216,12 +216,11 @@ def bounds(
     >>> low < ds.utilization(ds.DDS, 7, 2, 10) < high
     True
     """
+    fleet = as_fleet(hosts, processes, endpoints)
     return Bounds(
         *(
-            utilization(table, hosts, processes, endpoints, wifi, phase)
-            for table, wifi in (
-                _at(protocol, corner) for corner in _corners(protocol, phase, ranges)
-            )
+            utilization_at(corner, protocol, fleet, phase)
+            for corner in _corners(protocol, phase, ranges)
         )
     )
 
