@@ -63,7 +63,7 @@ def test_tables_of_a_few_rows_need_no_pandas(command: list[str]) -> None:
     assert done.stderr.strip() == ""
 
 
-@pytest.mark.parametrize("command", ["utilization", "breakdown", "plan"])
+@pytest.mark.parametrize("command", ["utilization", "breakdown", "saturation", "plan"])
 def test_a_fleet_is_given_in_one_way_everywhere(command: str) -> None:
     named, placed, piped = (
         run(command, "--fleet", "fleet.toml"),
