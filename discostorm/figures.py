@@ -463,9 +463,15 @@ _METADATA: dict[str, dict[str, None]] = {
 
 def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
     """Write a figure as SVG, PDF and PNG, the same bytes every time; yield each path."""
+    if engine := figure.get_layout_engine():
+        with style():
+            engine.execute(figure)
     for kind, metadata in _METADATA.items():
         path = folder / f"{name}.{kind}"
         with style(), _replacing(path) as beside:
+            # With an engine, even "none", each file would first be drawn once more.
+            mpl.rcParams["figure.constrained_layout.use"] = False
+            figure.set_layout_engine(None)
             figure.savefig(beside, dpi=200, metadata=metadata, format=kind)
         yield path
 
