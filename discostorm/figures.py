@@ -38,7 +38,8 @@ PAPER_PROTOCOLS = (DDS, ZENOH)
 #: One colour a protocol, one line style a phase, in all figures.
 COLORS = dict(
     zip(
-        PROTOCOLS,
+        # First those that are not variants of others.
+        sorted(PROTOCOLS, key=lambda name: "," in name),
         # Okabe and Ito's palette, told apart by colour-blind readers, too.
         cycle(("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")),
         strict=False,

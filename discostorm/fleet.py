@@ -109,7 +109,7 @@ class HostGroup:
         return f"HostGroup({', '.join(parts)})"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Fleet:
     """All hosts that share the channel.
 
@@ -117,13 +117,18 @@ class Fleet:
     ----------
     groups : tuple of HostGroup
         At least one; their names, where given, differ.
+    matching : float, optional
+        Share of the endpoints that match one in every other process [1], from 0 to 1. Robots
+        with ROS 2 namespaces of their own have nearly 0, equal robots without have 1. Only
+        tables of what products send depend on it.
 
     Raises
     ------
     ValueError
-        If there is no group, two have the same name, or their shapes do not broadcast.
+        If there is no group, two have the same name, their shapes do not broadcast, or `matching`
+        is out of range.
     TypeError
-        If one is not a HostGroup.
+        If one is not a HostGroup, or `matching` not a number.
 
     Examples
     --------
@@ -135,13 +140,20 @@ class Fleet:
     """
 
     groups: tuple[HostGroup, ...]
+    matching: float = 0.0
 
     def __post_init__(self) -> None:
+        matching = _checks.number("matching", self.matching, 0, 1)
+        object.__setattr__(self, "matching", matching)
         object.__setattr__(self, "groups", _checks.members("groups", self.groups, HostGroup))
         names = Counter(group.name for group in self.groups if group.name)
         if twice := [name for name, times in names.items() if times > 1]:
             raise ValueError(f"groups must have names that differ; got {twice[0]!r} twice")
         _checks.shape(**self.arrays())
+
+    def __repr__(self) -> str:
+        matching = f", matching={self.matching:g}" if self.matching else ""
+        return f"Fleet(groups={self.groups!r}{matching})"
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":
@@ -149,11 +161,11 @@ class Fleet:
         return cls((HostGroup(hosts, processes, endpoints),))
 
     @classmethod
-    def symbolic(cls, groups: int) -> "Fleet":
+    def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
         """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
         if groups == 1:
-            return SWARM
-        return cls(tuple(symbolic_group(index) for index in range(1, groups + 1)))
+            return cls(SWARM.groups, matching)
+        return cls(tuple(symbolic_group(index) for index in range(1, groups + 1)), matching)
 
     @classmethod
     def from_toml(cls, path: str | PathLike[str]) -> "Fleet":
@@ -161,7 +173,10 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name`` and ``nodes``; see `HostGroup`::
+        and optionally a ``name`` and ``nodes``; see `HostGroup`. Above them it may have
+        ``matching``; see `Fleet`::
+
+            matching = 0
 
             [[groups]]
             name = "robots"
@@ -205,11 +220,17 @@ class Fleet:
         except RecursionError:
             raise ValueError(f"{name} must be a TOML file that is not nested as deep") from None
         try:
-            _only_keys(tables, ("groups",))
+            _only_keys(tables, ("groups", "matching"))
             groups = tables.get("groups")
             if not isinstance(groups, list) or not groups:
                 raise ValueError(f"it must have at least one [[groups]] table; got {groups!r}")
-            return cls(tuple(_group(index, table) for index, table in enumerate(groups, start=1)))
+            matching = tables.get("matching", 0.0)
+            if type(matching) not in (int, float):
+                raise TypeError(
+                    f"matching must be {_checks.wanted(0, 1)}; got {tables['matching']!r}"
+                )
+            members = tuple(_group(index, table) for index, table in enumerate(groups, start=1))
+            return cls(members, matching)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from error
 
@@ -240,6 +261,34 @@ class Fleet:
             for group, number in zip(self.groups, numbers, strict=True)
         )
 
+    def endpoints(self) -> Count:
+        """Return the number of endpoints in the fleet."""
+        return reduce(add, (g.hosts * g.processes * g.endpoints for g in self.groups))
+
+    def process_pairs(self) -> Count:
+        """Return the number of ordered pairs of processes, on the same host or not."""
+        processes = self.processes()
+        return processes * (processes - 1)
+
+    def thirds(self) -> Count:
+        """Return the number of pairs of processes on different hosts, with a third one each."""
+        return self.pairs() * (self.processes() - 2)
+
+    def endpoint_thirds(self) -> Count:
+        """Return the number of pairs of an endpoint and a process, with a third process each."""
+        return self.endpoint_pairs() * (self.processes() - 2)
+
+    def matched_writers(self) -> Count:
+        """Return the number of pairs of a matched writer and a process on another host.
+
+        Half of the endpoints are taken for writers.
+        """
+        return self.endpoint_pairs() * _whole(self.matching / 2)
+
+    def unmatched(self) -> Count:
+        """Return the number of pairs of an unmatched endpoint and a process on another host."""
+        return self.endpoint_pairs() * _whole(1 - self.matching)
+
     def without(self, groups: range) -> "Fleet":
         """Return one fleet for each of some groups, which lacks its hosts: as arrays.
 
@@ -251,7 +300,7 @@ class Fleet:
             copy = object.__new__(HostGroup)
             vars(copy).update(vars(group) | {"hosts": hosts})
             lacking.append(copy)
-        return Fleet(tuple(lacking))
+        return Fleet(tuple(lacking), self.matching)
 
     def arrays(self) -> dict[str, Count]:
         """Return the counts that are not single numbers, with their names."""
@@ -319,6 +368,11 @@ def is_symbolic(value: Any) -> bool:
 def symbolic_group(index: int) -> HostGroup:
     """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
+
+
+def _whole(factor: float) -> float:
+    """Return a factor as int if it is whole, so that expressions show no floats without need."""
+    return int(factor) if factor.is_integer() else factor
 
 
 def _comparable(count: Count) -> Any:

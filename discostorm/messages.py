@@ -55,6 +55,30 @@ class Unit:
 PROCESS = Unit("process", Fleet.processes)
 PAIR = Unit("ordered pair of processes on different hosts", Fleet.pairs)
 ENDPOINT_PAIR = Unit("endpoint and process on another host", Fleet.endpoint_pairs)
+ENDPOINT = Unit("endpoint", Fleet.endpoints)
+#: For what each process sends to the group for each of the others, wherever they run.
+PROCESS_PAIR = Unit("ordered pair of processes", Fleet.process_pairs)
+#: For what a third process occasions between two.
+THIRD = Unit("ordered pair of processes on different hosts and third process", Fleet.thirds)
+ENDPOINT_THIRD = Unit("endpoint, process on another host and third process", Fleet.endpoint_thirds)
+MATCHED_WRITER = Unit("matched writer and process on another host", Fleet.matched_writers)
+UNMATCHED = Unit("unmatched endpoint and process on another host", Fleet.unmatched)
+
+#: All of them by name.
+UNITS = {
+    unit.name: unit
+    for unit in (
+        PROCESS,
+        PAIR,
+        ENDPOINT_PAIR,
+        ENDPOINT,
+        PROCESS_PAIR,
+        THIRD,
+        ENDPOINT_THIRD,
+        MATCHED_WRITER,
+        UNMATCHED,
+    )
+}
 
 
 @dataclass(frozen=True)
@@ -255,11 +279,16 @@ class Message:
     answers : str, optional
         The message on whose arrival it is sent. None, or one that is not in the table, if
         the clock says so. Counts and airtime do not depend on it; what happens when does.
+    frames : float, optional
+        Its part of frames in the mean [1], from 1e-9 to 1e9: 1 if it has one of its own, less if
+        several messages share one. Headers and channel access count with this part.
+    kind : str, optional
+        What a capture calls it; its name if left out. Several rows may be of one kind.
 
     Raises
     ------
     ValueError
-        If `cast`, `transport`, `per_unit` or `hops` is none of the above.
+        If `cast`, `transport`, `per_unit`, `hops` or `frames` is none of the above.
     TypeError
         If a name is not text, `payload` not a Payload, `unit` not a Unit, or `schedule` not
         a Schedule.
@@ -275,10 +304,14 @@ class Message:
     schedule: Schedule = ONCE
     hops: tuple[Hop, ...] = HOPS
     answers: str | None = None
+    frames: float = 1.0
+    kind: str = ""
 
     def __post_init__(self) -> None:
-        for name in ("name", "phase"):
+        for name in ("name", "phase", "kind"):
             _checks.instance(name, getattr(self, name), str)
+        object.__setattr__(self, "kind", self.kind or self.name)
+        _checks.number("frames", self.frames, LEAST_PER_UNIT, _checks.MOST)
         _checks.choice("cast", self.cast, get_args(Cast))
         _checks.choice("transport", self.transport, get_args(Transport))
         _checks.instance("payload", self.payload, Payload)
@@ -298,13 +331,16 @@ class Message:
 
     @property
     def frame_symbolic(self) -> sp.Expr:
-        """Its frame length [B] in symbols: payload and headers (paper, Sec. IV-A)."""
-        return self.payload_symbol + _HEADER_SYMBOLS[self.transport]
+        """Its frame length [B] in symbols: payload and headers (paper, Sec. IV-A).
+
+        Of messages that share frames, the mean length of these.
+        """
+        return self.payload_symbol / _plain(self.frames) + _HEADER_SYMBOLS[self.transport]
 
     @property
     def frame_bytes(self) -> float:
         """Its nominal frame length [B]."""
-        return self.payload.nominal + header_bytes()[self.transport]
+        return self.payload.nominal / self.frames + header_bytes()[self.transport]
 
     def load(self, fleet: Fleet = SWARM) -> Count:
         """Return how many are sent each time that the schedule names."""
@@ -312,15 +348,15 @@ class Message:
         return self.per_unit * self.unit.count(fleet)
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of one frame up to the access point [s]."""
-        return uplink_airtime(self.frame_symbolic, model)
+        """Return the airtime of its part of a frame up to the access point [s]."""
+        return _plain(self.frames) * uplink_airtime(self.frame_symbolic, model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of one frame down from the access point [s]."""
-        return downlink_airtime(self.frame_symbolic, self.cast, model)
+        """Return the airtime of its part of a frame down from the access point [s]."""
+        return _plain(self.frames) * downlink_airtime(self.frame_symbolic, self.cast, model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of one frame on all of its hops [s]."""
+        """Return the airtime of its part of a frame on all of its hops [s]."""
         of_hop = {"up": self.airtime_up, "down": self.airtime_down}
         return sp.Add(*(of_hop[hop](model) for hop in self.hops))
 
@@ -350,6 +386,9 @@ class Protocol:
         At least one; their names differ.
     lease : float, optional
         How long a silent peer counts as alive [s], above 0; for ever if left out.
+    wired : Protocol, optional
+        The table of the same product on a network that it takes for wired, if it sends otherwise
+        there. A capture is held against that one if it shows so.
 
     Raises
     ------
@@ -362,9 +401,12 @@ class Protocol:
     name: str
     messages: tuple[Message, ...]
     lease: float = np.inf
+    wired: "Protocol | None" = None
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
+        if self.wired is not None:
+            _checks.instance("wired", self.wired, Protocol)
         if self.lease != np.inf:
             _checks.number("lease", self.lease, 0, above=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))

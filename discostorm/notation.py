@@ -1,5 +1,6 @@
 """The symbols of the paper: what each means, its unit, and where it is defined."""
 
+import re
 from dataclasses import dataclass
 
 import sympy as sp
@@ -67,5 +68,8 @@ U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100%)", "1", "p
 
 
 def payload_symbol(message: str) -> sp.Symbol:
-    """Return the symbol of a message's payload size, in bytes: ``s_`` and its name."""
-    return sp.Symbol(f"s_{message}", positive=True)
+    """Return the symbol of a message's payload size, in bytes: ``s_`` and its name.
+
+    Without spaces and commas, as the symbol is a name in other languages, too.
+    """
+    return sp.Symbol("s_" + re.sub(r"\W", "", message), positive=True)

@@ -17,7 +17,7 @@ from discostorm import _checks, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols import DDS, MEASURED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.scalability import message_costs, utilization, without_each
 from discostorm.wifi import PAPER, Radio, Wifi
@@ -539,7 +539,7 @@ def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
             if own:
                 groups.append(replace(group, hosts=own))
         before += int(group.hosts)
-    return tuple(Fleet(tuple(groups)) for groups in dealt)
+    return tuple(Fleet(tuple(groups), fleet.matching) for groups in dealt)
 
 
 class _Change(NamedTuple):
@@ -590,10 +590,15 @@ def _changes(
             what = f"splitting into {parts} domains"
             yield _Change("domains", what, pieces, protocol, wifi, wifi)
     for table in PROTOCOLS.values():
-        # The paper's tables have no periods, those of the products have.
-        if table != protocol and table.repeats == protocol.repeats:
+        if table != protocol and _alike(table, protocol):
             what = f"switching to {table.name}"
             yield _Change("middleware", what, (fleet,), table, wifi, wifi)
+
+
+def _alike(one: Protocol, other: Protocol) -> bool:
+    """Return whether two tables count alike: as the paper, with periods, or as products do."""
+    measured = (one.name in MEASURED, other.name in MEASURED)
+    return one.repeats == other.repeats and measured[0] == measured[1]
 
 
 def _row(kind: str, of: str | None) -> dict[str, str] | None:
@@ -652,7 +657,7 @@ def _other_fleets(
         except ValueError as error:
             yield f"{what}: {error}"
         else:
-            yield "processes", what, Fleet(composed)
+            yield "processes", what, Fleet(composed, fleet.matching)
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
@@ -664,7 +669,7 @@ def _other_fleets(
         counts = " and ".join(f"{own:g}" for own in dict.fromkeys(nodes))
         noun = "node" if set(nodes) == {1} else "nodes"
         what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
-        yield "endpoints", what, Fleet(tuple(fewer))
+        yield "endpoints", what, Fleet(tuple(fewer), fleet.matching)
     else:
         yield f"parameter services: no process has any (those of a node are {each} endpoints)"
 
@@ -759,6 +764,8 @@ def _sessions(
     """Return what Zenoh's count leaves out beside what switching to or from it changes."""
     if (family(old) == "Zenoh") == (family(new) == "Zenoh"):
         return ""
+    if any(message.kind == "Init" for table in (old, new) for message in table.messages):
+        return ""  # it counts them
     one, both = (cost(_openings(sides)) for sides in (1, 2))
     if not one:
         return ""

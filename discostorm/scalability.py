@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -82,18 +82,19 @@ def _prices(protocol: Protocol, phase: str | None, wifi: Wifi, window: float) ->
     return prices
 
 
-def _in_symbols(units: tuple[Unit, ...]) -> tuple[tuple[sp.Symbol, ...], sp.Expr]:
+def _in_symbols(units: tuple[Unit, ...], matching: float) -> tuple[tuple[sp.Symbol, ...], sp.Expr]:
     """Return a symbol for the cost of each unit, and with them the utilization of a swarm."""
+    swarm = replace(SWARM, matching=matching)
     costs = sp.symbols(f"c:{len(units)}", positive=True)
     return costs, sp.Add(
-        *(cost * unit.count(SWARM) for unit, cost in zip(units, costs, strict=True))
+        *(cost * unit.count(swarm) for unit, cost in zip(units, costs, strict=True))
     )
 
 
 @cache
-def _swarm(units: tuple[Unit, ...]) -> Program:
+def _swarm(units: tuple[Unit, ...], matching: float) -> Program:
     """Return utilization of a swarm as a function of its counts, then of the cost of each unit."""
-    costs, total = _in_symbols(units)
+    costs, total = _in_symbols(units, matching)
     # What the units have in common is multiplied with once.
     shared, (total,) = sp.cse([sp.factor_terms(total)])
     for symbol, part in reversed(shared):
@@ -102,9 +103,9 @@ def _swarm(units: tuple[Unit, ...]) -> Program:
 
 
 @cache
-def _full_swarm(units: tuple[Unit, ...]) -> Callable[..., Value]:
+def _full_swarm(units: tuple[Unit, ...], matching: float) -> Callable[..., Value]:
     """Return the N_H of `saturation` as a function of N_P, N_E, U_limit and these costs."""
-    costs, total = _in_symbols(units)
+    costs, total = _in_symbols(units, matching)
     return compiled((nt.N_P, nt.N_E, nt.U_LIMIT, *costs), solve_hosts(total))
 
 
@@ -115,13 +116,16 @@ def _added_up(costs: Costs, fleet: Fleet) -> Any:
 
 def _of_fleet(costs: Costs, fleet: Fleet, shape: tuple[int, ...]) -> Value:
     if len(fleet.groups) == 1:
-        return _of_swarms(costs, dict(zip(COUNTS, fleet.counts(), strict=True)), shape)
+        counts = dict(zip(COUNTS, fleet.counts(), strict=True))
+        return _of_swarms(costs, counts, shape, fleet.matching)
     with np.errstate(under="ignore"):
         total: Value = _added_up(costs, fleet)
     return np.array(np.broadcast_to(total, shape)) if shape else total
 
 
-def _of_swarms(costs: Costs, arguments: dict[str, Any], shape: tuple[int, ...]) -> Value:
+def _of_swarms(
+    costs: Costs, arguments: dict[str, Any], shape: tuple[int, ...], matching: float = 0.0
+) -> Value:
     """Return the utilization of swarms, whose counts are checked where they are needed.
 
     Arrays are read once and not copied, as a fleet has to.
@@ -133,7 +137,7 @@ def _of_swarms(costs: Costs, arguments: dict[str, Any], shape: tuple[int, ...]) 
         else _checks.numbers(name, value, *allowed[name])
         for name, value in arguments.items()
     }
-    swarm = _swarm(tuple(costs))
+    swarm = _swarm(tuple(costs), matching)
     if not shape:
         return swarm.of_numbers(*map(float, (*given.values(), *costs.values())))
     spare: list[Any] = []
@@ -209,9 +213,9 @@ def utilization(
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
 
-    Of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
+    With the periods of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
 
-    >>> fast_dds = ds.PROTOCOLS["Fast DDS"]
+    >>> fast_dds = ds.PROTOCOLS["DDS, periods of Fast DDS"]
     >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
     array([1.011, 0.263])
     """
@@ -288,30 +292,75 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
 
     .. math:: N_H = 1 + \frac{2 (U_{limit} - c)}{b + \sqrt{b^2 + 4 a (U_{limit} - c)}}
 
-    which is the usual formula, in the form that does not cancel in floating point.
+    which is the usual formula, in the form that does not cancel in floating point. Where
+    messages are sent because of a third process there is :math:`d x^3` as well, and the cubic
+    is solved for :math:`1 / x`, of which all terms have one sign:
+
+    .. math:: x = \frac{r}{b / 3 + 2 \sqrt{p} \cos(\arccos(k) / 3)}, \quad
+        p = \frac{a r}{3} + \frac{b^2}{9}, \quad
+        k = \frac{b^3 / 27 + a b r / 6 + d r^2 / 2}{p^{3/2}}, \quad r = U_{limit} - c
+
+    with the hyperbolic functions where k is above 1.
 
     Raises
     ------
     ValueError
         If the utilization grows faster than that, or not at all.
     """
+    return _solved(*_powers(utilization))
+
+
+def _powers(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return what multiplies the cube, square, first and zeroth power of N_H - 1."""
     more = sp.Symbol("x", positive=True)
-    quadratic = utilization.subs(nt.N_H, 1 + more)
-    # By derivatives: to collect the powers would expand a sum over all pairs of groups.
-    a, b, c = (
-        quadratic.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
-    )
-    if quadratic.diff(more, 3) != 0 or (a == 0 and b == 0):
+    polynomial = utilization.subs(nt.N_H, 1 + more)
+    if polynomial.diff(more, 4) != 0:
         raise ValueError(_GROWS)
-    return _root(a, b, nt.U_LIMIT - c, sp.sqrt)
+    # By derivatives: to collect the powers would expand a sum over all pairs of groups.
+    return tuple(
+        polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree)
+        for degree in (3, 2, 1, 0)
+    )
 
 
-_GROWS = "utilization must grow with hosts, linearly or as their square"
+def _solved(third: sp.Expr, a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
+    """Return the N_H of `solve_hosts` for these factors of the powers of N_H - 1."""
+    if third == 0 and a == 0 and b == 0:
+        raise ValueError(_GROWS)
+    if third == 0:
+        return _root(a, b, nt.U_LIMIT - c, sp.sqrt)
+    return _cubic_root(third, a, b, nt.U_LIMIT - c, sp)
+
+
+_GROWS = "utilization must grow with hosts, at most as their cube"
 
 
 def _root(a: Any, b: Any, rest: Any, sqrt: Callable[[Any], Any]) -> Any:
     """Return the hosts that take the ``rest`` of the channel; see `solve_hosts`."""
     return 1 + 2 * rest / (b + sqrt(b**2 + 4 * a * rest))
+
+
+def _cubic_root(third: Any, a: Any, b: Any, rest: Any, of: Any) -> Any:
+    """Return the hosts that take the ``rest``, of which a part grows with their cube.
+
+    See `solve_hosts`; ``of`` is the module whose functions to take, sympy or NumPy.
+    """
+    least, most, arccos, arccosh = (
+        (np.minimum, np.maximum, np.arccos, np.arccosh)
+        if of is np
+        # Which of two long expressions is the larger one is not to be proven.
+        else (
+            partial(sp.Min, evaluate=False),
+            partial(sp.Max, evaluate=False),
+            sp.acos,
+            sp.acosh,
+        )
+    )
+    p = a * rest / 3 + b**2 / 9
+    k = (b**3 / 27 + a * b * rest / 6 + third * rest**2 / 2) / (p * of.sqrt(p))
+    # One of the two factors is 1.
+    part = of.cos(arccos(least(k, 1)) / 3) * of.cosh(arccosh(most(k, 1)) / 3)
+    return 1 + rest / (b / 3 + 2 * of.sqrt(p) * part)
 
 
 @cache
@@ -328,7 +377,12 @@ def saturation(
     """
     beside = (symbolic_group(index) for index in range(1, groups_beside + 1))
     fleet = Fleet((*SWARM.groups, *beside))
-    return solve_hosts(protocol.utilization(fleet=fleet, model=model, window=window))
+    # Solved with a symbol for what each unit costs, which is many terms.
+    costs = {unit: protocol.cost(unit, None, model, window) for unit in protocol.units()}
+    some = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
+    total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in some.items()))
+    known = {symbol: costs[unit] for symbol, unit in some.items()}
+    return _solved(*(power.xreplace(known) for power in _powers(total)))
 
 
 def saturation_hosts(
@@ -398,7 +452,7 @@ def saturation_hosts(
     if beside is not None:
         _checks.instance("beside", beside, Fleet)
     others = beside.groups if beside else ()
-    fleet = Fleet((host, *others))
+    fleet = Fleet((host, *others), beside.matching if beside else 0.0)
     reject_symbols(fleet)
     seconds = _seconds(window)
     single = utilization(protocol, fleet, wifi=wifi, window=seconds)
@@ -416,7 +470,7 @@ def saturation_hosts(
     try:
         with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
             if beside is not None:
-                found = _beside(costs, host, others, most - single)
+                found = _beside(costs, fleet, most - single)
             else:
                 found = _alone(costs, host, most, shape)
     except ZeroDivisionError:
@@ -429,7 +483,7 @@ def saturation_hosts(
 
 def _alone(costs: Costs, host: HostGroup, most: Value, shape: tuple[int, ...]) -> Value:
     """Return how many such hosts use the channel up to a limit."""
-    function = _full_swarm(tuple(costs))
+    function = _full_swarm(tuple(costs), 0.0)
     values = (host.processes, host.endpoints, most, *costs.values())
     if not shape:
         return function(*values)
@@ -440,13 +494,17 @@ def _alone(costs: Costs, host: HostGroup, most: Value, shape: tuple[int, ...]) -
     return in_blocks(block, values, shape)
 
 
-def _beside(costs: Costs, host: HostGroup, others: tuple[HostGroup, ...], rest: Value) -> Value:
-    """Return how many such hosts beside others take the rest; see `solve_hosts`."""
-    fleet = Fleet((replace(host, hosts=Polynomial((1.0, 1.0))), *others))
-    _, b, a, *more = (*coefficients(_added_up(costs, fleet)), 0.0, 0.0)
-    if any(map(np.any, more)):
+def _beside(costs: Costs, fleet: Fleet, rest: Value) -> Value:
+    """Return how many hosts like the first beside the others take the rest; see `solve_hosts`."""
+    host, *others = fleet.groups
+    more = replace(host, hosts=Polynomial((1.0, 1.0)))
+    total = _added_up(costs, replace(fleet, groups=(more, *others)))
+    _, b, a, third, *faster = (*coefficients(total), 0.0, 0.0, 0.0)
+    if any(map(np.any, faster)):
         raise ValueError(_GROWS)
-    found: Value = _root(a, b, rest, np.sqrt)
+    found: Value = (
+        _cubic_root(third, a, b, rest, np) if np.any(third) else _root(a, b, rest, np.sqrt)
+    )
     return found
 
 

@@ -78,7 +78,7 @@ def drain_time(
     --------
     >>> import discostorm as ds
     >>> from discostorm import timeline
-    >>> timeline.drain_time(ds.PROTOCOLS["Fast DDS"], [3, 12, 60], 2, 10).round(2)
+    >>> timeline.drain_time(ds.PROTOCOLS["DDS, periods of Fast DDS"], [3, 12, 60], 2, 10).round(2)
     array([0.22, 4.7 ,  inf])
     """
     _checks.instance("protocol", protocol, Protocol)
@@ -127,7 +127,7 @@ def demand(
     --------
     >>> import discostorm as ds
     >>> from discostorm import timeline
-    >>> timeline.demand(ds.PROTOCOLS["Fast DDS"], [0, 3.4, 3.5], 3, 2, 10).round(4)
+    >>> timeline.demand(ds.PROTOCOLS["DDS, periods of Fast DDS"], [0, 3.4, 3.5], 3, 2, 10).round(4)
     array([0.1495, 0.2245, 0.2395])
     """
     _checks.instance("protocol", protocol, Protocol)
@@ -178,7 +178,7 @@ def first_idle(
     --------
     >>> import discostorm as ds
     >>> from discostorm import timeline
-    >>> round(timeline.first_idle(ds.PROTOCOLS["Fast DDS"], 12, 2, 10), 2)
+    >>> round(timeline.first_idle(ds.PROTOCOLS["DDS, periods of Fast DDS"], 12, 2, 10), 2)
     4.61
     """
     _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
@@ -236,7 +236,7 @@ def outlook(
     --------
     >>> import discostorm as ds
     >>> from discostorm import timeline
-    >>> timeline.outlook(ds.PROTOCOLS["Zenoh peer"], 12, 2, 10)
+    >>> timeline.outlook(ds.PROTOCOLS["Zenoh, periods of Zenoh peer"], 12, 2, 10)
     'slow at best'
     """
     _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))

@@ -284,7 +284,10 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("groups = [3]", "group 1: it must be a table with hosts, processes, endpoints; got 3"),
         ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'hosts'"),
         ("[[groups]\n", "must be a TOML file: .*line 1"),
-        ("[[groups]]\n" + GOOD + "[[group]]\n" + GOOD, "key must be groups; got group = "),
+        (
+            "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
+            "key must be groups or matching; got group = ",
+        ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
             "group 1: key must be hosts or processes or endpoints or name or nodes; got hosst = 3",

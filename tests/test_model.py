@@ -442,12 +442,12 @@ def test_what_grows_linearly_is_solved() -> None:
 
 @pytest.mark.parametrize(
     "count",
-    [lambda fleet: sum(group.hosts**3 for group in fleet.groups), lambda _: 1],
-    ids=["as the cube", "constant"],
+    [lambda fleet: sum(group.hosts**4 for group in fleet.groups), lambda _: 1],
+    ids=["as the fourth power", "constant"],
 )
-def test_what_does_not_grow_as_a_square_at_most_is_not_solved(count: Any) -> None:
+def test_what_does_not_grow_as_a_cube_at_most_is_not_solved(count: Any) -> None:
     unit = ds.Unit("own", count)
     own = ds.Protocol("own", (replace(ds.DDS.messages[0], unit=unit),))
     assert ds.utilization(own, 3, 2, 10) > 0
-    with pytest.raises(ValueError, match="utilization must grow with hosts, linearly or as"):
+    with pytest.raises(ValueError, match="utilization must grow with hosts, at most as"):
         ds.saturation_hosts(own, 2, 10, limit=100)

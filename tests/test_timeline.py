@@ -19,7 +19,12 @@ from discostorm.protocols.defaults import defaults
 from discostorm.scalability import burst
 
 FAST_DDS, CYCLONE_DDS, ZENOH_PEER = PRODUCTS = tuple(
-    ds.PROTOCOLS[name] for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer")
+    ds.PROTOCOLS[name]
+    for name in (
+        "DDS, periods of Fast DDS",
+        "DDS, periods of Cyclone DDS",
+        "Zenoh, periods of Zenoh peer",
+    )
 )
 #: Fast DDS if it announced itself by multicast alone, as the paper counts SPDP.
 MULTICAST_ONLY = replace(
@@ -36,15 +41,17 @@ def instants(product: str, name: str, until: float) -> list[float]:
     """Return when a message is sent, written down by hand from the products' documentation."""
     second = [float(n) for n in range(int(until) + 1)]
     known: dict[tuple[str, str], list[float]] = {
-        ("Fast DDS", "SPDP"): [0, 0.1, 0.2, 0.3, 0.4] + [0.5 + 3 * n for n in second],
-        ("Fast DDS", "UnicastSPDP"): [0, 0.1, 0.2, 0.3, 0.4] + [0.5 + 3 * n for n in second],
-        ("Cyclone DDS", "SPDP"): [0] + [0.1 + 8 * n for n in second],
-        ("Cyclone DDS", "DirectedSPDP"): [0, 1, 2, 3],
-        ("Cyclone DDS", "Liveliness"): [8 * n for n in second],
-        ("Cyclone DDS", "LivelinessACK"): [8 * n for n in second],
-        ("Zenoh peer", "Scout"): [0, 1, 3] + [7 + 8 * n for n in second],
-        ("Zenoh peer", "Hello"): [0, 1, 3] + [7 + 8 * n for n in second],
-        ("Zenoh peer", "KeepAlive"): [2.5 * (n + 1) for n in second],
+        ("DDS, periods of Fast DDS", "SPDP"): [0, 0.1, 0.2, 0.3, 0.4]
+        + [0.5 + 3 * n for n in second],
+        ("DDS, periods of Fast DDS", "UnicastSPDP"): [0, 0.1, 0.2, 0.3, 0.4]
+        + [0.5 + 3 * n for n in second],
+        ("DDS, periods of Cyclone DDS", "SPDP"): [0] + [0.1 + 8 * n for n in second],
+        ("DDS, periods of Cyclone DDS", "DirectedSPDP"): [0, 1, 2, 3],
+        ("DDS, periods of Cyclone DDS", "Liveliness"): [8 * n for n in second],
+        ("DDS, periods of Cyclone DDS", "LivelinessACK"): [8 * n for n in second],
+        ("Zenoh, periods of Zenoh peer", "Scout"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh, periods of Zenoh peer", "Hello"): [0, 1, 3] + [7 + 8 * n for n in second],
+        ("Zenoh, periods of Zenoh peer", "KeepAlive"): [2.5 * (n + 1) for n in second],
     }
     return known.get((product, name), [0])
 
@@ -76,12 +83,12 @@ def events(
         "KeepAlive": (8, 76, pairs),
     }
     names = {
-        "Fast DDS": ["SPDP", "UnicastSPDP", "SEDP", "Heartbeat", "ACKNACK"],
-        "Cyclone DDS": [
+        "DDS, periods of Fast DDS": ["SPDP", "UnicastSPDP", "SEDP", "Heartbeat", "ACKNACK"],
+        "DDS, periods of Cyclone DDS": [
             *["SPDP", "DirectedSPDP", "SEDP", "Heartbeat", "ACKNACK"],
             *["Liveliness", "LivelinessACK"],
         ],
-        "Zenoh peer": ["Scout", "Hello", "Declare", "KeepAlive"],
+        "Zenoh, periods of Zenoh peer": ["Scout", "Hello", "Declare", "KeepAlive"],
     }[product]
     return sorted(
         (time, sizes[name][2] * frame_seconds(*sizes[name][:2], name in ("SPDP", "Scout")))
@@ -293,7 +300,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=[1, 1e-3]),
             ValueError,
-            "limit must be at least the utilization of a single host with Fast DDS, 10.*; got 1",
+            "utilization of a single host with DDS, periods of Fast DDS, 10.*; got 1",
         ),
         (
             lambda: timeline.first_idle(FAST_DDS, cast(float, [3, 4]), 2, 10),
@@ -303,12 +310,12 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.saturation_hosts(FAST_DDS, [1, 100, 2], 10, window=[1e-4, 20, 2e-4]),
             ValueError,
-            "utilization of a single host with Fast DDS, 5.*; got 1",
+            "utilization of a single host with DDS, periods of Fast DDS, 5.*; got 1",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 1e5, 10, window=np.inf),
             ValueError,
-            "limit must be at least the utilization of a single host with Fast DDS, .*; got 1",
+            "utilization of a single host with DDS, periods of Fast DDS, .*; got 1",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, [1, 2], 10, window=[1, 2, 3]),
@@ -448,7 +455,9 @@ def test_fast_dds_by_multicast_alone_sends_what_the_paper_counts() -> None:
 
 def test_a_window_too_short_for_one_host_is_refused_with_what_it_takes() -> None:
     alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
-    with pytest.raises(ValueError, match=r"single host with Fast DDS, .*; got 1.0$"):
+    with pytest.raises(
+        ValueError, match=r"single host with DDS, periods of Fast DDS, .*; got 1.0$"
+    ):
         ds.saturation_hosts(FAST_DDS, 2, 10, window=alone / 2)
     longer = timeline.drain_time(FAST_DDS, 1.5, 2, 10)
     assert 1 < ds.saturation_hosts(FAST_DDS, 2, 10, window=longer) < 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,14 @@ from discostorm._numeric import evaluate
 from discostorm.capture import ip, reader, rtps, zenoh
 from discostorm.capture.files import CaptureError
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Message, Protocol, header_bytes
+from discostorm.messages import (
+    ENDPOINT_PAIR,
+    MATCHED_WRITER,
+    UNMATCHED,
+    Message,
+    Protocol,
+    header_bytes,
+)
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 
 if TYPE_CHECKING:
@@ -175,26 +182,35 @@ class Capture:
         """Hold what was captured against the table of a protocol.
 
         Left out are what the capture shows twice, what stays on one host, and what takes back
-        an announcement (orderly shutdown).
+        an announcement (orderly shutdown). A capture without any message that the table has for
+        the start alone is taken for one of the steady state.
 
         Parameters
         ----------
         protocol : Protocol
-            The table; a message is found by its name.
+            The table; messages are found by their kind. Where it has another table for networks
+            that are taken for wired (`Protocol.wired`), that one is taken if the capture shows
+            messages by multicast that the first has by unicast alone.
         fleet : Fleet, optional
-            The fleet that sent; the one found in the capture if left out.
+            The fleet that sent; the one found in the capture if left out. How far its endpoints
+            match is then told from the acknowledgements of user endpoints, and of Zenoh from how
+            few key expressions are declared. Of Zenoh without tokens, which does not announce
+            publishers, it has as many of them as the table takes it to have.
         wifi : Wifi, optional
             The channel to compute airtime for; the paper's if left out.
 
         Returns
         -------
         pandas.DataFrame
-            By ``message``, first those of the table, then what else of RTPS or of Zenoh and its
-            TCP was captured: ``units``,
-            of how many of its units the capture shows the messages [1]; ``expected``, how many
-            messages these send from the first message in the capture to its end [1];
+            By ``message``, its kind, first those of the table, then what else of RTPS or of Zenoh
+            and its TCP was captured: ``units``,
+            of how many of its units the capture shows the messages [1], where a kind has several
+            rows in the table those of the first; ``expected``, how many
+            messages these send from the first message in the capture to its end, or
+            until nobody sends any more [1];
             ``unicast`` and ``multicast``, how many were captured [1]; ``per_unit``, captured
-            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s]. Where the
+            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s];
+            ``expected_bytes``, payload of what is expected [B]. Where the
             table has no such message, ``units`` and what follows from it are NaN.
 
         Raises
@@ -209,10 +225,13 @@ class Capture:
         import pandas as pd
 
         wire = self._spoken(protocol)
+        on_air = self._on_air()
+        if protocol.wired is not None and self._as_if_wired(protocol, on_air):
+            protocol = protocol.wired
         if fleet is None:
-            fleet = self.fleet(wire)
+            fleet = self._sending(self.fleet(wire), protocol, on_air)
         _checks.instance("fleet", fleet, Fleet)
-        rows = self._on_air().assign(airtime_s=self.airtime(wifi))
+        rows = on_air.assign(airtime_s=self.airtime(wifi))
         if wire is not None:
             rows = rows[rows["protocol"].isin([wire, "TCP"] if wire == "Zenoh" else [wire])]
         counts = rows.groupby("kind", observed=True).agg(
@@ -221,21 +240,29 @@ class Capture:
             bytes=("bytes", "sum"),
             airtime_s=("airtime_s", "sum"),
         )
-        names = [message.name for message in protocol.messages]
-        others = [kind for kind in counts.index if kind not in names]
-        table = counts.reindex(pd.Index([*names, *others], name="message")).fillna(0)
+        kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
+        others = [kind for kind in counts.index if kind not in kinds]
+        table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
         window = self._window(protocol)
-        units, expected = [], []
+        started = self._started(protocol, rows)
+        units = dict.fromkeys(others, np.nan)
+        expected, octets = dict(units), dict(units)
         for message in protocol.messages:
             visible = self._units(message, fleet)
-            units.append(visible)
-            sent = float(np.asarray(message.schedule.sent(window)))
-            expected.append(visible * message.per_unit * sent)
-        nothing = [np.nan] * len(others)
-        table.insert(0, "units", units + nothing)
-        table.insert(1, "expected", expected + nothing)
+            units.setdefault(message.kind, visible)
+            if started:
+                times = float(np.asarray(message.schedule.sent(window)))
+            else:
+                times = window * message.schedule.per_second
+            sent = visible * message.per_unit * times
+            expected[message.kind] = expected.get(message.kind, 0.0) + sent
+            size = sent * message.payload.nominal
+            octets[message.kind] = octets.get(message.kind, 0.0) + size
+        table.insert(0, "units", pd.Series(units))
+        table.insert(1, "expected", pd.Series(expected))
         total = table["unicast"] + table["multicast"]
         table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
+        table["expected_bytes"] = pd.Series(octets)
         whole = ["unicast", "multicast", "bytes"]
         return table.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
 
@@ -274,7 +301,7 @@ class Capture:
 
     def _spoken(self, protocol: Protocol) -> str | None:
         """Return which protocol on the wire has the messages of a table."""
-        names = {message.name for message in protocol.messages}
+        names = {message.kind for message in protocol.messages}
         spoken = [
             wire
             for wire, kinds in (("RTPS", rtps.kind_names()), ("Zenoh", zenoh.KINDS))
@@ -284,9 +311,62 @@ class Capture:
 
     def _window(self, protocol: Protocol) -> float:
         """Return the time from the first message of a table to the end of the capture [s]."""
-        names = [message.name for message in protocol.messages]
+        names = [message.kind for message in protocol.messages]
         mine = self._messages.loc[self._messages["kind"].isin(names), "time"]
-        return self.duration - float(mine.min()) if len(mine) else self.duration
+        if mine.empty:
+            return self.duration
+        # Who is silent for longer than this is gone.
+        periods = [m.schedule.period for m in protocol.messages]
+        end = min(self.duration, float(mine.max()) + min(periods) / 2)
+        return end - float(mine.min())
+
+    def _started(self, protocol: Protocol, rows: pd.DataFrame) -> bool:
+        """Return whether the capture shows what a table has for the start alone."""
+        again = {m.kind for m in protocol.messages if m.schedule.per_second}
+        once = {m.kind for m in protocol.messages} - again
+        return not again or not once or bool(rows["kind"].isin(once).any())
+
+    def _as_if_wired(self, protocol: Protocol, rows: pd.DataFrame) -> bool:
+        """Return whether something is multicast that a table has by unicast alone."""
+        by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
+        alone = {m.kind for m in protocol.messages} - by_multicast
+        return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
+
+    def _sending(self, fleet: Fleet, protocol: Protocol, rows: pd.DataFrame) -> Fleet:
+        """Return the fleet that was found, with what it does not announce itself."""
+        announced = sum(
+            m.per_unit for m in protocol.messages if (m.kind, m.unit) == ("Declare", ENDPOINT_PAIR)
+        )
+        if 0 < announced < 1:
+            groups = tuple(replace(g, endpoints=g.endpoints / announced) for g in fleet.groups)
+            fleet = Fleet(groups)
+        if announced > 1 and (pairs := float(fleet.pairs())) > 0:
+            # A token for each endpoint and for the node.
+            tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
+            fleet = Fleet(
+                tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in fleet.groups)
+            )
+        units = {message.unit for message in protocol.messages}
+        if MATCHED_WRITER not in units:
+            return fleet
+        if UNMATCHED in units:
+            # With every match one of two does not declare the key expression.
+            declared = int((rows["kind"] == "Declare key expression").sum())
+            none, all_ = (
+                sum(
+                    m.load(Fleet(fleet.groups, matching))
+                    for m in protocol.messages
+                    if m.kind == "Declare key expression"
+                )
+                for matching in (0.0, 1.0)
+            )
+            saved, most = none - declared, none - all_
+        else:
+            answers = rows[rows["kind"] == "User ACKNACK"]
+            saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
+            most = float(Fleet(fleet.groups, 1.0).matched_writers())
+        share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
+        return Fleet(fleet.groups, share)
 
     def _units(self, message: Message, fleet: Fleet) -> float:
         """Return of how many units of a message the capture shows what they send."""
@@ -315,7 +395,7 @@ def _without(fleet: Fleet, processes: pd.DataFrame) -> Fleet | None:
     rest = [group for group in fleet.groups if group is not mine]
     if mine.hosts > 1:
         rest.append(HostGroup(mine.hosts - 1, mine.processes, mine.endpoints, mine.name))
-    return Fleet(tuple(rest)) if rest else None
+    return Fleet(tuple(rest), fleet.matching) if rest else None
 
 
 def _loopback_rows(addresses: pd.Series) -> pd.Series:

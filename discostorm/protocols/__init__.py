@@ -9,6 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import MappingProxyType
 
+from discostorm.data import read_data
 from discostorm.messages import Protocol
 from discostorm.protocols.paper import DDS, ZENOH
 
@@ -28,4 +29,7 @@ def _tables() -> dict[str, Protocol]:
 #: Every protocol by its name, such as ``PROTOCOLS["Fast DDS"]``.
 PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
 
-__all__ = ["DDS", "PROTOCOLS", "ZENOH"]
+#: The names of those that say what products really send; the others have the paper's counts.
+MEASURED = frozenset(row["protocol"] for row in read_data("vendors/products.csv"))
+
+__all__ = ["DDS", "MEASURED", "PROTOCOLS", "ZENOH"]

@@ -116,7 +116,8 @@ def repair_record(protocol: Protocol) -> Records:
     """Return the timers of a middleware; see `FAMILY`."""
     data = _data(protocol)
     transport = data[0].transport if data else "UDP"
-    vendor = _defaults(protocol.name) or _defaults(FAMILY[transport])
+    product = protocol.name.rpartition("periods of ")[2]
+    vendor = _defaults(product) or _defaults(FAMILY[transport])
     names = [message.name for message in protocol.messages]
     pair = _heartbeat(protocol)
     record = np.zeros(1, _cell.REPAIRS)

@@ -1,0 +1,235 @@
+"""What the lab counted of real middleware, beside what the tables as built expect."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm import _checks
+from discostorm.data import read_data
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.messages import Message, Protocol, Schedule
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: The windows that were counted, from when to when after the start [s].
+WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
+
+#: Window, kind, what it is about, and cast.
+Key = tuple[str, str, str, str]
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point of the grid, as all runs of one product and variant saw it.
+
+    Parameters
+    ----------
+    name : str
+        Hosts, processes and endpoints, and whether names match (m) or are unique (u).
+    use : str
+        The half of the grid: "fit" or "test".
+    fleet : Fleet
+        Its hosts.
+    runs : dict
+        By window, kind, what it is about ("" for all) and cast: messages [1], frames [1] and bytes
+        of payload [B], a row a run.
+    """
+
+    name: str
+    use: str
+    fleet: Fleet
+    runs: dict[Key, NDArray[np.float64]]
+
+    def median(self, key: Key) -> NDArray[np.float64]:
+        """Return the medians of messages, frames and bytes; zeros if none was seen."""
+        return np.median(self.runs[key], axis=0) if key in self.runs else np.zeros(3)
+
+
+@cache
+def products() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
+
+
+@cache
+def _counts() -> dict[str, dict[Key, NDArray[np.float64]]]:
+    counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(dict)
+    for row in read_data("measured/counts.csv"):
+        numbers = np.array([float(row[name]) for name in ("messages", "frames", "bytes")])
+        cast = "multicast" if row["multicast"] == "1" else "unicast"
+        for about in {row["about"], ""}:
+            key = (row["window"], row["kind"], about, cast)
+            known = counts[row["run"]].get(key, np.zeros(3))
+            counts[row["run"]][key] = known + numbers
+    return counts
+
+
+def points(name: str) -> list[Point]:
+    """Return the points of the grid that a table is held against, with at least two hosts.
+
+    Parameters
+    ----------
+    name : str
+        Of a table of ``data/vendors/products.csv``.
+
+    Returns
+    -------
+    list of Point
+        In the order of the grid. For a table of a network that is taken for wired, those with
+        three processes or more, as two send otherwise.
+
+    Raises
+    ------
+    ValueError
+        If there is no such table.
+    """
+    _checks.choice("name", name, list(products()))
+    product = products()[name]
+    of_point: dict[tuple[str, ...], list[str]] = defaultdict(list)
+    for run in read_data("measured/runs.csv"):
+        if (run["product"], run["variant"]) == (product["product"], product["variant"]):
+            columns = ("hosts", "processes", "endpoints", "names", "use")
+            of_point[tuple(run[column] for column in columns)].append(run["run"])
+    found = []
+    counts = _counts()
+    for (hosts, processes, endpoints, names, use), runs in of_point.items():
+        least = int(product["least_processes"])
+        if int(hosts) < 2 or int(hosts) * int(processes) < least:
+            continue
+        host = HostGroup(int(hosts), int(processes), int(endpoints))
+        found.append(
+            Point(
+                f"{hosts}x{processes}x{endpoints}{names[0]}",
+                use,
+                Fleet((host,), matching=float(names == "matching")),
+                {
+                    key: np.array([counts[run].get(key, np.zeros(3)) for run in runs])
+                    for key in sorted({key for run in runs for key in counts[run]})
+                },
+            )
+        )
+    return found
+
+
+def times(schedule: Schedule, window: str) -> float:
+    """Return how many times of a schedule are in a window."""
+    begin, end = (float(np.asarray(schedule.sent(time))) for time in WINDOWS[window])
+    return end - begin * (window != "startup")
+
+
+def expected(message: Message, fleet: Fleet, window: str) -> float:
+    """Return how many of a message a fleet sends in a window [1]."""
+    return float(message.load(fleet)) * times(message.schedule, window)
+
+
+def held(protocol: Protocol) -> pd.DataFrame:
+    """Hold a table as built against the medians of all points of the grid.
+
+    Parameters
+    ----------
+    protocol : Protocol
+        Of a name in ``data/vendors/products.csv``.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each ``point``, ``use``, ``window``, ``phase`` and ``kind``, and one for each
+        phase, of which kind is "all": what was ``measured``, the median of the runs, ``least``
+        and ``most``, what the table has ``expected`` [1], the same of bytes with ``_bytes`` behind
+        the name [B], and the ``error`` of messages and the ``error_bytes`` [1], of the median.
+
+    Raises
+    ------
+    ValueError
+        If nothing was measured for such a table.
+    """
+    import pandas as pd
+
+    rows = []
+    for point in points(protocol.name):
+        for window in WINDOWS:
+            for phase in protocol.phases:
+                kinds = list(dict.fromkeys(m.kind for m in protocol.of_phase(phase)))
+                for members, name in [([kind], kind) for kind in kinds] + [(kinds, "all")]:
+                    row = _row(protocol, point, window, phase, members)
+                    if row["measured"] or row["expected"]:
+                        head = {"point": point.name, "use": point.use, "window": window}
+                        rows.append(head | {"phase": phase, "kind": name} | row)
+    table = pd.DataFrame(rows)
+    for end in ("", "_bytes"):
+        some = table[f"measured{end}"].where(table[f"measured{end}"] > 0)
+        table[f"error{end}"] = table[f"expected{end}"] / some - 1
+    return table
+
+
+def _row(
+    protocol: Protocol, point: Point, window: str, phase: str, kinds: list[str]
+) -> dict[str, float]:
+    """Return what was counted of some kinds, and what is expected of them."""
+    keys = [(window, kind, "", cast) for kind in kinds for cast in ("multicast", "unicast")]
+    seen = [point.runs[key] for key in keys if key in point.runs]
+    runs = np.sum(seen, axis=0) if seen else np.zeros((1, 3))
+    count = size = 0.0
+    for message in protocol.of_phase(phase):
+        if message.kind in kinds:
+            number = expected(message, point.fleet, window)
+            count += number
+            size += number * message.payload.nominal
+    return {
+        "measured": float(np.median(runs[:, 0])),
+        "least": float(runs[:, 0].min()),
+        "most": float(runs[:, 0].max()),
+        "expected": count,
+        "measured_bytes": float(np.median(runs[:, 2])),
+        "least_bytes": float(runs[:, 2].min()),
+        "most_bytes": float(runs[:, 2].max()),
+        "expected_bytes": size,
+    }
+
+
+#: How far a table may be from the median of the runs [1]: of a phase, and of a kind of message.
+WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
+
+
+def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
+    """Return where a table as built is off by more than it should be, on one half of the grid.
+
+    Returns
+    -------
+    list of dict
+        ``protocol``, ``point``, ``window``, ``phase``, ``kind`` ("all" of a phase), ``quantity``
+        (messages or bytes), ``error`` [1], and ``reason``, one of ``data/measured/reasons.csv``.
+    """
+    table = held(protocol)
+    found = []
+    for row in table[table["use"] == use].to_dict("records"):
+        for quantity, end in (("messages", ""), ("bytes", "_bytes")):
+            measured, count = row[f"measured{end}"], row[f"expected{end}"]
+            limit = WITHIN_PHASE if row["kind"] == "all" else WITHIN_KIND
+            if abs(count - measured) > limit * measured:
+                error = f"{count / measured - 1:+.3f}" if measured else "none"
+                head = {name: row[name] for name in ("point", "window", "phase", "kind")}
+                reason = _reason(row, count, row[f"least{end}"], row[f"most{end}"])
+                tail = {"quantity": quantity, "error": error, "reason": reason}
+                found.append({"protocol": protocol.name} | head | tail)
+    return found
+
+
+def _reason(row: dict[str, str], count: float, least: float, most: float) -> str:
+    """Return why a table may be off: what the runs of a point and its size say."""
+    hosts, processes, _ = row["point"].split("x")
+    if least <= count <= most:
+        return "scatter"
+    if row["phase"] in ("Session", "KeepAlive", "TCP"):
+        return "connections"
+    everyone = int(hosts) * int(processes)
+    if everyone == 2:
+        return "one pair"
+    return "crowd" if everyone >= 6 else "form"
