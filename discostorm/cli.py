@@ -13,6 +13,7 @@ import shutil
 import sys
 import textwrap
 import unicodedata
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -268,6 +269,15 @@ protocol_option = _packed(
     ),
 )
 
+one_protocol_option = click.option(
+    "--protocol",
+    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
+    default=ds.DDS.name,
+    show_default=True,
+    callback=lambda _context, _parameter, name: ds.PROTOCOLS[name],
+    help="The middleware, in any case of letters.",
+)
+
 hosts_option = click.option("--hosts", callback=_numbers, metavar="N", help="Hosts.")
 several_hosts_option = click.option(
     "--hosts", callback=_numbers, metavar="N[,N...]", help="Hosts; several give a row each."
@@ -311,20 +321,36 @@ def _members(
     file: str | None,
 ) -> Members:
     counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    chosen = _file_or_counts(fleet, file, counts)
+    if chosen is None:
+        return Members(counts, counts)
+    return Members({"fleet": chosen}, {"hosts": _read(chosen)})
+
+
+def _file_or_counts(fleet: str | None, file: str | None, counts: Mapping[str, Any]) -> str | None:
+    """Return the fleet file; None if all the counts are given instead."""
     chosen = _one_file(fleet, file)
+    names = [f"--{name}" for name in counts]
     if chosen is None:
         if missing := [f"--{name}" for name, value in counts.items() if value is None]:
             raise click.UsageError(f"{', '.join(missing)} must be given, or --fleet FILE")
-        return Members(counts, counts)
-    if any(value is not None for value in counts.values()):
-        raise click.UsageError("--fleet goes without --hosts, --processes and --endpoints")
-    return Members({"fleet": chosen}, {"hosts": _read(chosen)})
+    elif any(value is not None for value in counts.values()):
+        raise click.UsageError(f"--fleet goes without {', '.join(names[:-1])} and {names[-1]}")
+    return chosen
+
+
+def _the_file(fleet: str | None, file: str | None) -> str:
+    found = _one_file(fleet, file)
+    if found is None:
+        raise click.UsageError("Missing argument 'FLEET'.")
+    return found
 
 
 file_options = (
     click.option("--fleet", metavar="FILE", help="The same as FLEET."),
     click.argument("file", metavar="[FLEET]", required=False),
 )
+file_option = _packed("file", _the_file, *file_options)
 count_options = (
     click.option("--processes", type=float, metavar="N", help="Processes on each host."),
     click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
@@ -552,66 +578,85 @@ def _hosts(value: float | None) -> str:
 
 
 @dataclass(frozen=True)
-class Host:
-    """A kind of host, and what it may use of the channel."""
+class Kind:
+    """A kind of host of which there may be more: columns that name it, and who else is there."""
 
+    columns: dict[str, Any]
     processes: float
     endpoints: float
-    limit: float
-    beside: str | None
+    others: tuple[ds.HostGroup, ...]
 
 
-host_options = _packed(
-    "host",
-    Host,
-    click.option("--processes", type=float, required=True, metavar="N", help="Of each host."),
-    click.option("--endpoints", type=float, required=True, metavar="N", help="Of each process."),
-    click.option(
-        "--limit",
-        type=float,
-        default=1.0,
-        show_default=True,
-        help="Utilization to reach, 1 is 100%.",
-    ),
-    click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel."),
-)
+def _kinds(
+    processes: float | None,
+    endpoints: float | None,
+    fleet: str | None,
+    file: str | None,
+    beside: str | None,
+) -> list[Kind]:
+    counts: dict[str, Any] = {"processes": processes, "endpoints": endpoints}
+    chosen = _file_or_counts(fleet, file, counts)
+    others: tuple[ds.HostGroup, ...] = ()
+    if beside is not None:  # without their names, which may be those of FLEET
+        others = tuple(replace(group, name="") for group in _read(beside).groups)
+    if chosen is None:
+        return [Kind({}, **counts, others=others)]
+    members = _read(chosen)
+    return [
+        Kind(
+            {"group": name},
+            float(group.processes),
+            float(group.endpoints),
+            (*members.groups[:index], *members.groups[index + 1 :], *others),
+        )
+        for index, (name, group) in enumerate(zip(members.names, members.groups, strict=True))
+    ]
 
 
 @main.command(short_help="Hosts at which the channel is full.")
-@host_options
+@_packed(
+    "kinds",
+    _kinds,
+    *count_options,
+    *file_options,
+    click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel."),
+)
+@click.option(
+    "--limit",
+    type=float,
+    default=1.0,
+    show_default=True,
+    help="Utilization to reach, 1 is 100%.",
+)
 @protocol_option
 @wifi_options
 @output_options
-def saturation(host: Host, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output) -> None:
+def saturation(
+    kinds: Sequence[Kind],
+    limit: float,
+    protocols: tuple[ds.Protocol, ...],
+    wifi: Wifi,
+    output: Output,
+) -> None:
     """Tell how many like hosts there are when discovery fills the channel.
+
+    Of a fleet file, FLEET, each group is asked for in turn: how many of its hosts there are
+    then, beside the other groups as they are.
 
     \b
     Examples:
       discostorm saturation --processes 2 --endpoints 10
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
+      discostorm saturation fleet.toml --protocol zenoh
     """
     with _bad_input(), _working("computing"):
-        counts = (host.processes, host.endpoints)
-        others = None if host.beside is None else _read(host.beside)
-        least = ds.Fleet((ds.HostGroup(1, *counts), *(others.groups if others else ())))
-        rows = []
-        for chosen in protocols:
-            full = ds.utilization(chosen, least, wifi=wifi) > host.limit > 0
-            hosts = (
-                None
-                if full
-                else ds.saturation_hosts(chosen, *counts, wifi, limit=host.limit, beside=others)
-            )
-            rows.append(
-                {
-                    "protocol": chosen.name,
-                    "processes": host.processes,
-                    "endpoints": host.endpoints,
-                    "limit": host.limit,
-                    "hosts": hosts,
-                    "fit": 0 if hosts is None else words.whole_below(float(hosts)),
-                }
-            )
+        rows = [
+            {"protocol": protocol.name} | _full(kind, limit, protocol, wifi)
+            for protocol in protocols
+            for kind in kinds
+        ]
+    if output.for_people and "group" in rows[0]:  # or the lines would be too long
+        rows = [{name: row[name] for name in row if name != "limit"} for row in rows]
     _print(
         rows,
         output,
@@ -620,15 +665,26 @@ def saturation(host: Host, protocols: tuple[ds.Protocol, ...], wifi: Wifi, outpu
     )
 
 
+def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
+    """Return at how many hosts of a kind the channel is full; None if one is too many."""
+    counts = (kind.processes, kind.endpoints)
+    others = ds.Fleet(kind.others) if kind.others else None
+    least = ds.Fleet((ds.HostGroup(1, *counts), *kind.others))
+    hosts = None
+    if not ds.utilization(protocol, least, wifi=wifi) > limit > 0:
+        hosts = ds.saturation_hosts(protocol, *counts, wifi, limit=limit, beside=others)
+    return kind.columns | {
+        "processes": kind.processes,
+        "endpoints": kind.endpoints,
+        "limit": limit,
+        "hosts": hosts,
+        "fit": 0 if hosts is None else words.whole_below(float(hosts)),
+    }
+
+
 @main.command(short_help="Advice for a fleet: what would help most.")
-@_packed("file", _one_file, *file_options)
-@click.option(
-    "--protocol",
-    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
-    default=ds.DDS.name,
-    show_default=True,
-    help="The middleware, in any case of letters.",
-)
+@file_option
+@one_protocol_option
 @click.option(
     "--nodes",
     callback=_numbers,
@@ -638,7 +694,7 @@ def saturation(host: Host, protocols: tuple[ds.Protocol, ...], wifi: Wifi, outpu
 )
 @wifi_options
 @output_options
-def plan(file: str | None, protocol: str, nodes: Any, wifi: Wifi, output: Output) -> None:
+def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Output) -> None:
     """Advise the fleet of a file: what dominates, and what would help most.
 
     FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
@@ -657,12 +713,10 @@ def plan(file: str | None, protocol: str, nodes: Any, wifi: Wifi, output: Output
       discostorm plan fleet.toml --protocol zenoh --wifi '802.11n 20 MHz 2x2'
       discostorm plan fleet.toml --nodes 13,2 --json
     """
-    if file is None:
-        raise click.UsageError("Missing argument 'FLEET'.")
     with _bad_input(), _working("planning"):
         members = _read(file)
         try:
-            answer = ds.plan(members, ds.PROTOCOLS[protocol], wifi, nodes=nodes)
+            answer = ds.plan(members, protocol, wifi, nodes=nodes)
         except ValueError as error:
             raise ValueError(f"{file}: {error}") from error
     if output.as_csv:
@@ -704,14 +758,8 @@ class Runs:
 
 
 @main.command(short_help="The start of a fleet on the air, frame by frame.")
-@_packed("file", _one_file, *file_options)
-@click.option(
-    "--protocol",
-    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
-    default=ds.DDS.name,
-    show_default=True,
-    help="The middleware, in any case of letters.",
-)
+@file_option
+@one_protocol_option
 @_packed(
     "how",
     Runs,
@@ -743,7 +791,7 @@ class Runs:
 )
 @wifi_options
 @output_options
-def simulate(file: str | None, protocol: str, how: Runs, wifi: Wifi, output: Output) -> None:
+def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Output) -> None:
     """Simulate how the fleet of a file starts, frame by frame, in several runs.
 
     FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
@@ -755,11 +803,9 @@ def simulate(file: str | None, protocol: str, how: Runs, wifi: Wifi, output: Out
       discostorm simulate fleet.toml --protocol Zenoh --window 30 --until 5 --json
       discostorm simulate fleet.toml --no-recovery --wifi '802.11n 20 MHz 2x2, A-MPDU 64'
     """
-    if file is None:
-        raise click.UsageError("Missing argument 'FLEET'.")
     with _bad_input():
         try:
-            found = ds.simulate(_read(file), ds.PROTOCOLS[protocol], wifi, **how.arguments())
+            found = ds.simulate(_read(file), protocol, wifi, **how.arguments())
         except ImportError as error:
             raise click.ClickException(str(error)) from error
     if output.as_json:
@@ -931,18 +977,16 @@ def claims(verdict: str | None, output: Output) -> None:
     """
     with _working("loading"):
         from discostorm.paper import claims as ledger
-    checked = ledger.claims()
-    with click.progressbar(checked, label="computing", file=sys.stderr, hidden=not _live()) as bar:
-        for claim in bar:
-            claim.verdict()
-    table = ledger.ledger().reset_index()
-    counts = table["verdict"].value_counts()
-    if verdict:
-        table = table[table["verdict"] == verdict]
-    table["ours"] = [ledger.exact(value) for value in table["ours"]]
+    with click.progressbar(
+        ledger.claims(), label="computing", file=sys.stderr, hidden=not _live()
+    ) as bar:
+        rows = [row | {"ours": ledger.exact(row["ours"])} for row in map(ledger.row, bar)]
+    counts = Counter(row["verdict"] for row in rows)
+    chosen = [row for row in rows if verdict in (None, row["verdict"])]
     if output.for_people:
-        table = table[["id", "where", "verdict", "statement"]]
-    _print(table.to_dict("records"), output)
+        shown = ("id", "where", "verdict", "statement")
+        chosen = [{name: row[name] for name in shown} for row in chosen]
+    _print(chosen, output)
     if output.for_people:
-        found = ", ".join(f"{counts.get(known, 0)} {known}" for known in ledger.VERDICTS)
-        click.echo(f"\n{len(checked)} claims: {found}.")
+        found = ", ".join(f"{counts[known]} {known}" for known in ledger.VERDICTS)
+        click.echo(f"\n{len(rows)} claims: {found}.")

@@ -2,7 +2,8 @@
 
 `save_all` writes all of them as SVG, PDF and PNG, with CSV: the command ``discostorm figures``.
 There are more drawings: `airtime`, of one frame of each message; and, of any protocol,
-`bars`, of what each message adds to utilization, and `remedies`, of what a plan would change.
+`bars`, of what each message adds to utilization, `remedies`, of what a plan would change, and
+`who_tells_whom`, of the way that each message takes.
 """
 
 import os
@@ -18,14 +19,15 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
+from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Patch, Polygon
 from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
 from discostorm import words
 from discostorm._numeric import evaluate
 from discostorm.data import data_path
-from discostorm.messages import Protocol
+from discostorm.fleet import Fleet
+from discostorm.messages import Message, Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import saturation_hosts, utilization
 from discostorm.wifi import PAPER
@@ -344,6 +346,64 @@ def airtime() -> Figure:
     return figure
 
 
+def who_tells_whom(protocol: Protocol) -> Figure:
+    """Draw the way of each message of a protocol: from one process to whom, by the access point.
+
+    Three hosts of two processes with two endpoints each; one process sends. How many messages
+    go to whom is read off the protocol's table.
+    """
+    swarm = Fleet.swarm(3, 2, 2)
+    with style():
+        rows = -(-len(protocol.messages) // 2)
+        figure = Figure(figsize=(WIDTH, 1.95 * rows))
+        panels = figure.subplots(rows, 2, squeeze=False)
+        for axis, message in zip(panels.flat, protocol.messages, strict=False):
+            sent = message.per_unit * message.unit.count(swarm) / 6
+            _way(axis, message, int(sent), COLORS[protocol.name])
+        for axis in panels.flat:
+            axis.set_axis_off()
+    return figure
+
+
+def _way(axis: Axes, message: Message, sent: int, color: str) -> None:
+    """Draw the hosts, the access point, and one message on its way up and down."""
+    gray = "0.45"
+    multicast = message.cast == "multicast"
+    processes = [(2.2 * host + 0.75 * number, 0.0) for host in range(3) for number in range(2)]
+    point, sender, others = (2.575, 2.3), processes[0], processes[2:]
+    for host in range(3):
+        axis.add_patch(
+            FancyBboxPatch(
+                (2.2 * host - 0.3, -0.75),
+                1.35,
+                1.15,
+                boxstyle="round,pad=0.06",
+                facecolor="0.95",
+                edgecolor=gray,
+            )
+        )
+        name = f"host {host + 1}"
+        axis.text(2.2 * host + 0.375, -0.55, name, ha="center", va="center", fontsize=9)
+    if multicast:
+        fan = Polygon([point, (1.6, 0.35), (5.75, 0.35)], color=color, alpha=0.18, linewidth=0)
+        axis.add_patch(fan)
+    ways = [(sender, point), *((point, other) for other in others)]
+    for start, end in ways[: 1 if multicast else None]:
+        axis.add_patch(
+            FancyArrowPatch(
+                start, end, arrowstyle="-|>", mutation_scale=11, color=color, lw=1.6, shrinkA=7,
+                shrinkB=9,
+            )
+        )  # fmt: skip
+    axis.plot(*zip(*processes, strict=True), "o", color="white", mec=gray, ms=9, zorder=3)
+    axis.plot(*sender, "o", color=color, mec="black", ms=9, zorder=4)
+    axis.plot(*point, "s", color="white", mec="black", ms=13, zorder=4)
+    axis.text(point[0] + 0.35, point[1], "access point", va="center", fontsize=9)
+    to_whom = "to all at once" if multicast else f"{sent // 4} to each remote process"
+    axis.set_title(f"{message.name}\n{to_whom}", fontsize=10)
+    axis.set(xlim=(-0.5, 5.95), ylim=(-0.95, 2.75), aspect="equal")
+
+
 def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
     """Return the data of `bars`: a row a swarm and message, from the left of a bar to its right.
 
@@ -464,9 +524,15 @@ _METADATA: dict[str, dict[str, None]] = {
 
 def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
     """Write a figure as SVG, PDF and PNG, the same bytes every time; yield each path."""
+    if engine := figure.get_layout_engine():
+        with style():
+            engine.execute(figure)
     for kind, metadata in _METADATA.items():
         path = folder / f"{name}.{kind}"
         with style(), _replacing(path) as beside:
+            # With an engine, even "none", each file would first be drawn once more.
+            mpl.rcParams["figure.constrained_layout.use"] = False
+            figure.set_layout_engine(None)
             figure.savefig(beside, dpi=200, metadata=metadata, format=kind)
         yield path
 

@@ -251,6 +251,16 @@ class Fleet:
         pairs = zip(self._pairs_from(), self.groups, strict=True)
         return reduce(add, (count * group.endpoints for count, group in pairs))
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What its groups are called; one without a name by its number, from 1 on."""
+        given = {group.name for group in self.groups}
+        numbers = (f"group {number}" for number in range(1, len(self.groups) + 1))
+        return tuple(
+            group.name or (f"{number} (unnamed)" if number in given else number)
+            for group, number in zip(self.groups, numbers, strict=True)
+        )
+
     def endpoints(self) -> Count:
         """Return the number of endpoints in the fleet."""
         return reduce(add, (g.hosts * g.processes * g.endpoints for g in self.groups))

@@ -1,5 +1,6 @@
-"""What the chapter notebooks share: looks, numbered equations, tables, data of figures."""
+"""What the chapter notebooks share: looks, sentences, numbered equations, tables, data."""
 
+import math
 import os
 import re
 import shlex
@@ -10,15 +11,17 @@ from importlib import import_module
 from textwrap import wrap
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import sympy as sp
 
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
+from discostorm.planner import Plan
 
 try:
-    from IPython.display import SVG, Markdown
+    from IPython.display import SVG, Markdown, display
     from matplotlib_inline.backend_inline import set_matplotlib_formats
 
     import_module("tabulate")  # by which pandas writes tables
@@ -84,15 +87,90 @@ def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown
     return Markdown(f"$$\n\\begin{{aligned}}\n{start} {body}\n\\end{{aligned}}\n$$ ({label})")
 
 
+def say(*sentences: str) -> None:
+    """Show sentences with computed numbers in the type of the page; several of them as a list."""
+    start = "- " if len(sentences) > 1 else ""
+    display(Markdown("\n".join(start + sentence for sentence in sentences)))
+
+
+def answer(*paragraphs: str) -> Markdown:
+    """Show what a chapter answers to its question, set off from the text as the question is."""
+    first, *others = paragraphs
+    return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
+
+
+def advice(plan: Plan, *, rest: bool = False) -> Markdown:
+    """Show the advice of a plan in the type of the page: what would help, or the rest of it."""
+    blocks = plan.advice().split("\n\n")
+    split = next(n for n, block in enumerate(blocks) if block.startswith("Not computed"))
+    return Markdown("\n\n".join(map(_block, blocks[split:] if rest else blocks[:split])))
+
+
+def _block(text: str) -> str:
+    """Return a part of an advice, which is broken for a terminal, as Markdown."""
+    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +Mind:", " *Mind:*", text))
+    head, *others = (" ".join(item.split()) for item in items)
+    return "\n".join([f"**{head}**", "", *others] if others else [head])
+
+
+_UNITS = {
+    "us": "µs",
+    "ms": "ms",
+    "s": "s",
+    "B": "B",
+    "bits": "bits",
+    "MHz": "MHz",
+    "GHz": "GHz",
+    "Mbit_s": "Mbit/s",
+}
+_NONE = "\N{EN DASH}"
+_NUMBER = re.compile(
+    rf"[-+<≤>≥≈ ]*\d[\d ,.]*(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
+)
+
+
+def heading(name: str) -> str:
+    """Return what a column of data is called in a table: words, and the unit in brackets.
+
+    Examples
+    --------
+    >>> heading("slot_us"), heading("rate_Mbit_s"), heading("how_many"), heading("hosts")
+    ('slot [µs]', 'rate [Mbit/s]', 'how many', 'hosts')
+    """
+    if not re.fullmatch(r"\w+", name):
+        return name
+    units = sorted(_UNITS, key=len, reverse=True)
+    unit = next((unit for unit in units if name.endswith(f"_{unit}")), None)
+    words = name.removesuffix(f"_{unit}").replace("_", " ")
+    return f"{words} [{_UNITS[unit]}]" if unit else words
+
+
+def _cell(value: object) -> object:
+    """Return a value as a reader reads it: no True, no inf, no nan."""
+    if isinstance(value, bool | np.bool_):
+        return "yes" if value else "no"
+    if isinstance(value, float) and not math.isfinite(value):
+        return _NONE if math.isnan(value) else "∞"
+    if isinstance(value, str) and re.fullmatch(r"[-+]?(inf|nan)\b.*", value):
+        return _NONE if "nan" in value else "∞"
+    return value
+
+
 def table(frame: pd.DataFrame, formats: Mapping[str, str] | None = None) -> Markdown:
-    """Show a table; ``formats`` gives the format of a column's values, such as ``.3f``."""
+    """Show a table; ``formats`` gives the format of a column's values, such as ``.3f``.
+
+    Columns of numbers, also of numbers in words such as ``95%``, are aligned on the right.
+    """
     shown = frame.copy().astype(object)
     for column, spec in (formats or {}).items():
         shown[column] = [format(value, spec) for value in frame[column]]
     index = frame.index.name is not None
-    numeric = [pd.api.types.is_numeric_dtype(frame[column]) for column in frame.columns]
-    alignment = ["left"] * index + ["right" if right else "left" for right in numeric]
-    return Markdown(shown.to_markdown(index=index, colalign=alignment, disable_numparse=True))
+    if index:
+        shown = shown.reset_index()
+    shown = shown.map(_cell).rename(columns=heading)
+    numeric = [all(_NUMBER.fullmatch(str(value)) for value in shown[name]) for name in shown]
+    alignment = ["right" if right else "left" for right in numeric]
+    return Markdown(shown.to_markdown(index=False, colalign=alignment, disable_numparse=True))
 
 
 @dataclass(frozen=True)
@@ -124,7 +202,7 @@ def download(frame: pd.DataFrame, name: str) -> Download:
     frame : pandas.DataFrame
         What the figure shows; its index is in the file if it has a name.
     name : str
-        Name of the figure, such as ``fig-hosts``: lower-case letters, digits and hyphens.
+        Name of the figure, such as ``fig-paper-2``: lower-case letters, digits and hyphens.
 
     Returns
     -------

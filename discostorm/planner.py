@@ -845,9 +845,7 @@ def _shares(
     ]
     yield from _largest("phase", phases, whole)
     rests = without_each(protocol, fleet, wifi, window)
-    taking_part = [
-        (name, whole - rest) for name, rest in zip(_group_names(fleet), rests, strict=True)
-    ]
+    taking_part = [(name, whole - rest) for name, rest in zip(fleet.names, rests, strict=True)]
     yield from _largest("group", taking_part, whole)
 
 
@@ -860,19 +858,10 @@ def _largest(
         yield Share(kind, name, taken, taken / whole if whole else 0.0)
 
 
-def _group_names(fleet: Fleet) -> list[str]:
-    given = {group.name for group in fleet.groups}
-    names = []
-    for index, group in enumerate(fleet.groups, start=1):
-        name = group.name or f"group {index}"
-        names.append(name if group.name or name not in given else f"{name} (unnamed)")
-    return names
-
-
 def _groups(fleet: Fleet) -> list[dict[str, Any]]:
     return [
         {"name": name} | dict(zip(COUNTS, map(float, group.counts()), strict=True))
-        for name, group in zip(_group_names(fleet), fleet.groups, strict=True)
+        for name, group in zip(fleet.names, fleet.groups, strict=True)
     ]
 
 

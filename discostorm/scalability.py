@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache, lru_cache, partial
 from typing import TYPE_CHECKING, Any
@@ -229,6 +229,15 @@ def utilization(
         return _of_swarms(costs, arguments, _checks.shape(**arguments, window=seconds))
     fleet = as_fleet(hosts, processes, endpoints)
     return _of_fleet(costs, fleet, _checks.shape(**fleet.arrays(), window=seconds))
+
+
+def utilization_at(
+    values: Mapping[sp.Symbol, float], protocol: Protocol, fleet: Fleet, phase: str | None = None
+) -> Value:
+    """Return the utilization of a fleet with other values of the parameters than the paper's."""
+    units = protocol.units(phase)
+    costs = evaluate_each([protocol.cost(unit, phase) for unit in units], values)
+    return _of_fleet(dict(zip(units, costs, strict=True)), fleet, _checks.shape(**fleet.arrays()))
 
 
 def burst(

@@ -23,7 +23,7 @@ from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
-from discostorm.scalability import saturation_hosts
+from discostorm.scalability import saturation_hosts, utilization_at
 from discostorm.wifi import PAPER, Link, Wifi
 
 if TYPE_CHECKING:
@@ -216,12 +216,13 @@ def bounds(
     >>> low < ds.utilization(ds.DDS, 7, 2, 10) < high
     True
     """
-    corners = _corners(protocol, phase, ranges)
     fleet = as_fleet(hosts, processes, endpoints)
-    symbolic = Fleet.symbolic(len(fleet.groups), fleet.matching)
-    expression = protocol.utilization(phase, symbolic)
-    counts = dict(zip(symbolic.counts(), fleet.counts(), strict=True))
-    return Bounds(*(evaluate(expression, counts | corner) for corner in corners))
+    return Bounds(
+        *(
+            utilization_at(corner, protocol, fleet, phase)
+            for corner in _corners(protocol, phase, ranges)
+        )
+    )
 
 
 def saturation_bounds(
@@ -281,7 +282,7 @@ def _at(protocol: Protocol, values: Mapping[sp.Symbol, float]) -> tuple[Protocol
     def resized(message: Message) -> Message:
         # What a header is longer is added to the payload: only their sum is on the air.
         longer = values[nt.NOTATION[f"H_{message.transport}"].symbol] - headers[message.transport]
-        size = values[message.payload_symbol] + message.frames * longer
+        size = values[message.payload_symbol] + longer
         return replace(message, payload=Payload(size, size, size, message.payload.source))
 
     known = PAPER.values() | dict(values)

@@ -1,23 +1,25 @@
 """Write the model of the calculator, book/_static/calculator/model.js, from the package.
 
-Every formula is an expression of the package, printed by sympy as JavaScript; what the
-formulas are fed with (sizes, channels, ranges, first values) is written beside them as data.
+Every formula is an expression of the package, printed by sympy as JavaScript, once however many
+messages share it; what the formulas are fed with (sizes, schedules, channels, robots, ranges) is
+written beside them as data.
 """
 
 import json
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, timeline
+from discostorm import _checks, figures, notation as nt, planner, timeline
 from discostorm._numeric import share
-from discostorm.fleet import LEAST
-from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.protocols import MEASURED
-from discostorm.scalability import saturation
+from discostorm.data import read_data
+from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
+from discostorm.messages import HOPS, PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.robots import laptop, robots
+from discostorm.scalability import solve_hosts
 from discostorm.wifi import Model, Wifi
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
@@ -25,8 +27,8 @@ TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
-#: The tables that are always compared: the paper's.
-COMPARED = (ds.DDS, ds.ZENOH)
+#: The paper's tables.
+PAPERS = (ds.DDS, ds.ZENOH)
 
 #: Channels of the standard on which frames to one receiver share exchanges.
 AGGREGATED = (
@@ -34,13 +36,18 @@ AGGREGATED = (
     ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi(),
     ds.Radio("802.11ax", streams=2, width=80e6, mpdus=64).wifi(),
 )
+CHANNELS = (ds.PAPER, *ds.WIFI.values(), *AGGREGATED)
 
-#: Where the calculator starts: the largest swarm of Fig. 2 that has room, on the paper's channel.
-START = {
-    "hosts": 7,
-    "processes": figures.FIG2_PROCESSES,
-    "endpoints": figures.FIG2_ENDPOINTS,
-}
+#: Where the calculator starts, with how many of which robots.
+START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
+START_MIDDLEWARE = "Fast DDS"
+
+#: Like hosts beside a group of others, of which there may be none.
+BESIDE = symbolic_group(1)
+FLEET = Fleet((*SWARM.groups, BESIDE))
+
+#: Names that all messages share, in place of the payload and header of each.
+PAYLOAD, HEADER = sp.symbols("P H", positive=True)
 
 #: The largest whole number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
@@ -50,16 +57,18 @@ Code = str | dict[str, "Code"] | list["Code"]
 
 
 def data(value: object) -> str:
-    """Return a value as JavaScript."""
+    """Return a value as JavaScript, whole numbers without a point."""
     return json.dumps(value, ensure_ascii=False)
 
 
 def number(value: float) -> str:
     """Return a number as JavaScript, which JSON cannot hold if it is infinite."""
-    return data(value) if value < sp.oo else "Infinity"
+    if value == sp.oo:
+        return "Infinity"
+    return data(int(value) if float(value).is_integer() and value < 1e15 else float(value))
 
 
-def function(expression: sp.Expr) -> str:
+def javascript_of(expression: sp.Expr) -> str:
     """Return an expression as a JavaScript function of an object that holds its symbols."""
     names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
     shared, rest = share(sp.sympify(expression))
@@ -67,12 +76,33 @@ def function(expression: sp.Expr) -> str:
     return " ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"])
 
 
-def values(given: Iterable[tuple[sp.Symbol, float]]) -> str:
+class Formulas:
+    """The distinct formulas, each with a name that says what it is."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, str] = {}
+
+    def name(self, expression: sp.Expr, hint: str) -> str:
+        """Return the name of an expression, as data."""
+        known = self.names.setdefault(javascript_of(expression), "")
+        if not known:
+            same = sum(name.rstrip("0123456789") == hint for name in self.names.values())
+            known = f"{hint}{same + 1 if same else ''}"
+            self.names[javascript_of(expression)] = known
+        return data(known)
+
+    def code(self) -> Code:
+        """Return all of them by their names."""
+        return {name: code for code, name in self.names.items()}
+
+
+def values(given: Iterable[tuple[sp.Symbol, float]]) -> Code:
     """Return the values of symbols as data."""
-    return data({symbol.name: float(value) for symbol, value in given})
+    inner = ", ".join(f"{data(symbol.name)}: {number(value)}" for symbol, value in given)
+    return f"{{{inner}}}"
 
 
-def channel(wifi: Wifi) -> Code:
+def channel(wifi: Wifi) -> dict[str, Code]:
     """Return the data of a Wi-Fi channel."""
     return {
         "name": data(wifi.name),
@@ -81,169 +111,313 @@ def channel(wifi: Wifi) -> Code:
     }
 
 
+def radio_remedies(wifi: Wifi) -> Code:
+    """Return what the planner would change of a channel: the channel before and after."""
+    found: list[Code] = []
+    for change in planner._changes(SMALL, ds.DDS, wifi, (0.0,), ""):
+        if not isinstance(change, str) and change.kind in ("multicast rate", "radio", "aggregation"):
+            found.append(
+                {
+                    "kind": data(change.kind),
+                    "what": data(change.what),
+                    "note": data(change.note),
+                    "base": channel(change.base),
+                    "wifi": channel(change.wifi),
+                }
+            )
+    return found
+
+
+#: Any fleet will do for changes of the channel.
+SMALL = Fleet.swarm(2, 1, 0)
+
+
 def field(
     name: str,
     label: str,
-    symbol: sp.Symbol,
+    symbol: str,
     start: float,
     allowed: tuple[float, float, bool],
     unit: str = "",
     scale: float = 1,
+    whole: bool = False,
 ) -> Code:
     """Return the data of an input field: what it asks for and which numbers are allowed."""
     low, high, above = allowed
-    words = _checks.wanted(low, high, above).replace("a finite number", "a number")
+    words = _checks.wanted(low, high, above).replace(
+        "a finite number", "a whole number" if whole else "a number"
+    )
     return {
         "name": data(name),
         "label": data(label),
-        "symbol": data(symbol.name),
+        "symbol": data(symbol),
         "unit": data(unit),
-        "scale": data(scale),  # from the unit of the field to SI
-        "start": data(f"{start:.12g}"),
-        "low": data(low),
+        "scale": number(scale),  # from the unit of the field to SI
+        "start": data(f"{start:.6g}"),
+        "low": number(low),
         "high": number(high),
         "above": data(above),
+        "whole": data(whole),
         "allowed": data(words.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
     }
 
 
+def counts(
+    prefix: str, titles: Sequence[str], symbols: Iterable[sp.Symbol], start: Sequence[float]
+) -> Code:
+    """Return the fields of a group of hosts; the ranges are those of the package."""
+    return [
+        field(
+            f"{prefix}{name}",
+            title,
+            symbol.name,
+            first,
+            (LEAST[name], _checks.MOST, False),
+            whole=name != "endpoints",
+        )
+        for name, title, symbol, first in zip(LEAST, titles, symbols, start, strict=True)
+    ]
+
+
 def fields() -> Code:
-    """Return the data of all input fields; the ranges are those of the package."""
-    counts: Sequence[tuple[str, str, sp.Symbol]] = (
-        ("hosts", "Hosts", nt.N_H),
-        ("processes", "Processes on each host", nt.N_P),
-        ("endpoints", "Endpoints of each process", nt.N_E),
-    )
+    """Return the data of all input fields."""
+    robot = robots()[START_ROBOT]
     links = (
         ("unicast", "unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
         ("multicast", "multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
     )
-    swarm: list[Code] = [
-        field(name, label, symbol, START[name], (LEAST[name], _checks.MOST, False))
-        for name, label, symbol in counts
-    ]
     own: list[Code] = []
     for name, cast, link, rate, overhead in links:
-        own.append(
+        own += [
             field(
                 f"{name}_rate",
                 f"Rate, {cast}",
-                rate,
+                rate.name,
                 link.rate / 1e6,
                 (0, float("inf"), True),
                 "Mbit/s",
                 1e6,
-            )
-        )
-        own.append(
+            ),
             field(
                 f"{name}_overhead",
                 f"Overhead of a frame, {cast}",
-                overhead,
+                overhead.name,
                 link.overhead * 1e6,
                 (0, float("inf"), False),
                 "µs",
                 1e-6,
-            )
-        )
-    return {"swarm": swarm, "own": own}
-
-
-def products(protocol: Protocol) -> list[Protocol]:
-    """Return which tables with periods are shown with a protocol: those that start alike."""
-    if protocol not in COMPARED:
-        return [protocol]
-    first = protocol.messages[0].name
-    return [
-        own
-        for own in ds.PROTOCOLS.values()
-        if own.repeats and own.name not in MEASURED and own.messages[0].name == first
-    ]
-
-
-def product(own: Protocol, model: Model) -> Code:
-    """Return the burst and the steady state of a product, and the sizes of its messages."""
+            ),
+        ]
     return {
-        "values": values(own.values().items()),
-        "burst": function(own.burst(model=model)),
-        "steady": function(own.utilization(model=model, window=sp.oo)),
+        "swarm": counts(
+            "",
+            ("Robots", "Processes on each", "Endpoints of each process"),
+            SWARM.counts(),
+            (START_HOSTS, robot.processes, robot.endpoints),
+        ),
+        "beside": counts(
+            "beside_",
+            ("How many", "Processes on each one", "Endpoints of each of its processes"),
+            BESIDE.counts(),
+            laptop().counts(),
+        ),
+        "own": own,
     }
 
 
-def outlooks(own: Protocol) -> Code:
+def ready_made() -> Code:
+    """Return the ready-made robots with what the data file says of their parts."""
+    rows = read_data("fleets/robots.csv")
+    return [
+        {
+            "name": data(name),
+            "processes": data(f"{host.processes:.6g}"),
+            "endpoints": data(f"{host.endpoints:.6g}"),
+            "nodes": number(host.nodes or 0),
+            "parts": data(
+                [
+                    {
+                        "what": row["part"],
+                        "processes": int(row["processes"]),
+                        "endpoints": int(row["endpoints"]),
+                        "kind": row["kind"],
+                        "source": row["source"],
+                    }
+                    for row in rows
+                    if row["robot"] == name
+                ]
+            ),
+        }
+        for name, host in robots().items()
+    ]
+
+
+def group(protocol: Protocol) -> str:
+    """Return under which heading a table is offered."""
+    if protocol in PAPERS:
+        return "As the paper counts"
+    if not protocol.repeats:
+        return "Other tables"
+    papers = [message for table in PAPERS for message in table.messages]
+    if any(message in papers for message in protocol.messages):
+        return "The paper's messages, a product's periods"
+    return "Products as built"
+
+
+def generic(message: Message, expression: sp.Expr) -> sp.Expr:
+    """Return an expression of one message in names that all messages share."""
+    (header,) = (message.frame_symbolic - message.payload_symbol).free_symbols
+    return expression.xreplace({message.payload_symbol: PAYLOAD, header: HEADER})
+
+
+def row(message: Message, windows: dict[str, float], units: list[Unit], known: Formulas) -> Code:
+    """Return what the calculator knows of a message."""
+    schedule = message.schedule
+    return {
+        "name": data(message.name),
+        "phase": data(message.phase),
+        "cast": data(message.cast),
+        "unit": data(units.index(message.unit)),
+        "per_unit": number(message.per_unit),
+        "sent": {
+            "burst": number(schedule.extra),
+            **{name: number(schedule.mean(window)) for name, window in windows.items()},
+        },
+        "values": values(
+            [
+                (PAYLOAD, message.payload.nominal),
+                (HEADER, message.frame_bytes - message.payload.nominal),
+            ]
+        ),
+        "airtime": {
+            model: {
+                hop: known.name(
+                    generic(message, getattr(message, f"airtime_{hop}")(model)),
+                    f"{model}_{message.cast if hop == 'down' else 'unicast'}",
+                )
+                for hop in HOPS
+                if hop in message.hops
+            }
+            for model in get_args(Model)
+        },
+    }
+
+
+def outlooks(protocol: Protocol) -> Code:
     """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
     *words, never = timeline.OUTLOOKS
-    limits = (data(PAPER_WINDOW), number(own.lease), "Infinity")
+    limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "lease": number(own.lease),
-        "until": [[limit, data(word)] for limit, word in zip(limits, words, strict=True)],
+        "until": [
+            [number(limit), data(word)] for limit, word in zip(limits, words, strict=True)
+        ],
         "never": data(never),
     }
 
 
-def formulas(protocol: Protocol, model: Model) -> Code:
-    """Return the functions of a protocol on one kind of channel."""
-    costs: dict[str, Code] = {}
-    for message in protocol.messages:
-        load = message.load() * message.schedule.mean(PAPER_WINDOW)
-        up = load * message.airtime_up(model) if "up" in message.hops else sp.Integer(0)
-        down = load * message.airtime_down(model) if "down" in message.hops else sp.Integer(0)
-        costs[message.name] = {
-            "up": function(up),
-            "down": function(down),
-            "both": function(up + down),
-        }
+def saturation(units: list[Unit]) -> sp.Expr:
+    """Return the hosts that fill the channel, with c0, c1 and so on as what each unit costs."""
+    costs = sp.symbols(f"c:{len(units)}", positive=True)
+    return solve_hosts(
+        sp.Add(*(cost * unit.count(FLEET) for cost, unit in zip(costs, units, strict=True)))
+    )
+
+
+def about(protocol: Protocol, known: Formulas) -> Code:
+    """Return all that the calculator knows of a protocol."""
+    windows = {"second": PAPER_WINDOW}
+    if protocol.lease < sp.oo:
+        windows["lease"] = protocol.lease
+    windows["ever"] = sp.oo
+    units = list(protocol.units())
     return {
-        "utilization": function(protocol.utilization(model=model)),
-        "saturation": function(saturation(protocol, model)),
-        "costs": costs,
-        "products": {own.name: product(own, model) for own in products(protocol)},
+        "group": data(group(protocol)),
+        "family": data(planner.family(protocol)),
+        "color": data(figures.COLORS[protocol.name]),
+        "lease": number(protocol.lease),
+        "repeats": data(protocol.repeats),
+        "outlooks": outlooks(protocol),
+        "windows": {name: number(window) for name, window in windows.items()},
+        "units": [
+            {"name": data(unit.name), "count": known.name(unit.count(FLEET), "count")}
+            for unit in units
+        ],
+        "saturation": known.name(saturation(units), "saturation"),
+        "messages": [
+            row(message, windows, units, known) for message in protocol.messages
+        ],
     }
 
 
-def about(protocol: Protocol) -> Code:
-    """Return all that the calculator knows of a protocol."""
-    messages: list[Code] = [
-        {
-            "name": data(message.name),
-            "phase": data(message.phase),
-            "cast": data(message.cast),
-            "load": function(message.load() * message.schedule.mean(PAPER_WINDOW)),
+def remedies() -> Code:
+    """Return of each kind of remedy what to mind, by family, and what to paste."""
+    wanted = ("processes", "endpoints", "multicast rate", "radio", "aggregation")
+    families = [*dict.fromkeys(map(planner.family, ds.PROTOCOLS.values())), None]
+
+    def told(kind: str, family: str | None) -> Code:
+        found: Any = planner._row(kind, family)
+        return {
+            "price": data(found["price"]),
+            "whole": data(found["all_find_each_other"] == "yes"),
+            "why": data(found["why"]),
         }
-        for message in protocol.messages
-    ]
+
     return {
-        "color": data(figures.COLORS[protocol.name]),
-        "values": values(protocol.values().items()),
-        "messages": messages,
-        "outlooks": {own.name: outlooks(own) for own in products(protocol)},
-        "models": {model: formulas(protocol, model) for model in get_args(Model)},
+        kind: {
+            "of": {str(family): told(kind, family) for family in families},
+            "paste": data(
+                {
+                    row["for"]: {"what": row["what"], "text": row["text"]}
+                    for row in read_data("vendors/remedy_configuration.csv")
+                    if row["kind"] == kind
+                }
+            ),
+        }
+        for kind in (*wanted, "middleware")
     }
 
 
 def model() -> Code:
     """Return all that the calculator reads."""
+    known = Formulas()
+    protocols: Code = {name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()}
+    drain = known.name(timeline.DRAIN, "drain")
+    largest = known.name(LARGEST, "largest")
     return {
+        "start": {
+            "robot": data(START_ROBOT),
+            "middleware": data(START_MIDDLEWARE),
+        },
         "fields": fields(),
-        "channels": [channel(wifi) for wifi in (ds.PAPER, *ds.WIFI.values(), *AGGREGATED)],
-        "compared": data([protocol.name for protocol in COMPARED]),
-        "limit": values([(nt.U_LIMIT, 1.0)]),
-        "largest": function(LARGEST),
-        "drain": function(timeline.DRAIN),
-        "protocols": {name: about(protocol) for name, protocol in ds.PROTOCOLS.items()},
+        "robots": ready_made(),
+        "channels": [
+            {**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS
+        ],
+        "limit": number(1.0),
+        "laptop_nodes": number(laptop().nodes or 0),
+        "service_endpoints": number(planner.parameter_service_endpoints()),
+        "remedies": remedies(),
+        "largest": largest,
+        "drain": drain,
+        "formulas": known.code(),
+        "protocols": protocols,
     }
 
 
 def written(code: Code, indent: str = "") -> str:
-    """Return nested code as JavaScript, one entry a line."""
+    """Return nested code as JavaScript, one entry a line where it is long."""
     inner = indent + "  "
     if isinstance(code, dict):
-        entries = [f"{inner}{data(key)}: {written(part, inner)},\n" for key, part in code.items()]
-        return "{\n" + "".join(entries) + indent + "}"
-    if isinstance(code, list):
-        entries = [f"{inner}{written(part, inner)},\n" for part in code]
-        return "[\n" + "".join(entries) + indent + "]"
-    return code
+        entries = [f"{data(key)}: {written(part, inner)}" for key, part in code.items()]
+        braces = "{}"
+    elif isinstance(code, list):
+        entries, braces = [written(part, inner) for part in code], "[]"
+    else:
+        return code
+    line = ", ".join(entries)
+    if len(line) + len(indent) < 100 and "\n" not in line:
+        return f"{braces[0]}{line}{braces[1]}"
+    return "\n".join([braces[0], *(f"{inner}{entry}," for entry in entries), indent + braces[1]])
 
 
 def javascript() -> str:

@@ -39,6 +39,14 @@ BARRIERS = """(rules) => axe
         .filter(({impact}) => ["serious", "critical"].includes(impact))
         .flatMap(({id, impact, nodes}) => nodes.map(({html, target, failureSummary}) =>
             `${impact} ${id}: ${target.join(" ")} ${html.slice(0, 160)} ${failureSummary}`)))"""
+#: Returns how much of the height of the article is code that is not folded.
+CODE_SHARE = """() => {
+    const height = (element) => element.getBoundingClientRect().height;
+    const code = [...document.querySelectorAll(".bd-article .cell_input")]
+        .filter((element) => element.checkVisibility());
+    const sum = code.map(height).reduce((sum, one) => sum + one, 0);
+    return sum / height(document.querySelector(".bd-article"));
+}"""
 #: Unfolds what is folded.
 OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
 #: Leaves one word of code in each of its colors, as axe-core judges every word for itself.
@@ -81,6 +89,7 @@ class Visit:
     phone: dict[str, Any] = field(default_factory=dict)  # in light mode
     desktop: dict[str, Any] = field(default_factory=dict)  # in dark mode
     barriers: dict[str, list[str]] = field(default_factory=dict)  # by color scheme
+    code_share: float = 0.0  # as the page comes, on a desktop
 
 
 def listen(tab: Page, visits: list[Visit]) -> None:
@@ -118,8 +127,10 @@ def look(tab: Page, visit: Visit, page: str) -> None:
     visit.phone = tab.evaluate(FACTS)
     if not visit.base.startswith("file:"):
         return
-    tab.evaluate(OPEN)
     show(tab, "dark", DESKTOP)
+    visit.code_share = tab.evaluate(CODE_SHARE)
+    tab.evaluate(OPEN)
+    tab.evaluate(REST)
     visit.desktop = tab.evaluate(FACTS)
     tab.evaluate(ONE_OF_EACH_COLOR)
     tab.evaluate(AXE)
@@ -225,6 +236,11 @@ def test_the_page_fits_a_desktop(visitor: Visitor, page: str) -> None:
     assert visit.desktop["width"] == DESKTOP["width"]
     assert not visit.desktop["clipped"]
     assert not visit.desktop["code_that_scrolls"]
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if page.startswith("notebooks/")])
+def test_code_takes_a_fifth_of_a_chapter_at_most(visitor: Visitor, page: str) -> None:
+    assert visitor(page, "file").code_share <= 0.2
 
 
 @every_page

@@ -163,6 +163,22 @@ def test_saturation() -> None:
     assert beside["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10, limit=40, beside=others)
 
 
+def test_saturation_of_each_group_of_a_fleet() -> None:
+    robots, laptop = ds.Fleet.from_toml("fleet.toml").groups
+    found = read_json(run("saturation|fleet.toml|--limit|999|--protocol|dds|--json"))
+    assert [row["group"] for row in found] == ["robots", "laptop"]
+    for row, (group, other) in zip(found, [(robots, laptop), (laptop, robots)], strict=True):
+        assert (row["processes"], row["endpoints"]) == (group.processes, group.endpoints)
+        assert row["hosts"] == ds.saturation_hosts(
+            ds.DDS, group.processes, group.endpoints, limit=999, beside=ds.Fleet((other,))
+        )
+    beside = run("saturation|fleet.toml|--limit|999|--protocol|dds|--json|--beside|fleet.toml")
+    for row, more in zip(found, read_json(beside), strict=True):
+        assert more["hosts"] < row["hosts"]
+    human = run("saturation|fleet.toml").output
+    assert max(map(len, human.splitlines())) <= 79
+
+
 def test_saturation_of_less_than_one_host() -> None:
     arguments = ("saturation", "--processes|1200", "--endpoints|0")
     dds, zenoh = read_json(run(*arguments, "--json"))
@@ -304,8 +320,12 @@ def test_rates_and_overheads_replace_the_papers() -> None:
             "unicast overhead must be a finite number of at least 0 and at most 1e+06 s; got -2 µs",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
-        ("saturation|--processes|2", "Missing option '--endpoints'"),
-        ("saturation|--endpoints|10", "Missing option '--processes'"),
+        ("saturation|--processes|2", "--endpoints must be given, or --fleet FILE"),
+        ("saturation|--endpoints|10", "--processes must be given, or --fleet FILE"),
+        (
+            "saturation|fleet.toml|--endpoints|10",
+            "--fleet goes without --processes and --endpoints",
+        ),
         (
             "saturation|--processes|2|--endpoints|10|--limit|0",
             "limit must be a finite number above 0",

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.book
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 #: Pictures that show no data.
-DRAWINGS = {"fig-layers"}
+DRAWINGS = {"fig-paper-1"}
 LINK = re.compile(
     r'<a download="(?P<file>[a-z0-9-]+\.csv)" '
     r'href="data:text/csv;charset=utf-8;base64,(?P<data>[A-Za-z0-9+/=]+)">[^<]+</a>'
@@ -134,7 +134,7 @@ def test_a_downloaded_notebook_runs_and_keeps_its_figures(
         copy = tmp_path / "06_hosts.ipynb"
         saved.value.save_as(copy)
     before = pictures(copy)
-    assert before.keys() == {"fig-hosts"}
+    assert before.keys() == {"fig-paper-2"}
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     ran = subprocess.run(
         [sys.executable, ROOT / "scripts" / "run_notebooks.py", copy],
@@ -154,7 +154,7 @@ def test_data_is_saved_also_without_a_server(browser: Browser, book: Path) -> No
         tab.goto((book / "notebooks" / "06_hosts.html").as_uri())
         with tab.expect_download() as saved:
             tab.get_by_role("link", name="Data of this figure").click()
-        assert saved.value.suggested_filename == "fig-hosts.csv"
+        assert saved.value.suggested_filename == "fig-paper-2.csv"
         data = pd.read_csv(saved.value.path())
     assert [*data.columns] == ["protocol", "phase", "hosts", "utilization"]
     np.testing.assert_allclose(

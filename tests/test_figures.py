@@ -38,7 +38,7 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
         "figures.bars(robots_compared, share=True)",
         lambda: figures.bars(robots_compared(), share=True),
     ),
-    ("16_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
+    ("18_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
 ]
 FILES = {f"{name}.{kind}" for name in figures.FIGURES for kind in ("svg", "pdf", "png", "csv")}
 
@@ -270,6 +270,28 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
 def test_remedies_show_the_whole_channel_even_if_all_take_less() -> None:
     bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "utilization": [0.2]})
     assert figures.remedies(bars).axes[0].get_xlim() == (0, 1.14)
+
+
+@pytest.mark.parametrize("name", figures.FIGURES)
+def test_a_figure_is_drawn_once_for_each_file(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[Figure] = []
+    draw = Figure.draw
+    monkeypatch.setattr(Figure, "draw", lambda self, to: (drawn.append(self), draw(self, to)))
+    files = list(figures.save(figures.FIGURES[name].draw(), tmp_path, name))
+    assert len(drawn) == len(files) == 3
+
+
+def test_a_saved_figure_is_laid_out(tmp_path: Path) -> None:
+    with figures.style():
+        figure = Figure(figsize=(3, 2))
+        axis = figure.subplots()
+        axis.set_ylabel("three\nlines\nhigh")
+    unplaced = axis.get_position().x0
+    list(figures.save(figure, tmp_path, "small"))
+    assert axis.get_position().x0 > unplaced
+    assert axis.yaxis.label.get_window_extent().x0 >= 0
 
 
 def test_pixels_are_two_hundred_an_inch(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import pytest
 import discostorm as ds
 from discostorm._numeric import evaluate
 from discostorm.scalability import saturation, without_each
+from discostorm.uncertainty import bounds
 
 PROTOCOLS = (ds.DDS, ds.ZENOH)
 
@@ -49,6 +50,7 @@ def test_a_thousand_groups_take_less_than_half_a_second(protocol: ds.Protocol) -
         lambda members: ds.utilization(protocol, members),
         lambda members: ds.saturation_hosts(protocol, 2, 10, limit=1e9, beside=members),
         lambda members: ds.plan(members, protocol),
+        lambda members: bounds(protocol, members),
     ):
         task(fleet(10))  # compiles, and imports what only the first call needs
         members = fleet(1000)

@@ -58,6 +58,19 @@ def test_paper_is_cited_by_its_title(name: str) -> None:
     assert PAPER in text(name)
 
 
+def test_files_of_chapters_are_numbered_in_the_order_of_the_contents() -> None:
+    contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    files = [chapter["file"] for part in contents["parts"] for chapter in part["chapters"]]
+    numbers = [int(m[1]) for file in files if (m := re.match(r"notebooks/(\d+)_", file))]
+    assert numbers == [*range(1, len(numbers) + 1)]
+
+
+def test_no_number_of_a_chapter_is_typed() -> None:
+    pages = [*ROOT.glob("book/*.md"), *ROOT.glob("notebooks/*.ipynb")]
+    typed = re.compile(r"\bchapters? \[?\d+", re.IGNORECASE)
+    assert not {page.name for page in pages if typed.search(page.read_text(encoding="utf-8"))}
+
+
 def test_every_reference_is_cited() -> None:
     bibliography = (ROOT / "book" / "references.bib").read_text(encoding="utf-8")
     keys = set(re.findall(r"^@\w+\{(.+),$", bibliography, re.MULTILINE))

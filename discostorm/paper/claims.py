@@ -25,11 +25,12 @@ import sympy as sp
 
 from discostorm import notation as nt
 from discostorm.data import read_data
+from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol, header_bytes
 from discostorm.paper import enumeration
 from discostorm.protocols import DDS, ZENOH
 from discostorm.protocols.defaults import defaults, products
-from discostorm.scalability import breakdown, saturation_hosts, utilization
+from discostorm.scalability import message_costs, saturation_hosts, utilization
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
 
@@ -132,8 +133,9 @@ def host_load_variables(protocol: Protocol, *names: str) -> int:
 @_quantity
 def growth_factor(protocol: Protocol) -> sp.Expr:
     """Return what one more host multiplies U by, in the limit of many hosts."""
-    u = protocol.utilization()
-    return sp.limit(sp.cancel(u.subs(nt.N_H, nt.N_H + 1) / u), nt.N_H, sp.oo)
+    # Of two polynomials of the same degree, the leading coefficients are what remains.
+    u = sp.Poly(protocol.utilization(), nt.N_H)
+    return sp.cancel(u.shift(1).LC() / u.LC())
 
 
 @_quantity
@@ -154,9 +156,12 @@ def airtime(
     protocol: Protocol, name: str, hosts: float, processes: float, endpoints: float
 ) -> float:
     """Return the airtime of the messages that a name means [s]."""
-    table = breakdown(protocol, hosts, processes, endpoints)
-    rows = table.loc[[message.name for message in _chosen(protocol, [name])]]
-    return float((rows["uplink_s"] + rows["downlink_s"]).sum())
+    meant = {message.name for message in _chosen(protocol, [name])}
+    return math.fsum(
+        row["uplink_s"] + row["downlink_s"]
+        for row in message_costs(protocol, Fleet.swarm(hosts, processes, endpoints))
+        if row["message"] in meant
+    )
 
 
 @_quantity
@@ -377,10 +382,9 @@ def enumeration_ratio(
     protocol: Protocol, hosts: float, processes: float, endpoints: float
 ) -> float:
     """Return the airtime of all enumerated messages, one by one, relative to U."""
-    table = breakdown(protocol, hosts, processes, endpoints)
     each = {
-        (name, hop): row[f"{hop}link_s"] / row["uplink_messages"]
-        for name, row in table.iterrows()
+        (row["message"], hop): row[f"{hop}link_s"] / row["uplink_messages"]
+        for row in message_costs(protocol, Fleet.swarm(hosts, processes, endpoints))
         for hop in ("up", "down")
     }
     at = (hosts, processes, endpoints)
@@ -495,7 +499,7 @@ def multicast_cost(message: str) -> float:
 # ------------------------------------------------------------------- verdicts
 
 _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
-    "=": lambda ours, paper: bool(sp.simplify(ours - paper) == 0),
+    "=": lambda ours, paper: bool(sp.cancel(ours - paper).is_zero),
     "<": operator.lt,
     "≤": operator.le,
     ">": operator.gt,
@@ -517,6 +521,14 @@ def _argument(word: str) -> Any:
         return float(word)
     except ValueError:
         return word
+
+
+def _printed(text: str) -> Any:
+    """Return a value of the paper: a number, or an expression in its symbols."""
+    try:
+        return float(text)
+    except ValueError:
+        return sp.sympify(text, locals=_SYMBOLS)
 
 
 @cache
@@ -606,10 +618,10 @@ class Criterion:
             word = _soft_word(self._part("word"))
             found = _RELATIONS[word.relation](ours, word.threshold)
             return bool(found) is not bool(self._part("negated"))
-        paper = sp.sympify(self._part("paper"), locals=_SYMBOLS)
+        paper = _printed(self._part("paper"))
         if self._part("relation") == "≈":
-            about = _soft_word("approximately").threshold * abs(float(paper))
-            return bool(abs(ours - float(paper)) <= float(self._part("tolerance") or about))
+            about = _soft_word("approximately").threshold * abs(paper)
+            return bool(abs(ours - paper) <= float(self._part("tolerance") or about))
         return bool(_RELATIONS[self._part("relation")](ours, paper))
 
 
@@ -703,22 +715,24 @@ def ledger() -> "pd.DataFrame":
     """
     import pandas as pd
 
-    return pd.DataFrame(
-        {
-            "id": claim.id,
-            "where": claim.where,
-            "section": claim.section,
-            "statement": claim.statement,
-            "reading": claim.reading,
-            "quantity": claim.test.quantity if claim.test else "",
-            "paper": claim.test.paper if claim.test else "",
-            "ours": claim.test.ours() if claim.test else "",
-            "verdict": claim.verdict(),
-            "remark": claim.remark,
-            "link": claim.link,
-        }
-        for claim in claims()
-    ).set_index("id")
+    return pd.DataFrame(map(row, claims())).set_index("id")
+
+
+def row(claim: Claim) -> dict[str, Any]:
+    """Return the row of a claim in `ledger`, its id included."""
+    return {
+        "id": claim.id,
+        "where": claim.where,
+        "section": claim.section,
+        "statement": claim.statement,
+        "reading": claim.reading,
+        "quantity": claim.test.quantity if claim.test else "",
+        "paper": claim.test.paper if claim.test else "",
+        "ours": claim.test.ours() if claim.test else "",
+        "verdict": claim.verdict(),
+        "remark": claim.remark,
+        "link": claim.link,
+    }
 
 
 def shown(value: Any) -> str:

@@ -4,13 +4,14 @@
 
 (() => {
   const MODEL = DISCOSTORM;
+  const F = MODEL.formulas;
   const NAMES = Object.keys(MODEL.protocols);
-  const PAPER = "paper";
-  const OWN = "own";
-  // Curves and markers differ in shape too, not in colour alone.
+  const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
+  // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
-  const dashOf = (name) => DASHES[NAMES.indexOf(name) % DASHES.length];
   const CURVE_POINTS = 120;
+  // From a change of less than this on, remedies are not told apart, as in the planner.
+  const NOTHING = 0.005;
 
   const byId = (id) => document.getElementById(`calc-${id}`);
 
@@ -24,34 +25,62 @@
 
   // ---- numbers in words ----
 
-  const significant = new Intl.NumberFormat("en-US", { maximumSignificantDigits: 3 });
-  const whole = new Intl.NumberFormat("en-US", { maximumFractionDigits: 0 });
-  const tenth = new Intl.NumberFormat("en-US", { maximumFractionDigits: 1 });
-  const scientific = new Intl.NumberFormat("en-US", { notation: "scientific", maximumFractionDigits: 2 });
+  const digits = (most) => new Intl.NumberFormat("en-US", { maximumFractionDigits: most });
+  const [whole, tenth] = [digits(0), digits(1)];
+  const two = new Intl.NumberFormat("en-US", { maximumSignificantDigits: 2 });
+  const three = new Intl.NumberFormat("en-US", { maximumSignificantDigits: 3 });
+
+  /** A power of ten in print: 2·10⁷. */
+  function power(value) {
+    const [digit, exponent] = value.toExponential(0).split("e");
+    const raised = [...String(Number(exponent))].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("");
+    return `${digit === "1" ? "" : `${digit}·`}10${raised}`;
+  }
 
   function number(value) {
     if (!Number.isFinite(value)) return "more than can be computed";
-    if (value >= 1e9 || (value > 0 && value < 1e-6)) return scientific.format(value).replace("E", "e");
-    return value >= 1000 ? whole.format(value) : value >= 100 ? tenth.format(value) : significant.format(value);
+    if (value >= 1e9 || (value > 0 && value < 1e-6)) return power(value);
+    return value >= 1000 ? whole.format(value) : value >= 100 ? tenth.format(value) : three.format(value);
   }
 
   // No line ends between a number and its unit.
   const SPACE = "\u00a0";
-  /** What is below 100% is never shown as 100%. */
+  /** What is below 100% is never shown as 100%; what is far beyond is told in channels. */
   function percent(share) {
+    if (share > 10) return `${number(share)} times the channel`;
     const text = number(100 * share);
     return share < 1 && text === number(100) ? "just below 100%" : `${text}%`;
   }
-  const seconds = (value) => `${number(value)}${SPACE}s`;
+
+  // Each unit from its length on; the last but for powers of ten.
+  const [MINUTE, HOUR, DAY, YEAR] = [60, 3600, 86_400, 31_557_600];
+  const UNITS = [
+    [1e-6, "µs"], [1e-3, "ms"], [1, "s"], [MINUTE, "minutes"], [HOUR, "hours"], [DAY, "days"], [YEAR, "years"],
+  ];
+  /** A time as people tell it: 0.45 s, 58 minutes, 3 years. */
+  function duration(seconds) {
+    if (seconds === Infinity) return "for ever";
+    if (seconds === 0) return "no time";
+    const from = [0, 1e-3, 0.1, 100, 100 * MINUTE, 48 * HOUR, 700 * DAY];
+    const index = from.findLastIndex((least) => seconds >= least);
+    const [length, unit] = UNITS[index];
+    const value = seconds / length;
+    if (value >= 1e6) return `${power(value)}${SPACE}${unit}`;
+    return `${value < 10 ? two.format(value) : whole.format(Number(value.toPrecision(3)))}${SPACE}${unit}`;
+  }
+
   const count = (value) => (value < 1e9 && Number.isInteger(value) ? whole.format(value) : number(value));
-  const plural = (value, one, many) => `${count(value)} ${value === 1 ? one : many}`;
+  const plural = (value, one, many = `${one}s`) => `${count(value)}${SPACE}${value === 1 ? one : many}`;
+  const capitalized = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
   /** A number as shown, with all its digits and what it is of for machines. */
   const exact = (value, text, of) => make("data", { value: String(value), "data-of": of }, text);
 
   // ---- the fields ----
 
-  const FIELDS = [...MODEL.fields.swarm, ...MODEL.fields.own];
+  const { swarm: SWARM, beside: BESIDE, own: LINKS } = MODEL.fields;
+  const FIELDS = [...SWARM, ...BESIDE, ...LINKS];
+  const robots = new Map(MODEL.robots.map((robot) => [robot.name, robot]));
   const channels = new Map(
     MODEL.channels.map((channel, index) => [index === 0 ? PAPER : channel.name, channel]),
   );
@@ -65,7 +94,7 @@
       type: "text",
       inputmode: "decimal",
       value: field.start,
-      "aria-describedby": `${id}-hint ${id}-error`,
+      "aria-describedby": `${id}-error`,
     });
     parent.append(
       make(
@@ -73,52 +102,73 @@
         { class: "calc-field" },
         make("label", { for: id }, field.label + unit),
         input,
-        make("span", { class: "calc-hint", id: `${id}-hint` }, field.allowed),
         make("span", { class: "calc-error", id: `${id}-error`, role: "alert" }),
       ),
     );
   }
 
-  function buildForm() {
-    for (const name of NAMES) {
-      const id = `calc-middleware-${name}`;
-      const radio = make("input", {
-        type: "radio",
-        name: "middleware",
-        id,
-        value: name,
-        "aria-describedby": "calc-middleware-hint",
-      });
-      radio.defaultChecked = name === NAMES[0];
-      byId("middleware-hint").before(make("label", { class: "calc-choice", for: id }, radio, ` ${name}`));
-    }
-    for (const field of MODEL.fields.swarm) addField(byId("swarm"), field);
-    for (const field of MODEL.fields.own) addField(byId("own"), field);
-
-    const groups = { linear: "As in the paper", padded: "From the standard", aggregated: "With aggregation" };
-    const select = byId("channel");
-    for (const [model, label] of Object.entries(groups)) {
-      const group = make("optgroup", { label });
-      for (const [key, channel] of channels) {
-        const name = key === PAPER ? "The paper's, 802.11n" : channel.name;
-        if (channel.model === model) group.append(make("option", { value: key }, name));
-      }
-      if (model === "linear") group.append(make("option", { value: OWN }, "Own rates and overheads"));
-      select.append(group);
+  /** Fill a list with groups of [value, text]; those without a heading come first. */
+  function fill(select, groups) {
+    for (const [label, options] of groups) {
+      const parent = label ? make("optgroup", { label }) : select;
+      for (const [value, text] of options) parent.append(make("option", { value }, text));
+      if (label) select.append(parent);
     }
   }
 
-  const middleware = () => byId("form").elements.middleware.value;
-  const isOwn = () => byId("channel").value === OWN;
-  const usedFields = () => (isOwn() ? FIELDS : MODEL.fields.swarm);
+  function choose(select, value) {
+    for (const option of select.options) option.defaultSelected = option.value === value;
+    select.value = value;
+  }
+
+  function buildForm() {
+    fill(byId("robot"), [
+      ["", [...robots.keys()].map((name) => [name, name])],
+      ["", [[OWN, "My own numbers"]]],
+    ]);
+    choose(byId("robot"), MODEL.start.robot);
+    fill(byId("beside"), [["", [[NONE, "Nothing"], [LAPTOP, "Laptop with RViz"], [OWN, "Others, by number"]]]]);
+    choose(byId("beside"), LAPTOP);
+    const groups = Object.groupBy
+      ? Object.groupBy(NAMES, (name) => MODEL.protocols[name].group)
+      : NAMES.reduce((all, name) => ({ ...all, [MODEL.protocols[name].group]: [...(all[MODEL.protocols[name].group] ?? []), name] }), {});
+    fill(byId("middleware"), Object.entries(groups).map(([label, names]) => [label, names.map((name) => [name, name])]));
+    choose(byId("middleware"), MODEL.start.middleware);
+    const named = (model) =>
+      [...channels].filter(([, channel]) => channel.model === model).map(([key, channel]) => [key, key === PAPER ? "The paper's, 802.11n" : channel.name]);
+    fill(byId("channel"), [
+      ["As in the paper", [...named("linear"), [OWN, "Own rates and overheads"]]],
+      ["From the standard", named("padded")],
+      ["With aggregation", named("aggregated")],
+    ]);
+    for (const field of SWARM) addField(byId("counts"), field);
+    for (const field of BESIDE) addField(byId("others"), field);
+    for (const field of LINKS) addField(byId("own"), field);
+  }
+
+  const LISTS = ["robot", "beside", "middleware", "channel"];
+  const listName = (list) => (list === "channel" ? "wifi" : list);
+  const chosen = (list) => byId(list).value;
+  const usedFields = () => [
+    ...SWARM,
+    ...(chosen("beside") === NONE ? [] : chosen("beside") === OWN ? BESIDE : BESIDE.slice(0, 1)),
+    ...(chosen("channel") === OWN ? LINKS : []),
+  ];
 
   const brief = (text) => (text.length > 24 ? `${text.slice(0, 24)}…` : text);
+
+  /** Return the number that a text says, NaN if it is none; thousands may be parted. */
+  function parsed(text) {
+    const plain = /^\d{1,3}([, '_\u00a0\u202f]\d{3})+(\.\d*)?$/.test(text) ? text.replace(/[, '_\u00a0\u202f]/g, "") : text;
+    return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+  }
 
   /** Return the number in a field in SI units, or why there is none. */
   function readField(field) {
     const text = byId(field.name).value.trim();
-    const value = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) * field.scale : NaN;
-    const fits = (field.above ? value > field.low : value >= field.low) && value <= field.high;
+    const value = parsed(text) * field.scale;
+    const fits =
+      (field.above ? value > field.low : value >= field.low) && value <= field.high && (!field.whole || Number.isInteger(value));
     if (fits && Number.isFinite(value)) return { value };
     const unit = field.unit ? ` of ${field.unit}` : "";
     const allowed = unit ? field.allowed.replace("number", `number${unit}`) : field.allowed;
@@ -130,195 +180,272 @@
     const element = byId(`${name}-error`);
     if (element.textContent !== error) element.textContent = error;
     const input = byId(name);
-    if (error && !input.matches("fieldset")) input.setAttribute("aria-invalid", "true");
+    if (error) input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }
 
   /** Return the settings, or null if one is not valid; each error is shown at its field. */
   function readForm() {
-    const values = {};
+    const swarm = { N_H1: 0, N_P1: 1, N_E1: 0 };
+    const link = {};
     let valid = true;
+    const used = usedFields();
     for (const field of FIELDS) {
-      const { value, error } = usedFields().includes(field) ? readField(field) : {};
+      const { value, error } = used.includes(field) ? readField(field) : {};
       showError(field.name, error ?? "");
       if (error) valid = false;
-      else if (value !== undefined) values[field.symbol] = value;
+      else if (value !== undefined) (LINKS.includes(field) ? link : swarm)[field.symbol] = value;
     }
     if (!valid) return null;
-    const channel = isOwn() ? { name: "own", model: "linear", values: {} } : channels.get(byId("channel").value);
-    return { middleware: middleware(), channel, values: { ...channel.values, ...values, ...MODEL.limit } };
+    if (chosen("beside") === LAPTOP) for (const field of BESIDE.slice(1)) swarm[field.symbol] = Number(field.start);
+    const channel =
+      chosen("channel") === OWN ? { name: OWN, model: "linear", values: link, remedies: [] } : channels.get(chosen("channel"));
+    const guess = (endpoints) => (endpoints >= MODEL.service_endpoints ? 1 : 0);
+    const nodes = [robots.get(chosen("robot"))?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
+    return { middleware: chosen("middleware"), channel, swarm, nodes };
   }
 
-  // ---- the answer: nothing but calls of the functions in model.js ----
+  // ---- the answer: rows of model.js, each its functions, added up ----
 
-  function answerOf(name, channel, given) {
+  /** Return what each message of a table costs on a channel, and each unit in each window [s]. */
+  function priced(name, channel) {
     const protocol = MODEL.protocols[name];
-    const formulas = protocol.models[channel.model];
-    const values = { ...protocol.values, ...given };
-    const single = formulas.utilization({ ...values, N_H: 1 });
-    // As in Python: one host alone must not exceed the limit, else there is no such number.
-    const fits = single <= values.U_limit;
-    const saturation = fits ? Math.max(1, formulas.saturation(values)) : null;
+    const rows = protocol.messages.map((message) => {
+      const values = { ...channel.values, ...message.values };
+      const hops = message.airtime[channel.model];
+      return { up: hops.up ? F[hops.up](values) : 0, down: hops.down ? F[hops.down](values) : 0 };
+    });
+    const costs = {};
+    for (const window of ["burst", ...Object.keys(protocol.windows)]) {
+      costs[window] = protocol.units.map(() => 0);
+      protocol.messages.forEach(({ unit, per_unit, sent }, i) => {
+        costs[window][unit] += per_unit * sent[window] * (rows[i].up + rows[i].down);
+      });
+    }
+    return { protocol, rows, costs };
+  }
+
+  /** Return the utilization of a window, or the airtime of the burst [s]. */
+  function total({ protocol, costs }, window, swarm) {
+    return protocol.units.reduce((sum, unit, i) => sum + (costs[window][i] && costs[window][i] * F[unit.count](swarm)), 0);
+  }
+
+  function answerOf(name, channel, swarm) {
+    const table = priced(name, channel);
+    const { protocol, rows, costs } = table;
+    const one = { ...swarm, N_H: 1 };
+    const fitting = {};
+    for (const window of Object.keys(protocol.windows)) {
+      // As in Python: one robot must not exceed the limit, else there is no such number.
+      const fits = total(table, window, one) <= MODEL.limit;
+      const given = { ...swarm, U_limit: MODEL.limit, ...Object.fromEntries(costs[window].map((cost, i) => [`c${i}`, cost])) };
+      const found = F[protocol.saturation](given);
+      const full = fits ? (costs[window].some(Boolean) && !Number.isNaN(found) ? Math.max(1, found) : Infinity) : null;
+      fitting[window] = { full, largest: full === null ? 0 : full < Infinity ? F[MODEL.largest]({ N_sat: full }) : Infinity };
+    }
+    const burst = total(table, "burst", swarm);
+    const steady = total(table, "ever", swarm);
+    const drain = F[MODEL.drain]({ B: burst, rho: steady });
+    const { until, never } = protocol.outlooks;
+    const found = drain < Infinity ? until.findIndex(([limit]) => drain <= limit) : -1;
     return {
       name,
-      single,
-      saturation,
-      largest: fits ? MODEL.largest({ N_sat: saturation }) : 0,
-      utilization: formulas.utilization(values),
-      at: (hosts) => formulas.utilization({ ...values, N_H: hosts }),
-      messages: protocol.messages.map((message) => ({
-        name: message.name,
-        phase: message.phase,
-        cast: message.cast,
-        load: message.load(values),
-        up: formulas.costs[message.name].up(values),
-        down: formulas.costs[message.name].down(values),
-        both: formulas.costs[message.name].both(values),
-      })),
-      products: Object.entries(formulas.products).map(([product, formula]) => {
-        const own = { ...values, ...formula.values };
-        const burst = formula.burst(own);
-        const steady = formula.steady(own);
-        const drain = MODEL.drain({ B: burst, rho: steady });
-        const { lease, until, never } = protocol.outlooks[product];
-        const found = drain < Infinity && until.find(([limit]) => drain <= limit);
-        return { name: product, steady, drain, lease, outlook: found ? found[1] : never };
+      protocol,
+      fitting,
+      steady,
+      drain,
+      severity: found < 0 ? until.length : found,
+      outlook: found < 0 ? never : until[found][1],
+      utilization: total(table, "second", swarm),
+      single: total(table, "second", one),
+      at: (hosts) => total(table, "second", { ...swarm, N_H: hosts }),
+      messages: protocol.messages.map((message, i) => {
+        const load = message.per_unit * message.sent.second * F[protocol.units[message.unit].count](swarm);
+        const up = message.airtime[channel.model].up ? load * rows[i].up : 0;
+        const down = message.airtime[channel.model].down ? load * rows[i].down : 0;
+        return { ...message, load, up, down, both: up + down };
       }),
     };
   }
 
+  /** Return what would help, most first, the best of each kind: the same functions, asked again. */
+  function remediesOf({ middleware, channel, swarm, nodes }) {
+    const { family, group, repeats } = MODEL.protocols[middleware];
+    const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
+    const found = [];
+    const add = (kind, what, { name = middleware, air = channel, base = channel, fleet = swarm }) => {
+      const [before, after] = [cost(middleware, base, swarm), cost(name, air, fleet)];
+      const saved = before ? 1 - after / before : 0;
+      if (saved >= NOTHING) found.push({ kind, what, name, before, after, saved, then: answerOf(name, air, fleet) });
+    };
+    if (swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1)) {
+      const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
+      const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
+      if (Math.max(N_E, N_E1) <= SWARM[2].high) add("processes", `composing ${many} into one`, { fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1 } });
+    }
+    const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
+    add("endpoints", "leaving out the parameter services of its nodes", {
+      fleet: { ...swarm, N_E: without(swarm.N_E, nodes[0]), N_E1: without(swarm.N_E1, nodes[1]) },
+    });
+    for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
+    const alike = NAMES.filter((name) => name !== middleware && MODEL.protocols[name].group === group);
+    const others = NAMES.filter((name) => name !== middleware && MODEL.protocols[name].repeats === repeats);
+    for (const name of alike.length ? alike : others) add("middleware", `switching to ${name}`, { name });
+    found.sort((a, b) => b.saved - a.saved);
+    return found
+      .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
+      .map((one) => ({ ...one, ...(MODEL.remedies[one.kind].of[family] ?? MODEL.remedies[one.kind].of.None), paste: pasted(one) }));
+  }
+
+  const pasted = ({ kind, name }) => MODEL.remedies[kind].paste[kind === "middleware" ? name : "any"];
+
   function compute(settings) {
-    const names = NAMES.filter((name) => name === settings.middleware || MODEL.compared.includes(name));
-    const all = names.map((name) => answerOf(name, settings.channel, settings.values));
+    const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware);
-    return { settings, hosts: settings.values.N_H, all, front };
+    const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group);
+    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], remedies: remediesOf(settings) };
   }
 
   // ---- showing it ----
 
-  const fullAt = (one) =>
-    one.saturation === null ? "less than one host" : plural(Number(number(one.saturation)) || one.saturation, "host", "hosts");
+  const SIGNS = ["✓", "◐", "!", "✕"];
+  const robotsWord = (value) => plural(value, "robot");
 
-  function sentence(one) {
-    const full =
-      one.saturation === null
-        ? `A single host already takes ${percent(one.single)}.`
-        : `The channel is full at ${number(one.saturation)} hosts: ${count(one.largest)} ${one.largest === 1 ? "stays" : "stay"} below 100%.`;
-    return `${one.name}: discovery takes ${percent(one.utilization)} of the channel. ${full}`;
+  function everybody({ swarm }) {
+    const beside = swarm.N_H1 ? ` and ${chosen("beside") === LAPTOP ? plural(swarm.N_H1, "laptop") : plural(swarm.N_H1, "other")}` : "";
+    return `${robotsWord(swarm.N_H)}${beside}`;
+  }
+
+  function verdict({ front, settings }) {
+    const { severity, drain, steady, protocol } = front;
+    const who = everybody(settings);
+    const takes = `All that ${who} have to say to find each other takes ${duration(drain)} of the channel`;
+    const after = protocol.repeats ? ` From then on discovery takes ${percent(steady)} of it.` : "";
+    const lease = duration(protocol.lease);
+    return [
+      ["Starts within a second, at best.", `${takes}.${after}`],
+      [
+        `Starts slowly: ${duration(drain)} at best.`,
+        `${takes}. Until then some do not see each other, and data waits in the same queues.` +
+          (protocol.lease < Infinity ? ` That is within the lease of ${lease}, so nobody need be taken for lost.` : "") +
+          after,
+      ],
+      [
+        `Leases at risk: ${duration(drain)} at best.`,
+        `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
+      ],
+      ["Never catches up.", `What ${who} repeat for ever takes ${percent(steady)}, so the start is never carried.`],
+    ][severity];
   }
 
   function showAnswer(answer) {
-    const { N_P, N_E } = answer.settings.values;
-    const swarm =
-      `${plural(answer.hosts, "host", "hosts")} with ${plural(N_P, "process", "processes")} of ` +
-      `${plural(N_E, "endpoint", "endpoints")} each, ${channelName(answer.settings.channel)}.`;
-    const others = answer.all.filter((one) => one !== answer.front);
-    byId("answer").replaceChildren(
-      make("strong", {}, sentence(answer.front)),
-      ` ${others.map(sentence).join(" ")} `,
-      make("span", { class: "calc-hint" }, `For ${swarm} ${assumed(answer.settings.channel)}`),
+    const { front } = answer;
+    const [title, reason] = verdict(answer);
+    const box = byId("answer");
+    box.dataset.severity = front.severity;
+    box.replaceChildren(
+      make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[front.severity]), make("strong", {}, title)),
+      make("p", { class: "calc-reason" }, `${front.name}: ${reason}`),
     );
+    const { second, lease, ever } = front.fitting;
+    const fit = [["within a second", second], ["within the lease", lease], ["in the long run", ever]]
+      .filter(([, found]) => found && found.largest < Infinity)
+      .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as one alone is too much" : ""));
+    byId("numbers").replaceChildren(
+      make("p", {}, make("span", { class: "calc-label" }, "Robots that fit"), make("ul", {}, ...fit)),
+      make("p", { class: "calc-hint" }, assumed(answer)),
+    );
+    // A list must not be in a paragraph.
+    const [first] = byId("numbers").children;
+    const division = make("div", {}, ...first.childNodes);
+    first.replaceWith(division);
   }
 
-  const channelName = (channel) =>
-    channel.name === OWN ? "own rates and overheads" : channel === channels.get(PAPER) ? "the paper's Wi-Fi" : channel.name;
-
   /** What every number of this page assumes. */
-  function assumed(channel) {
+  function assumed({ settings: { channel } }) {
     const frames =
       channel.model === "aggregated"
         ? `${count(channel.values.n_agg)} frames in every exchange where that many fit`
         : "each message a frame of its own";
-    return `Assumed: the paper's messages, all sent in one second; ${frames}; no losses or collisions.`;
+    return `At best: all start at once, ${frames}, nothing lost, no collisions.`;
   }
 
-  function showBoth(answer) {
-    const table = byId("both");
-    table.tHead.rows[0].replaceChildren(
-      make("td"),
+  function showRemedies(answer) {
+    const best = answer.remedies.slice(0, 3);
+    byId("remedies").replaceChildren(
+      ...best.map(({ kind, what, before, after, saved, then, price, paste }) => {
+        const item = make(
+          "li",
+          {},
+          make("span", { class: "calc-what" }, `${capitalized(what)}: `),
+          `${duration(before)} → ${duration(after)} of airtime, `,
+          exact(saved, `${number(100 * saved)}% less`, `remedy ${kind}`),
+          then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
+          make("span", { class: "calc-hint" }, `Mind: ${price}.`),
+        );
+        if (paste) {
+          const copy = make("button", { type: "button" }, "Copy");
+          copy.addEventListener("click", () => copied(copy, paste.text));
+          item.append(make("div", { class: "calc-paste" }, make("span", {}, `${capitalized(paste.what)}:`), make("code", {}, paste.text), copy));
+        }
+        return item;
+      }),
+    );
+    byId("no-remedy").hidden = best.length > 0;
+  }
+
+  /** Tables are written into one element at a time. */
+  function showAll(answer) {
+    const some = (found) =>
+      found === undefined ? "" : found.full === null ? "none" : found.full === Infinity ? "any" : count(found.largest);
+    const cell = (one, window) => {
+      const found = one.fitting[window];
+      return found ? exact(found.full ?? NaN, some(found), `${one.name} saturation ${window}`) : "";
+    };
+    byId("all").tBodies[0].replaceChildren(
       ...answer.all.map((one) =>
-        make("th", { scope: "col" }, sample(one), ` ${one.name}`, one === answer.front ? " (in detail below)" : ""),
-      ),
-    );
-    const products = (one, show) =>
-      one.products.map((product) =>
-        make("div", {}, `${product.name}: `, ...show(product, one)),
-      );
-    const rows = [
-      ["Utilization", (one) => [exact(one.utilization, percent(one.utilization), `${one.name} utilization`)]],
-      [
-        "Verdict",
-        (one) => [one.utilization >= answer.settings.values.U_limit ? "the channel is full" : "below 100%"],
-      ],
-      [
-        "The channel is full at",
-        (one) => [exact(one.saturation ?? NaN, fullAt(one), `${one.name} saturation`)],
-      ],
-      [
-        "Largest swarm below 100%",
-        (one) => [exact(one.largest, plural(one.largest, "host", "hosts"), `${one.name} largest`)],
-      ],
-      [
-        "The start takes at best (the paper's messages, default periods of)",
-        (one) =>
-          products(one, ({ name, drain, outlook, lease }) => [
-            exact(drain, drain < Infinity ? `${seconds(drain)}, ${outlook}` : outlook, `${one.name} drain ${name}`),
-            ` (lease ${seconds(lease)})`,
-          ]),
-      ],
-      [
-        "What is repeated takes (the paper's messages, default periods of)",
-        (one) =>
-          products(one, ({ name, steady }) => [exact(steady, percent(steady), `${one.name} steady ${name}`)]),
-      ],
-    ];
-    table.tBodies[0].replaceChildren(
-      ...rows.map(([head, cell]) =>
-        make("tr", {}, make("th", { scope: "row" }, head), ...answer.all.map((one) => make("td", {}, ...cell(one)))),
+        make(
+          "tr",
+          one === answer.front ? { class: "calc-front" } : {},
+          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`, make("span", { class: "calc-hint" }, ` ${one.protocol.group.toLowerCase()}`)),
+          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
+          make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
+          make("td", {}, cell(one, "second")),
+          make("td", {}, cell(one, "lease")),
+          make("td", {}, cell(one, "ever")),
+        ),
       ),
     );
   }
 
-  function showParts(answer) {
-    const { front } = answer;
-    byId("parts-title").textContent = `What takes the airtime with ${front.name}`;
+  function showParts({ front }) {
+    byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}`;
     const [body] = byId("parts").tBodies;
     body.replaceChildren(
       ...front.messages.map((message) => {
         const share = message.both / front.utilization || 0;
         const bar = make("span", { class: "calc-bar", "aria-hidden": "true" }, make("span"));
         bar.firstChild.style.width = `${100 * share}%`;
-        bar.firstChild.style.background = MODEL.protocols[front.name].color;
+        bar.firstChild.style.background = colorOf(front);
         const of = (what) => `${front.name} ${message.name} ${what}`;
         return make(
           "tr",
           {},
           make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
           make("td", {}, exact(message.load, count(message.load), of("messages"))),
-          make("td", {}, exact(message.both, seconds(message.both), of("airtime"))),
+          make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
           make("td", {}, percent(share), bar),
         );
       }),
+    );
+    body.append(
+      make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
     );
   }
 
   // ---- the plot ----
 
-  /** A piece of a protocol's line, for the legend. */
-  function sample(one) {
-    const draw = (tag, attributes) => {
-      const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
-      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-      return element;
-    };
-    const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
-    const stroke = MODEL.protocols[one.name].color;
-    const dash = dashOf(one.name).join(" ");
-    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke, "stroke-width": 3, "stroke-dasharray": dash }));
-    return svg;
-  }
-
-  // The theme's colours; read when they change only, as that takes time.
+  // The theme's colors; read when they change only, as that takes time.
   let theme = {};
 
   function readTheme() {
@@ -327,52 +454,78 @@
     theme = { text: color("text-base"), background: color("background"), border: color("border") };
   }
 
+  const colorOf = (one) => (one.protocol.color === "#000000" ? theme.text : one.protocol.color);
+  const dashOf = (answer, one) => DASHES[answer.drawn.indexOf(one)];
+
+  /** A piece of a protocol's line, for the legend. */
+  function sample(answer, one) {
+    const draw = (tag, attributes) => {
+      const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      return element;
+    };
+    const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
+    const dash = dashOf(answer, one).join(" ");
+    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke: colorOf(one), "stroke-width": 3, "stroke-dasharray": dash }));
+    return svg;
+  }
+
   let plot = null;
   let drawn = null;
 
   /** Return what the axes show: where they end, and whether they are logarithmic. */
   function view(answer) {
-    const points = answer.all.map((one) => one.utilization);
-    const full = answer.all.map((one) => one.saturation).filter((hosts) => hosts !== null);
-    const limit = answer.settings.values.U_limit;
-    const far = Math.max(...points) > 4 * limit || answer.hosts > 4 * Math.max(1, ...full);
+    const points = answer.drawn.map((one) => one.utilization);
+    const full = answer.drawn.map((one) => one.fitting.second.full).filter((hosts) => hosts !== null);
+    const far = Math.max(...points) > 4 * MODEL.limit || answer.hosts > 4 * Math.max(1, ...full);
     if (far) {
-      const singles = answer.all.map((one) => one.single);
+      const singles = answer.drawn.map((one) => one.single).filter(Boolean);
       return {
         log: true,
         hosts: 1.5 * Math.max(2, answer.hosts, ...full),
-        low: Math.min(0.5 * limit, ...singles) / 1.5,
-        high: 2 * Math.max(limit, ...points),
+        low: Math.min(0.5 * MODEL.limit, ...singles) / 1.5,
+        high: 2 * Math.max(MODEL.limit, ...points),
       };
     }
     return {
       log: false,
       hosts: Math.max(1.25 * Math.max(1, ...full), 1.15 * answer.hosts, answer.hosts + 1),
       low: 0,
-      high: 1.25 * Math.max(limit, ...points),
+      high: 1.25 * Math.max(MODEL.limit, ...points),
     };
   }
 
-  /** Where a logarithmic axis has its marks: uPlot's own ones end at 1e32. */
+  /** At most so many of the marks, evenly, the last of them always. */
+  const thinned = (marks, most) => {
+    const step = Math.max(1, Math.ceil(marks.length / most));
+    return marks.filter((mark, i) => (marks.length - 1 - i) % step === 0);
+  };
+
+  /** Where a logarithmic axis of hosts has its marks: right up to its end. */
   function powers(least, most) {
-    const first = Math.ceil(Math.log10(least) - 1e-9);
-    const last = Math.floor(Math.log10(most) + 1e-9);
-    const step = Math.max(1, Math.ceil((last - first) / 5));
     const marks = [];
-    for (let power = first; power <= last; power += step) marks.push(10 ** power);
-    if (marks.length > 2) return marks;
-    return [first - 1, first, last]
-      .flatMap((power) => [1, 2, 5].map((digit) => digit * 10 ** power))
-      .filter((value, i, all) => value >= least && value <= most && all.indexOf(value) === i);
+    for (let exponent = Math.floor(Math.log10(least)); 10 ** exponent <= most; exponent++)
+      marks.push(...(most / least < 1000 ? [1, 2, 5] : [1]).map((digit) => digit * 10 ** exponent));
+    return thinned(marks.filter((mark) => mark >= least * 0.999 && mark <= most), 7);
   }
 
-  /** A mark of a logarithmic axis: 100, but 2·10⁷. */
-  function short(value) {
-    if (value >= 1e-3 && value < 1e5) return number(value);
-    const [digit, power] = value.toExponential(0).split("e");
-    const raised = [...String(Number(power))].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("");
-    return `${digit === "1" ? "" : `${digit}·`}10${raised}`;
+  /** Where a logarithmic axis of time has its marks: whole seconds, minutes, hours, days, years. */
+  function times(least, most) {
+    const marks = [];
+    for (let exponent = Math.floor(Math.log10(least)); exponent < 2; exponent++) marks.push(10 ** exponent);
+    marks.push(MINUTE, 10 * MINUTE, HOUR, 10 * HOUR, DAY, 10 * DAY, 100 * DAY);
+    for (let length = YEAR; length <= most; length *= 10) marks.push(length);
+    return thinned(marks.filter((mark) => mark >= least && mark <= most), 6);
   }
+
+  /** A mark on the axis of time. */
+  function short(seconds) {
+    if (seconds === 0) return "0";
+    const [length, unit] = [[1e-6, "µs"], [1e-3, "ms"], [1, "s"], [MINUTE, "min"], [HOUR, "h"], [DAY, "d"], [YEAR, "y"]].findLast(([least]) => seconds >= least * 0.999) ?? [1, "s"];
+    const value = seconds / length;
+    return `${value >= 1e4 ? power(value) : three.format(value)} ${unit}`;
+  }
+  const shortCount = (value) => (value < 1e5 ? number(value) : power(value));
 
   function curve(answer) {
     const { log, hosts } = view(answer);
@@ -381,7 +534,7 @@
       const part = i / CURVE_POINTS;
       x.push(log ? hosts ** part : 1 + (hosts - 1) * part);
     }
-    return { x, lines: answer.all.map((one) => x.map(one.at)) };
+    return { x, lines: answer.drawn.map((one) => x.map(one.at)) };
   }
 
   function marks(answer) {
@@ -389,7 +542,7 @@
     return (u) => {
       const { ctx, bbox } = u;
       const scale = devicePixelRatio;
-      const limit = u.valToPos(100 * answer.settings.values.U_limit, "y", true);
+      const limit = u.valToPos(MODEL.limit, "y", true);
       ctx.save();
       ctx.strokeStyle = text;
       ctx.fillStyle = text;
@@ -403,15 +556,15 @@
       ctx.font = `${13 * scale}px sans-serif`;
       ctx.textAlign = "left";
       ctx.textBaseline = "bottom";
-      ctx.fillText("100%: full", bbox.left + 6 * scale, limit - 3 * scale);
+      ctx.fillText("1 s: the channel is full", bbox.left + 6 * scale, limit - 3 * scale);
       // The one in front last, so that its point is on top.
-      for (const one of [...answer.all].sort((a) => (a === answer.front ? 1 : -1))) {
+      for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);
-        const y = u.valToPos(100 * one.utilization, "y", true);
+        const y = u.valToPos(one.utilization, "y", true);
         ctx.beginPath();
         ctx.arc(x, y, 6 * scale, 0, 2 * Math.PI);
-        ctx.fillStyle = one === answer.front ? MODEL.protocols[one.name].color : background;
-        ctx.strokeStyle = one === answer.front ? text : MODEL.protocols[one.name].color;
+        ctx.fillStyle = one === answer.front ? colorOf(one) : background;
+        ctx.strokeStyle = one === answer.front ? text : colorOf(one);
         ctx.lineWidth = 2 * scale;
         ctx.fill();
         ctx.stroke();
@@ -420,26 +573,49 @@
     };
   }
 
+  /** What is under the pointer, in words beside it. */
+  function pointed(answer) {
+    const tip = make("div", { class: "calc-tip", hidden: "" });
+    return {
+      init: (u) => u.over.append(tip),
+      setCursor: (u) => {
+        const { left, top } = u.cursor;
+        tip.hidden = !(left >= 0);
+        if (tip.hidden) return;
+        const hosts = Math.max(1, Math.round(u.posToVal(left, "x")));
+        tip.replaceChildren(
+          make("b", {}, robotsWord(hosts)),
+          ...answer.drawn.map((one) => make("span", {}, sample(answer, one), ` ${one.name}: ${duration(one.at(hosts))}`)),
+        );
+        const { clientWidth: width, clientHeight: height } = u.over;
+        tip.style.left = `${left + tip.offsetWidth + 16 < width ? left + 12 : Math.max(0, left - tip.offsetWidth - 12)}px`;
+        tip.style.top = `${Math.max(0, Math.min(top, height - tip.offsetHeight))}px`;
+      },
+    };
+  }
+
   function draw(answer) {
     drawn = answer;
     const box = byId("plot");
     plot?.destroy();
     plot = null;
-    const points = answer.all.map((one) => one.utilization);
-    const what =
-      `Channel utilization against the number of hosts: ${answer.all.map((one) => one.name).join(" and ")} curve upwards and cross ` +
-      `the line of 100 percent. Your swarm is a point on each curve.`;
+    const points = answer.drawn.map((one) => one.utilization);
+    const names = answer.drawn.map((one) => one.name);
     if (!points.every((value) => value < 1e300)) {
       box.setAttribute("aria-label", "No curve: the numbers are too large to draw.");
       box.textContent = "The numbers are too large to draw.";
       return;
     }
     box.textContent = "";
-    box.setAttribute("aria-label", `${what} ${answer.all.map(sentence).join(" ")}`);
+    box.setAttribute(
+      "aria-label",
+      `Airtime of the first second against the number of robots: ${names.join(", ")} curve upwards and cross the line where the channel is full. ` +
+        `Your robots are a point on each curve. ${answer.drawn.map((one) => `${one.name}: ${duration(one.utilization)}`).join("; ")}.`,
+    );
     const { log, hosts, low, high } = view(answer);
     const { x, lines } = curve(answer);
     const { text, border } = theme;
-    const axis = (label, size) => ({
+    const axis = (label, size, splits, values) => ({
       label,
       size,
       labelSize: 24,
@@ -448,57 +624,47 @@
       labelFont: "13px sans-serif",
       grid: { stroke: border, width: 1 },
       ticks: { stroke: border, width: 1 },
-      ...(log ? { splits: (u, index, least, most) => powers(least, most), filter: (u, splits) => splits } : {}),
-      values: (u, splits) => splits.map(log ? short : number),
+      ...(log ? { splits: (u, index, least, most) => splits(least, most), filter: (u, all) => all } : {}),
+      values: (u, all) => all.map(values),
     });
+    const { init, setCursor } = pointed(answer);
     // The one in front is drawn last and thickest.
-    const order = answer.all.map((one, index) => index).sort((a) => (answer.all[a] === answer.front ? 1 : -1));
+    const order = answer.drawn.map((one, index) => index).reverse();
     plot = new uPlot(
       {
         width: box.clientWidth,
         height: 320,
-        cursor: { show: false },
+        padding: [12, 16, 0, 0],
+        cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
         legend: { show: false },
         select: { show: false },
         scales: {
           x: { time: false, distr: log ? 3 : 1, range: [1, hosts] },
-          y: { distr: log ? 3 : 1, range: [100 * low, 100 * high] },
+          y: { distr: log ? 3 : 1, range: [low, high] },
         },
         axes: [
-          axis(`hosts${log ? ", logarithmic" : ""}`, 36),
-          axis(`channel utilization [%]${log ? ", logarithmic" : ""}`, 58),
+          axis(`robots${log ? ", logarithmic" : ""}`, 36, powers, shortCount),
+          axis(`airtime of the first second${log ? ", logarithmic" : ""}`, 66, times, short),
         ],
         series: [
           {},
           ...order.map((index) => ({
-            stroke: MODEL.protocols[answer.all[index].name].color,
-            width: answer.all[index] === answer.front ? 3 : 2,
-            dash: dashOf(answer.all[index].name),
+            stroke: colorOf(answer.drawn[index]),
+            width: answer.drawn[index] === answer.front ? 3 : 2,
+            dash: dashOf(answer, answer.drawn[index]),
             points: { show: false },
             pxAlign: 0,
           })),
         ],
-        hooks: { draw: [marks(answer)] },
+        hooks: { draw: [marks(answer)], init: [init], setCursor: [setCursor] },
       },
-      [x, ...order.map((index) => lines[index].map((value) => 100 * value))],
+      [x, ...order.map((index) => lines[index])],
       box,
     );
   }
 
   function showLegend(answer) {
-    const dot = (one) => {
-      const { color } = MODEL.protocols[one.name];
-      const element = make("span", { class: "calc-dot", "aria-hidden": "true" });
-      element.style.borderColor = one === answer.front ? "currentcolor" : color;
-      element.style.background = one === answer.front ? color : "none";
-      return element;
-    };
-    byId("legend").replaceChildren(
-      ...answer.all.map((one) => make("li", {}, sample(one), ` ${one.name}`)),
-      ...answer.all.map((one) => make("li", {}, dot(one), ` your swarm, ${one.name}: ${percent(one.utilization)}`)),
-    );
-    byId("caption").textContent =
-      `Utilization against the number of hosts, with as many processes and endpoints as you entered.`;
+    byId("legend").replaceChildren(...answer.drawn.map((one) => make("li", {}, sample(answer, one), ` ${one.name}`)));
   }
 
   // ---- the numbers as CSV ----
@@ -509,17 +675,17 @@
     const rows = [["protocol", "quantity", "of", "hosts", "value", "unit"]];
     rows.push(["", "channel", settings.channel.name, "", "", ""]);
     for (const field of FIELDS) {
-      const unit = { "Mbit/s": "bit/s", "µs": "s" }[field.unit] ?? "1";
-      rows.push(["", "input", field.symbol, "", settings.values[field.symbol], unit]);
+      const value = { ...settings.swarm, ...settings.channel.values }[field.symbol];
+      rows.push(["", "input", field.symbol, "", value, { "Mbit/s": "bit/s", "µs": "s" }[field.unit] ?? "1"]);
     }
     for (const one of answer.all) {
       rows.push([one.name, "utilization", "", hosts, one.utilization, "1"]);
-      rows.push([one.name, "saturation", "", "", one.saturation ?? "", "hosts"]);
-      rows.push([one.name, "largest swarm below 100%", "", "", one.largest, "hosts"]);
-      for (const product of one.products) {
-        rows.push([one.name, "drain time", product.name, hosts, product.drain, "s"]);
-        rows.push([one.name, "steady utilization", product.name, hosts, product.steady, "1"]);
+      for (const [window, { full, largest }] of Object.entries(one.fitting)) {
+        rows.push([one.name, "saturation", window, "", full ?? "", "hosts"]);
+        rows.push([one.name, "largest number of robots that fits", window, "", largest, "hosts"]);
       }
+      rows.push([one.name, "drain time", "", hosts, one.drain, "s"]);
+      rows.push([one.name, "steady utilization", "", hosts, one.steady, "1"]);
       for (const message of one.messages) {
         rows.push([one.name, "uplink messages", message.name, hosts, message.load, "1"]);
         rows.push([one.name, "uplink airtime", message.name, hosts, message.up, "s"]);
@@ -527,7 +693,7 @@
       }
     }
     const { x, lines } = curve(answer);
-    answer.all.forEach((one, index) =>
+    answer.drawn.forEach((one, index) =>
       x.forEach((at, i) => rows.push([one.name, "curve", "utilization", at, lines[index][i], "1"])),
     );
     return rows.map((row) => row.map((cell) => quote(String(cell))).join(",") + "\r\n").join("");
@@ -543,10 +709,9 @@
   // ---- the state in the address ----
 
   function hash() {
-    const parts = new URLSearchParams({ middleware: middleware() });
-    for (const field of MODEL.fields.swarm) parts.set(field.name, byId(field.name).value.trim());
-    parts.set("wifi", byId("channel").value);
-    if (isOwn()) for (const field of MODEL.fields.own) parts.set(field.name, byId(field.name).value.trim());
+    const parts = new URLSearchParams();
+    for (const list of LISTS) parts.set(listName(list), chosen(list));
+    for (const field of usedFields()) parts.set(field.name, byId(field.name).value.trim());
     return `#${parts}`;
   }
 
@@ -558,54 +723,96 @@
     writing = setTimeout(() => history.replaceState(null, "", byId("link").getAttribute("href")), 200);
   }
 
-  // What the address asked for and cannot have, by the field where it is shown.
+  /** Put a text on the clipboard and say so on what was clicked. */
+  async function copied(element, text) {
+    const before = element.dataset.text ?? element.textContent;
+    element.dataset.text = before;
+    let done = true;
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      const area = make("textarea", { class: "calc-off" }, text);
+      document.body.append(area);
+      area.select();
+      done = document.execCommand("copy");
+      area.remove();
+    }
+    element.textContent = done ? "Copied" : "Not copied: the browser refused";
+    byId("said").textContent = done ? "Copied to the clipboard." : "The browser refused to copy.";
+    setTimeout(() => {
+      element.textContent = before;
+      byId("said").textContent = "";
+    }, 2500);
+  }
+
+  // What the address asked for and cannot have, by the list where it is shown.
   let refused = {};
 
   /** Fill the fields from the address; return whether it says anything of them. */
   function readHash() {
     clearTimeout(writing);
     const parts = new URLSearchParams(location.hash.slice(1));
-    const known = ["middleware", "wifi", ...FIELDS.map((field) => field.name)];
+    const known = [...LISTS.map(listName), ...FIELDS.map((field) => field.name)];
     if (!known.some((name) => parts.has(name))) return false;
     byId("form").reset();
     refused = {};
-    const refuse = (name, value) => {
-      refused[name] = `The link asks for “${brief(value)}”, which is not in the list; this is used instead.`;
-    };
-    const front = parts.get("middleware");
-    if (NAMES.includes(front)) byId(`middleware-${front}`).checked = true;
-    else if (front !== null) refuse("middleware", front);
-    const wifi = parts.get("wifi");
-    if (channels.has(wifi) || wifi === OWN) byId("channel").value = wifi;
-    else if (wifi !== null) refuse("channel", wifi);
+    for (const list of LISTS) {
+      const wanted = parts.get(listName(list));
+      if (wanted === null) continue;
+      if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
+      else refused[list] = `The link asks for “${brief(wanted)}”, which is not in the list; this is used instead.`;
+    }
+    if (parts.has("robot") && !refused.robot) takeRobot();
     for (const field of FIELDS) if (parts.has(field.name)) byId(field.name).value = parts.get(field.name);
+    // Numbers that are not those of the robot are one's own.
+    const robot = robots.get(chosen("robot"));
+    if (robot && ["processes", "endpoints"].some((name) => byId(name).value.trim() !== robot[name])) byId("robot").value = OWN;
     return true;
   }
 
   // ---- putting it together ----
 
-  function showChannel() {
-    byId("own").hidden = !isOwn();
-    const channel = channels.get(byId("channel").value);
-    const { R_uni, O_uni, R_multi, O_multi, O_agg, n_agg } = channel?.values ?? {};
-    const mega = (rate) => `${number(rate / 1e6)} Mbit/s`;
-    const micro = (time) => `${number(time * 1e6)} µs`;
+  function takeRobot() {
+    const robot = robots.get(chosen("robot"));
+    for (const name of robot ? ["processes", "endpoints"] : []) byId(name).value = robot[name];
+  }
+
+  function showLists() {
+    const robot = robots.get(chosen("robot"));
+    byId("robot-parts").hidden = !robot;
+    if (robot) {
+      const kinds = [...new Set(robot.parts.map((part) => part.kind))].join(" and ");
+      byId("robot-kind").textContent = `Where these numbers come from (${kinds})`;
+      byId("robot-list").replaceChildren(
+        ...robot.parts.map(({ what, processes, endpoints, kind, source }) =>
+          make("li", {}, `${capitalized(what)}: ${plural(processes, "process", "processes")}, ${plural(endpoints, "endpoint")}, ${kind}. `, make("span", { class: "calc-hint" }, source)),
+        ),
+      );
+    }
+    byId("others").hidden = chosen("beside") === NONE;
+    BESIDE.slice(1).forEach((field) => (byId(field.name).parentElement.hidden = chosen("beside") !== OWN));
+    const { lease, group } = MODEL.protocols[chosen("middleware")];
+    byId("middleware-hint").textContent = `${group}${lease < Infinity ? `; lease ${duration(lease)}` : ""}.`;
+    byId("own").hidden = chosen("channel") !== OWN;
+    const channel = channels.get(chosen("channel"));
+    const { R_uni, O_uni, R_multi, O_agg, n_agg } = channel?.values ?? {};
+    const mega = (rate) => `${number(rate / 1e6)}${SPACE}Mbit/s`;
     byId("channel-hint").textContent = channel
-      ? `unicast ${mega(R_uni)} and ${micro(O_agg ?? O_uni)}${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, ` +
-        `multicast ${mega(R_multi)} and ${micro(O_multi)}`
+      ? `Unicast at ${mega(R_uni)} after ${number((O_agg ?? O_uni) * 1e6)}${SPACE}µs${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, multicast at ${mega(R_multi)}.`
       : "";
   }
 
   /** Read the fields and show what follows; returns whether all were valid. */
   function update({ address = true } = {}) {
-    showChannel();
-    for (const name of ["middleware", "channel"]) showError(name, refused[name] ?? "");
+    showLists();
+    for (const list of LISTS) showError(list, refused[list] ?? "");
     const settings = readForm();
     byId("stale").hidden = settings !== null || drawn === null;
     if (settings !== null) {
       const answer = compute(settings);
       showAnswer(answer);
-      showBoth(answer);
+      showRemedies(answer);
+      showAll(answer);
       showParts(answer);
       draw(answer);
       showLegend(answer);
@@ -622,9 +829,10 @@
     const form = byId("form");
     update({ address: false }); // an answer to fall back on, should the address ask for nonsense
     if (readHash()) update({ address: false });
-    form.addEventListener("input", (event) => {
-      if (event.target.matches("select")) delete refused.channel;
-      if (event.target.matches("[type=radio]")) delete refused.middleware;
+    form.addEventListener("input", ({ target }) => {
+      delete refused[target.id.replace("calc-", "")];
+      if (target === byId("robot")) takeRobot();
+      else if ([byId("processes"), byId("endpoints")].includes(target)) byId("robot").value = OWN;
       update();
     });
     form.addEventListener("submit", (event) => event.preventDefault());
@@ -634,12 +842,19 @@
       update();
     });
     byId("csv").addEventListener("click", download);
+    byId("link").addEventListener("click", (event) => {
+      event.preventDefault();
+      copied(byId("link"), byId("link").href);
+    });
     addEventListener("hashchange", () => {
       if (readHash()) update({ address: false });
     });
     new MutationObserver(() => {
       readTheme();
       draw(drawn);
+      showParts(drawn);
+      showAll(drawn);
+      showLegend(drawn);
     }).observe(document.documentElement, {
       attributes: true,
       attributeFilter: ["data-theme"],

@@ -1,0 +1,41 @@
+"""Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
+
+from discostorm.data import read_data
+from discostorm.fleet import HostGroup
+
+
+def robots() -> dict[str, HostGroup]:
+    """Return one host of each ready-made robot, by its name.
+
+    Its endpoints are the mean over its processes, which is all that a count of pairs needs.
+
+    Returns
+    -------
+    dict
+        Groups of one host each, in the order of the data file, which says of each part whether
+        its numbers are printed in the paper, counted or estimated, and where they come from.
+
+    Examples
+    --------
+    >>> robots()["Nav2 in one process"]
+    HostGroup(hosts=1, processes=1, endpoints=678, name='Nav2 in one process', nodes=13)
+    """
+    return {
+        name: _host(name, [row for row in read_data("fleets/robots.csv") if row["robot"] == name])
+        for name in dict.fromkeys(row["robot"] for row in read_data("fleets/robots.csv"))
+    }
+
+
+def laptop() -> HostGroup:
+    """Return an operator's laptop: RViz with the panel of Nav2 (``fleets/rviz_endpoints.csv``)."""
+    parts = read_data("fleets/rviz_endpoints.csv")
+    endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
+    nodes = sum(int(part["how_many"]) for part in parts if "rclcpp node" in part["part"])
+    return HostGroup(1, 1, endpoints, name="laptop", nodes=nodes)
+
+
+def _host(name: str, parts: list[dict[str, str]]) -> HostGroup:
+    processes, endpoints, nodes = (
+        sum(int(part[count]) for part in parts) for count in ("processes", "endpoints", "nodes")
+    )
+    return HostGroup(1, processes, endpoints / processes, name=name, nodes=nodes / processes)
