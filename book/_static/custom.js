@@ -15,17 +15,3 @@ window.addEventListener("load", async () => {
 window.addEventListener("load", () => {
   for (const link of document.querySelectorAll(".btn-download-source-button")) link.download = "";
 });
-
-// Tables in cells tagged "sortable": each heading becomes a button that sorts.
-window.addEventListener("load", () => {
-  for (const table of document.querySelectorAll(".tag_sortable table")) {
-    for (const heading of table.querySelectorAll("thead th")) heading.tabIndex = 0;
-    new Tablesort(table);
-    table.addEventListener("keydown", (event) => {
-      if ((event.key === "Enter" || event.key === " ") && event.target.matches("thead th")) {
-        event.preventDefault();
-        event.target.click();
-      }
-    });
-  }
-});
