@@ -18,6 +18,7 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Patch, Polygon
 from matplotlib.ticker import MultipleLocator, PercentFormatter
@@ -147,8 +148,8 @@ def _percent(axis: Axes, most: float) -> None:
 def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) -> None:
     """Draw each phase and the total against hosts, and mark the saturation points.
 
-    The total is a broad pale line, so that a phase which is nearly all of it stays visible
-    on top; a dot marks each whole number of hosts.
+    The total is the strongest line; the phases are thin and darker, so that one which is
+    nearly all of it stays visible on top. A dot marks each whole number of hosts.
     """
     for protocol in PAPER_PROTOCOLS:
         color = COLORS[protocol.name]
@@ -160,8 +161,7 @@ def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) 
             total["utilization"],
             STYLES["total"],
             color=color,
-            alpha=0.35,
-            linewidth=4,
+            linewidth=3,
             label=f"{protocol.name} total",
         )
         for phase in protocol.phases:
@@ -170,10 +170,11 @@ def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) 
                 part["hosts"],
                 part["utilization"],
                 STYLES[phase],
-                color=color,
+                color=0.45 * np.array(to_rgb(color)),
+                linewidth=1.2,
                 label=f"{protocol.name} {phase}",
             )
-        axis.plot(whole["hosts"], whole["utilization"], "o", color=color, markersize=4)
+        axis.plot(whole["hosts"], whole["utilization"], "o", color=color, markersize=6)
         hosts = saturation_hosts(protocol, processes, endpoints)
         axis.plot(
             hosts,
@@ -221,7 +222,7 @@ def fig3() -> Figure:
         figure.set_layout_engine("none")
         for left, (name, surface) in zip((0.0, 0.5), of["surface"].items(), strict=True):
             axis = figure.add_axes(
-                (left + 0.03, 0.48, 0.465, 0.52), projection="3d", computed_zorder=False
+                (left + 0.055, 0.48, 0.44, 0.52), projection="3d", computed_zorder=False
             )
             _surface(axis, surface, of["trajectory"][name], COLORS[name])
             axis.set_title(name, y=0.97)
@@ -252,7 +253,7 @@ def _surface(axis: Any, surface: pd.DataFrame, line: pd.DataFrame, color: str) -
     axis.view_init(elev=24, azim=-125)
     axis.set_xlabel("processes $N_P$ [1]", labelpad=-7)
     axis.set_ylabel("endpoints $N_E$ [1]", labelpad=-7)
-    axis.set_zlabel("utilization [%]", labelpad=-2)
+    axis.set_zlabel("utilization [%]", labelpad=1)
     axis.set_zlim(0, 1200)
     axis.tick_params(pad=-3, labelsize=8)
     axis.tick_params(axis="z", pad=1)

@@ -125,7 +125,7 @@ _UNITS = {
 }
 _NONE = "\N{EN DASH}"
 _NUMBER = re.compile(
-    rf"[-+<≤>≥≈ ]*\d[\d ,.]*(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
+    rf"[-+<≤>≥≈ ]*\d[\d,.]*(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
 )
 
 
@@ -139,6 +139,8 @@ def heading(name: str) -> str:
     """
     if not re.fullmatch(r"\w+", name):
         return name
+    if name in _UNITS and name != "bits":
+        return f"[{_UNITS[name]}]"
     units = sorted(_UNITS, key=len, reverse=True)
     unit = next((unit for unit in units if name.endswith(f"_{unit}")), None)
     words = name.removesuffix(f"_{unit}").replace("_", " ")

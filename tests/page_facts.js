@@ -51,8 +51,10 @@
     images_not_loaded: images.filter((e) => !e.naturalWidth).map(name),
     // Where no text is given, Sphinx puts the name of the file.
     images_without_alt: images.filter((e) => !e.alt.trim() || /\.(svg|png|jpe?g)$/.test(e.alt)).map((e) => e.src),
+    // Drawn on white and for white; what inverts them is told apart by the pixels of one.
     images_on_dark: images
-      .filter((e) => e.closest(".bd-article") && pixel(backgrounds(e)).some((value) => value < 243))
+      .filter((e) => e.closest(".bd-article") && !getComputedStyle(e).filter.includes("invert(1)"))
+      .filter((e) => pixel(backgrounds(e)).some((value) => value < 243))
       .map((e) => e.src),
     clipped: tooWide.filter((e) => ["hidden", "clip"].includes(overflow(e))).map(name),
     code_that_scrolls: tooWide.filter((e) => e.matches("pre")).map(name),

@@ -4,9 +4,14 @@ Each page is visited once each way; what was seen there is what the tests look a
 run in one process, see conftest.py.
 """
 
+import colorsys
+import csv
 import functools
+import hashlib
+import io
 import json
 import re
+import tarfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,7 +20,10 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 import yaml
+from PIL import Image, ImageColor
 from playwright.sync_api import Browser, Page, ViewportSize
+
+from discostorm import figures
 
 pytestmark = pytest.mark.book
 
@@ -75,6 +83,10 @@ def toc_files(part: Any) -> Iterator[str]:
         yield from (part[key] for key in ("root", "file") if key in part)
         yield from toc_files([part[key] for key in part.keys() & {"parts", "chapters", "sections"}])
 
+
+STATIC = ROOT / "book" / "_static"
+with (STATIC / "vendored.csv").open(encoding="utf-8", newline="") as _file:
+    VENDORED = list(csv.DictReader(_file))
 
 PAGES = sorted(toc_files(yaml.safe_load(TOC.read_text(encoding="utf-8"))))
 
@@ -250,6 +262,37 @@ def test_there_is_a_dark_mode(visitor: Visitor, page: str) -> None:
     assert not visit.desktop["images_on_dark"]
 
 
+def hue(color: tuple[int, int, int]) -> float:
+    """Return the hue of a color [degrees]."""
+    return 360 * colorsys.rgb_to_hsv(*(value / 255 for value in color))[0]
+
+
+def test_figures_in_dark_mode_are_no_slabs_and_keep_their_hues(
+    browser: Browser, book: Path
+) -> None:
+    chapter = next(page for page in PAGES if page.endswith("_hosts"))
+    pixels = {}
+    with browser.new_page(viewport=DESKTOP) as tab:
+        for theme in ("light", "dark"):
+            tab.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+            tab.goto(f"{(book / chapter).as_uri()}.html")
+            tab.evaluate(REST)
+            picture = tab.locator("#fig-2 img").screenshot()
+            pixels[theme] = Image.open(io.BytesIO(picture)).convert("RGB")
+            ground = tab.evaluate("getComputedStyle(document.body).backgroundColor")
+            corner = pixels[theme].getpixel((2, 2))
+            assert corner == tuple(map(int, re.findall(r"\d+", ground)))
+    for name in ("DDS", "Zenoh"):
+        drawn = ImageColor.getrgb(figures.COLORS[name])
+        pairs = zip(*(pixels[theme].getdata() for theme in ("light", "dark")), strict=True)
+        shown = {after for before, after in pairs if before == drawn}
+        assert shown
+        for color in shown:
+            # A hue that is 20 degrees off has the same name; a light color is seen on black.
+            assert abs(hue(color) - hue(drawn)) < 20  # type: ignore[arg-type]
+            assert max(color) > 200
+
+
 @every_page
 def test_nothing_serious_keeps_anyone_out(visitor: Visitor, page: str) -> None:
     assert visitor(page, "file").barriers == {"dark": [], "light": []}
@@ -285,15 +328,59 @@ def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str
 
 
 @both_ways
-def test_search_finds(browser: Browser, book: Path, server: str, by: str) -> None:
+@pytest.mark.parametrize(
+    ("query", "found"),
+    [
+        ("how many robots", "book/index.html#how-many-robots-fit"),
+        ("staggered start", "planner.html"),
+        ("saturation_hosts", "notebooks/"),
+    ],
+)
+def test_search_shows_on_the_first_screen(
+    browser: Browser, book: Path, server: str, by: str, query: str, found: str
+) -> None:
     visit = Visit(server if by == "http" else book.as_uri() + "/")
-    with browser.new_context() as context:
-        tab = context.new_page()
+    with browser.new_page(viewport=DESKTOP) as tab:
         listen(tab, [visit])
-        tab.goto(visit.base + "search.html?q=airtime")
+        tab.goto(f"{visit.base}search.html?q={query}")
         tab.locator("#search-results li").first.wait_for()
+        results = [
+            (item.locator("a").get_attribute("href") or "", item.locator("mark").all_inner_texts())
+            for item in tab.locator("#search-results li").all()
+            if (box := item.bounding_box()) and box["y"] + box["height"] <= DESKTOP["height"]
+        ]
         tab.wait_for_load_state("networkidle")
     assert not visit.errors
+    assert [marked for href, marked in results if found in href and marked]
+
+
+def test_search_for_what_is_not_there_says_so(browser: Browser, book: Path) -> None:
+    with browser.new_page() as tab:
+        tab.goto(f"{book.as_uri()}/search.html?q=xyzzy")
+        assert "Nothing found for “xyzzy”" in tab.locator("#search-count").inner_text()
+
+
+@every_page
+def test_every_page_leads_to_installation_and_source(visitor: Visitor, page: str) -> None:
+    links = visitor(page, "file").phone["links"]
+    assert [link for link in links if link.endswith("#install")]
+    assert [link for link in links if link.endswith("-source.tar.xz")]
+
+
+def test_the_source_that_is_served_is_all_of_it(book: Path) -> None:
+    (path,) = book.glob("*-source.tar.xz")
+    with tarfile.open(path) as archive:
+        held = {name.split("/", 1)[1]: archive.getmember(name) for name in archive.getnames()}
+    assert {"README.md", "Makefile", "discostorm/__init__.py", ".ci/run"} <= held.keys()
+    assert held[".ci/run"].mode == 0o755
+    assert not [name for name in held if name.startswith((".git/", ".venv", "_build", "build/"))]
+
+
+@pytest.mark.parametrize("row", VENDORED, ids=lambda row: row["file"])
+def test_what_comes_from_elsewhere_is_as_it_came(row: dict[str, str]) -> None:
+    content = (STATIC / row["file"]).read_bytes()
+    assert hashlib.sha256(content).hexdigest() == row["sha256"]
+    assert (STATIC / row["license_file"]).is_file()
 
 
 def test_every_page_is_in_the_contents(book: Path) -> None:

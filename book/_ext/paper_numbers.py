@@ -1,4 +1,4 @@
-"""Equations and figures of the paper carry the paper's number: those labeled eq-paper-N, fig-paper-N.
+"""Equations and figures of the paper, labeled eq-paper-N and fig-paper-N, carry its number N.
 
 The others are numbered by chapter, without a gap.
 """

@@ -2,10 +2,25 @@
 window.addEventListener("load", async () => {
   await window.MathJax?.startup?.promise;
   const boxes = document.querySelectorAll("div.math, .pst-scrollable-table-container, .bd-article pre");
+  // A wide table fades where it goes on, and a line below it says so.
+  const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
+  const hint = (box, wider) => {
+    if (!box.matches(".pst-scrollable-table-container") || box.classList.contains("ds-wider") === wider) return;
+    box.classList.toggle("ds-wider", wider);
+    if (!wider) return box.nextElementSibling.remove();
+    const line = document.createElement("p");
+    line.className = "ds-scroll-hint";
+    line.textContent = "\u2190 the table scrolls sideways \u2192";
+    box.after(line);
+    box.addEventListener("scroll", () => atEnd(box), { passive: true });
+    atEnd(box);
+  };
   const observer = new ResizeObserver((changes) => {
     for (const { target: box } of changes) {
-      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+      const wider = box.scrollWidth > box.clientWidth + 1;
+      if (wider) box.tabIndex = 0;
       else box.removeAttribute("tabindex");
+      hint(box, wider);
     }
   });
   for (const box of boxes) observer.observe(box); // also when it is unfolded
@@ -14,18 +29,4 @@ window.addEventListener("load", async () => {
 // A notebook is saved, whatever type the server gives it.
 window.addEventListener("load", () => {
   for (const link of document.querySelectorAll(".btn-download-source-button")) link.download = "";
-});
-
-// Tables in cells tagged "sortable": each heading becomes a button that sorts.
-window.addEventListener("load", () => {
-  for (const table of document.querySelectorAll(".tag_sortable table")) {
-    for (const heading of table.querySelectorAll("thead th")) heading.tabIndex = 0;
-    new Tablesort(table);
-    table.addEventListener("keydown", (event) => {
-      if ((event.key === "Enter" || event.key === " ") && event.target.matches("thead th")) {
-        event.preventDefault();
-        event.target.click();
-      }
-    });
-  }
 });

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import sympy as sp
 
-from discostorm import notation as nt
+from discostorm import notation as nt, words
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol, header_bytes
@@ -511,6 +511,14 @@ _TEST = re.compile(
     r"|is (?P<negated>not )?(?P<word>[\w-]+))"
 )
 _OPPOSITE = {"<": "≥", "≤": ">", ">": "≤", "≥": "<"}
+_IN_WORDS = {
+    "=": "",
+    "≈": "about ",
+    "<": "less than ",
+    "≤": "at most ",
+    ">": "more than ",
+    "≥": "at least ",
+}
 _FILLED = re.compile(r"\{(?P<quantity>[^|}]+)\|(?P<spec>[^}]+)\}")
 
 
@@ -537,6 +545,57 @@ def _value(quantity: str) -> Any:
     if name not in QUANTITIES:
         raise ValueError(f"quantity must be one of {', '.join(QUANTITIES)}; got {name!r}")
     return QUANTITIES[name](*map(_argument, arguments))
+
+
+@cache
+def _quantity_words(name: str) -> dict[str, str]:
+    """Return what a quantity is called, its unit, and how it is known."""
+    (row,) = (row for row in read_data("paper/quantities.csv") if row["quantity"] == name)
+    return row
+
+
+def _named(argument: str) -> str:
+    """Return an argument of a quantity as a reader knows it."""
+    if argument in _SYMBOLS:
+        return f"${sp.latex(_SYMBOLS[argument])}$"
+    if argument in {"all", "control", "multicast"}:
+        return f"{argument} messages"
+    return argument.removesuffix("_message").replace("_", " ")
+
+
+def _singular(text: str) -> str:
+    """Return a text in which one thing is not many of them."""
+    return re.sub(
+        r"\b1 (process(?=es\b)|(?:variable|message|bit|host|kind)(?=s\b))e?s", r"1 \1", text
+    )
+
+
+def _told(value: Any, unit: str) -> str:
+    """Return a value in its unit, to three digits; an expression as LaTeX."""
+    if unit == "expression" or not sp.sympify(value).is_number:
+        return f"${sp.latex(sp.factor(value))}$"
+    number = float(value)
+    factor, suffix = {
+        "percent": (100, "%"),
+        "bytes": (1, " B"),
+        "rate": (1e-6, " Mbit/s"),
+        "time": (1e6, " µs"),
+    }.get(unit, (1, ""))
+    digits = 4 if unit == "rate" else 3
+    scaled = float(f"{factor * number:.{digits}g}")
+    return f"{scaled:,.10g}{suffix}"
+
+
+def _swarm(counts: list[str]) -> str:
+    """Return hosts, processes and endpoints in words; nothing if these are not they."""
+    try:
+        hosts, processes, endpoints = map(float, counts)
+    except ValueError:
+        return ""
+    return (
+        f"{words.many(hosts, 'host')} of {words.many(processes, 'process', 'es')} "
+        f"with {words.many(endpoints, 'endpoint')}"
+    )
 
 
 @dataclass(frozen=True)
@@ -607,6 +666,41 @@ class Criterion:
         """The quantity with its arguments."""
         return self._part("quantity") + self._part("arguments")
 
+    def in_words(self) -> str:
+        """Return what the test asks and what was found, as Markdown.
+
+        Examples
+        --------
+        >>> Criterion("control_saved is significant").in_words()
+        'at least 10% of the control messages of DDS saved by Zenoh: 50%'
+        """
+        name, *arguments = self.quantity.split()
+        row = _quantity_words(name)
+        word = self.word
+        relation = self._part("relation") or (word.relation if word else "")
+        if self._part("negated"):
+            relation = _OPPOSITE[relation]
+        paper = self._part("paper") or (f"{word.threshold:g}" if word else "")
+        limit = _told(sp.sympify(paper, locals=_SYMBOLS), row["unit"])
+        if tolerance := self._part("tolerance"):
+            limit += f" ± {_told(sp.sympify(tolerance), row['unit'])}"
+        said = row["words"].format(
+            *map(_named, arguments),
+            limit=_IN_WORDS[relation] + limit,
+            names=" and ".join(
+                _named(each) for each in arguments if each not in {*_PROTOCOLS, *_SYMBOLS}
+            ),
+            swarm=_swarm(arguments[-3:]),
+        )
+        found = _told(self.ours(), row["unit"])
+        same = found == limit and found.startswith("$")
+        return f"{_singular(said)}: {'the same' if same else found}"
+
+    @property
+    def provenance(self) -> str:
+        """How the quantity is known: computed, read in sources, simulated or measured."""
+        return _quantity_words(self.quantity.split()[0])["provenance"]
+
     def ours(self) -> Any:
         """Return the quantity as computed by the package: a number or an expression."""
         return _value(self.quantity)
@@ -665,6 +759,12 @@ class Claim:
         words = dict.fromkeys(test.word for test in tests if test.word)
         return "; ".join(f"we read {word.word}: {word.reading}" for word in words)
 
+    @property
+    def provenance(self) -> str:
+        """How the quantities of its tests are known; empty if it has none."""
+        tests = [test for test in (self.test, self.weaker_test) if test]
+        return ", ".join(dict.fromkeys(test.provenance for test in tests))
+
     def verdict(self) -> Verdict:
         """Return the verdict, computed from the tests."""
         if self.test is None:
@@ -711,7 +811,7 @@ def ledger() -> "pd.DataFrame":
     -------
     pandas.DataFrame
         Indexed by id, with columns where, section, statement, reading, quantity, paper, ours,
-        verdict, remark and link.
+        verdict, provenance, remark and link.
     """
     import pandas as pd
 
@@ -730,6 +830,7 @@ def row(claim: Claim) -> dict[str, Any]:
         "paper": claim.test.paper if claim.test else "",
         "ours": claim.test.ours() if claim.test else "",
         "verdict": claim.verdict(),
+        "provenance": claim.provenance,
         "remark": claim.remark,
         "link": claim.link,
     }

@@ -1,0 +1,77 @@
+"""Search by section: what the search page reads, made from what the pages say."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+_CODE = (nodes.literal_block, nodes.doctest_block)
+_UNREAD = (nodes.math_block, nodes.raw, nodes.comment, nodes.system_message)
+
+
+def _words(node: nodes.Node) -> Iterator[tuple[bool, str]]:
+    """Yield whether it is code, and the text, of all that stands in a section itself."""
+    for child in node.children:
+        if isinstance(child, (nodes.section, nodes.title, *_UNREAD)):
+            continue
+        if isinstance(child, (*_CODE, nodes.paragraph, nodes.caption, nodes.term, nodes.rubric)):
+            yield isinstance(child, _CODE), " ".join(_text(child).split())
+        else:
+            yield from _words(child)
+
+
+def _text(node: nodes.Node) -> str:
+    """Return the text of a paragraph; of its formulas those that read without TeX."""
+    if isinstance(node, _UNREAD):
+        return " "
+    if isinstance(node, (nodes.math, nodes.Text)):
+        text = str(node.astext())
+        return "…" if isinstance(node, nodes.math) and "\\" in text else text
+    return "".join(_text(child) for child in node.children)
+
+
+def _sections(app: Sphinx) -> Iterator[dict[str, str]]:
+    numbers = app.env.toc_secnumbers
+    for name in sorted(app.env.found_docs):
+        tree = app.env.get_doctree(name)
+        page = app.env.titles[name].astext()
+        address = app.builder.get_target_uri(name)
+        for section in tree.findall(nodes.section):
+            title = next(section.findall(nodes.title)).astext()
+            words = [*_words(section)]
+            anchor = "" if isinstance(section.parent, nodes.document) else f"#{section['ids'][0]}"
+            yield {
+                "title": title,
+                "page": page,
+                "number": ".".join(map(str, numbers.get(name, {}).get("", ()))),
+                "url": address + anchor,
+                "text": " ".join(text for is_code, text in words if not is_code and text),
+                "code": " ".join(text for is_code, text in words if is_code),
+            }
+
+
+def _no_other_index(app: Sphinx) -> None:
+    if app.builder.format == "html":
+        app.builder.search = False  # type: ignore[attr-defined]
+
+
+def _page(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
+    yield "search", {"title": "Search"}, "search.html"
+
+
+def _write(app: Sphinx, exception: Exception | None) -> None:
+    if exception is None and app.builder.format == "html":
+        found = ",\n".join(json.dumps(each, ensure_ascii=False) for each in _sections(app))
+        path = Path(app.outdir) / "_static" / "search" / "sections.js"
+        path.write_text(f"window.SECTIONS = [\n{found}\n];\n", encoding="utf-8")
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Connect to Sphinx."""
+    app.connect("builder-inited", _no_other_index)
+    app.connect("html-collect-pages", _page)
+    app.connect("build-finished", _write)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
