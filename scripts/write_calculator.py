@@ -17,10 +17,10 @@ from discostorm import _checks, figures, notation as nt, planner, timeline
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
-from discostorm.messages import HOPS, PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
-from discostorm.wifi import Model, Wifi
+from discostorm.wifi import Cast, Model, Wifi, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
 
@@ -46,8 +46,8 @@ START_MIDDLEWARE = "Fast DDS"
 BESIDE = symbolic_group(1)
 FLEET = Fleet((*SWARM.groups, BESIDE))
 
-#: Names that all messages share, in place of the payload and header of each.
-PAYLOAD, HEADER = sp.symbols("P H", positive=True)
+#: Length of a frame [B].
+LENGTH = sp.Symbol("L", positive=True)
 
 #: The largest whole number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
@@ -113,21 +113,21 @@ def channel(wifi: Wifi) -> dict[str, Code]:
 
 def radio_remedies(wifi: Wifi) -> Code:
     """Return what the planner would change of a channel: the channel before and after."""
-    found: list[Code] = []
-    for change in planner._changes(SMALL, ds.DDS, wifi, (0.0,), ""):
-        if not isinstance(change, str) and change.kind in ("multicast rate", "radio", "aggregation"):
-            found.append(
-                {
-                    "kind": data(change.kind),
-                    "what": data(change.what),
-                    "note": data(change.note),
-                    "base": channel(change.base),
-                    "wifi": channel(change.wifi),
-                }
-            )
-    return found
+    return [
+        {
+            "kind": data(change.kind),
+            "what": data(change.what),
+            "note": data(change.note),
+            "base": channel(change.base),
+            "wifi": channel(change.wifi),
+        }
+        for change in planner._changes(SMALL, ds.DDS, wifi, (0.0,), "")
+        if not isinstance(change, str) and change.kind in RADIO
+    ]
 
 
+#: Kinds of remedies that change the channel.
+RADIO = ("multicast rate", "radio", "aggregation")
 #: Any fleet will do for changes of the channel.
 SMALL = Fleet.swarm(2, 1, 0)
 
@@ -211,13 +211,13 @@ def fields() -> Code:
     return {
         "swarm": counts(
             "",
-            ("Robots", "Processes on each", "Endpoints of each process"),
+            ("Robots", "Processes on each", "Endpoints a process"),
             SWARM.counts(),
             (START_HOSTS, robot.processes, robot.endpoints),
         ),
         "beside": counts(
             "beside_",
-            ("How many", "Processes on each one", "Endpoints of each of its processes"),
+            ("How many", "Processes on each of them", "Endpoints of each of these"),
             BESIDE.counts(),
             laptop().counts(),
         ),
@@ -264,42 +264,35 @@ def group(protocol: Protocol) -> str:
     return "Products as built"
 
 
-def generic(message: Message, expression: sp.Expr) -> sp.Expr:
-    """Return an expression of one message in names that all messages share."""
-    (header,) = (message.frame_symbolic - message.payload_symbol).free_symbols
-    return expression.xreplace({message.payload_symbol: PAYLOAD, header: HEADER})
-
-
-def row(message: Message, windows: dict[str, float], units: list[Unit], known: Formulas) -> Code:
+def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
     """Return what the calculator knows of a message."""
     schedule = message.schedule
     return {
         "name": data(message.name),
         "phase": data(message.phase),
         "cast": data(message.cast),
+        "bytes": number(message.frame_bytes),
         "unit": data(units.index(message.unit)),
         "per_unit": number(message.per_unit),
+        "hops": data(message.hops),
         "sent": {
             "burst": number(schedule.extra),
             **{name: number(schedule.mean(window)) for name, window in windows.items()},
         },
-        "values": values(
-            [
-                (PAYLOAD, message.payload.nominal),
-                (HEADER, message.frame_bytes - message.payload.nominal),
-            ]
-        ),
-        "airtime": {
-            model: {
-                hop: known.name(
-                    generic(message, getattr(message, f"airtime_{hop}")(model)),
-                    f"{model}_{message.cast if hop == 'down' else 'unicast'}",
-                )
-                for hop in HOPS
-                if hop in message.hops
-            }
-            for model in get_args(Model)
-        },
+    }
+
+
+def airtimes(known: Formulas) -> Code:
+    """Return the airtime of a frame of L bytes on each hop, by kind of channel and cast."""
+    return {
+        model: {
+            "up": known.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
+            **{
+                cast: known.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
+                for cast in get_args(Cast)
+            },
+        }
+        for model in get_args(Model)
     }
 
 
@@ -308,9 +301,7 @@ def outlooks(protocol: Protocol) -> Code:
     *words, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "until": [
-            [number(limit), data(word)] for limit, word in zip(limits, words, strict=True)
-        ],
+        "until": [[number(limit), data(word)] for limit, word in zip(limits, words, strict=True)],
         "never": data(never),
     }
 
@@ -343,15 +334,12 @@ def about(protocol: Protocol, known: Formulas) -> Code:
             for unit in units
         ],
         "saturation": known.name(saturation(units), "saturation"),
-        "messages": [
-            row(message, windows, units, known) for message in protocol.messages
-        ],
+        "messages": [row(message, windows, units) for message in protocol.messages],
     }
 
 
 def remedies() -> Code:
     """Return of each kind of remedy what to mind, by family, and what to paste."""
-    wanted = ("processes", "endpoints", "multicast rate", "radio", "aggregation")
     families = [*dict.fromkeys(map(planner.family, ds.PROTOCOLS.values())), None]
 
     def told(kind: str, family: str | None) -> Code:
@@ -373,7 +361,7 @@ def remedies() -> Code:
                 }
             ),
         }
-        for kind in (*wanted, "middleware")
+        for kind in ("processes", "endpoints", *RADIO, "middleware")
     }
 
 
@@ -390,10 +378,9 @@ def model() -> Code:
         },
         "fields": fields(),
         "robots": ready_made(),
-        "channels": [
-            {**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS
-        ],
+        "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
         "limit": number(1.0),
+        "airtime": airtimes(known),
         "laptop_nodes": number(laptop().nodes or 0),
         "service_endpoints": number(planner.parameter_service_endpoints()),
         "remedies": remedies(),

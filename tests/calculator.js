@@ -4,7 +4,7 @@ window.calculatorTest = {
   fill(entries) {
     const form = document.getElementById("calc-form");
     for (const [name, value] of Object.entries(entries)) form.elements[name].value = value;
-    form.elements.hosts.dispatchEvent(new Event("input", { bubbles: true }));
+    form.elements.wifi.dispatchEvent(new Event("input", { bubbles: true }));
   },
 
   /** Return the numbers shown, with all their digits. */

@@ -1,28 +1,33 @@
 """The calculator page: it says what the package says, refuses what it refuses, and is quick."""
 
 import csv
+import functools
 import importlib.util
 import io
 import math
 import random
 import statistics
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+import numpy as np
 import pytest
 import sympy as sp
 from playwright.sync_api import Browser, Page, expect
 
 import discostorm as ds
 from discostorm import timeline
+from discostorm._numeric import evaluate
+from discostorm.fleet import COUNTS
+from discostorm.robots import laptop, robots
+from discostorm.wifi import Model
 
 pytestmark = pytest.mark.book
 
 ROOT = Path(__file__).parents[1]
 DRIVER = (Path(__file__).parent / "calculator.js").read_text(encoding="utf-8")
-PROTOCOLS = {"DDS": ds.DDS, "Zenoh": ds.ZENOH}
 OWN = ("unicast_rate", "unicast_overhead", "multicast_rate", "multicast_overhead")
 
 _spec = importlib.util.spec_from_file_location("wc", ROOT / "scripts" / "write_calculator.py")
@@ -66,34 +71,72 @@ def channel(entries: dict[str, str]) -> ds.Wifi:
     )
 
 
-def expected(entries: dict[str, str]) -> dict[str, float]:
-    """Return all numbers that the page should show for these entries."""
-    hosts, processes, endpoints = (
-        float(entries[name]) for name in ("hosts", "processes", "endpoints")
+def beside(entries: dict[str, str]) -> ds.Fleet | None:
+    if entries["beside"] == "none":
+        return None
+    if entries["beside"] == "laptop":
+        counts = (float(entries["beside_hosts"]), *laptop().counts()[1:])
+    else:
+        counts = tuple(float(entries[f"beside_{name}"]) for name in COUNTS)
+    return ds.Fleet((ds.HostGroup(*counts),))
+
+
+def fleet_of(entries: dict[str, str], hosts: float | None = None) -> ds.Fleet:
+    robots = ds.HostGroup(
+        hosts or float(entries["hosts"]), float(entries["processes"]), float(entries["endpoints"])
     )
-    swarm = (hosts, processes, endpoints)
-    wifi = channel(entries)
+    others = beside(entries)
+    return ds.Fleet((robots, *(others.groups if others else ())))
+
+
+@functools.cache
+def burst(protocol: ds.Protocol, model: Model, groups: int) -> sp.Expr:
+    return protocol.burst(fleet=ds.Fleet.symbolic(groups), model=model)
+
+
+def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: ds.Wifi) -> tuple[float, float]:
+    """Return how long the start takes [s], and what is repeated [1], also of unlike hosts."""
+    steady = float(ds.utilization(protocol, fleet, wifi=wifi, window=math.inf))
+    symbolic = ds.Fleet.symbolic(len(fleet.groups))
+    values = dict(zip(symbolic.counts(), fleet.counts(), strict=True))
+    formula = burst(protocol, wifi.model, len(fleet.groups))
+    start = float(evaluate(formula, values | protocol.values() | wifi.values()))
+    return (start / (1 - steady) if steady < 1 else math.inf), steady
+
+
+WINDOWS: dict[str, Callable[[ds.Protocol], float]] = {
+    "second": lambda _: 1.0,
+    "lease": lambda protocol: protocol.lease,
+    "ever": lambda _: math.inf,
+}
+
+
+def expected(entries: dict[str, str]) -> dict[str, float]:
+    """Return all numbers that the page should show for these entries, but the remedies'."""
+    fleet, wifi = fleet_of(entries), channel(entries)
+    one, others = fleet_of(entries, 1), beside(entries)
+    processes, endpoints = fleet.groups[0].counts()[1:]
     numbers: dict[str, float] = {}
-    for name, protocol in PROTOCOLS.items():
-        numbers[f"{name} utilization"] = float(ds.utilization(protocol, *swarm, wifi))
-        if ds.utilization(protocol, 1, processes, endpoints, wifi) > 1:
-            full, largest = math.nan, 0
-        else:
-            full = float(ds.saturation_hosts(protocol, processes, endpoints, wifi))
-            largest = math.ceil(full) - 1
-        numbers[f"{name} saturation"] = full
-        numbers[f"{name} largest"] = largest
-    for name, products in {
-        "DDS": ("DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"),
-        "Zenoh": ("Zenoh, periods of Zenoh peer",),
-    }.items():
-        for product in (ds.PROTOCOLS[own] for own in products):
-            steady = ds.utilization(product, *swarm, wifi, window=math.inf)
-            numbers[f"{name} steady {product.name}"] = float(steady)
-            drain = timeline.drain_time(product, *swarm, wifi)
-            numbers[f"{name} drain {product.name}"] = float(drain)
+    for name, protocol in ds.PROTOCOLS.items():
+        numbers[f"{name} drain"], steady = drain(protocol, fleet, wifi)
+        if protocol.repeats:
+            numbers[f"{name} steady"] = steady
+        for window, length in WINDOWS.items():
+            seconds = length(protocol)
+            if window == "lease" and seconds == math.inf:
+                continue
+            full = math.nan
+            if ds.utilization(protocol, one, wifi=wifi, window=seconds) <= 1:
+                full = float(
+                    ds.saturation_hosts(
+                        protocol, processes, endpoints, wifi, beside=others, window=seconds
+                    )
+                )
+            numbers[f"{name} saturation {window}"] = full
     front = entries["middleware"]
-    for message, row in ds.breakdown(PROTOCOLS[front], *swarm, wifi).iterrows():
+    protocol = ds.PROTOCOLS[front]
+    numbers[f"{front} utilization"] = float(ds.utilization(protocol, fleet, wifi=wifi))
+    for message, row in ds.breakdown(protocol, fleet, wifi=wifi).iterrows():
         numbers[f"{front} {message} messages"] = row["uplink_messages"]
         numbers[f"{front} {message} airtime"] = row["uplink_s"] + row["downlink_s"]
     return numbers
@@ -103,22 +146,29 @@ def random_settings(many: int) -> list[dict[str, str]]:
     """Return entries that go through all channels and far beyond any fleet."""
     chance = random.Random(20)
 
-    def some(low: float, high: float, zero: bool = False) -> str:
+    def some(low: float, high: float, zero: bool = False, whole: bool = False) -> str:
         if zero and chance.random() < 0.1:
             return "0"
         kind = chance.random()
         if kind < 0.5:
             return str(chance.randint(math.ceil(low), min(50, int(high))))
         value = math.exp(chance.uniform(math.log(max(low, 1e-3)), math.log(high)))
-        return repr(value if kind < 0.75 else float(max(math.ceil(low), round(value))))
+        return repr(
+            value if kind < 0.75 and not whole else float(max(math.ceil(low), round(value)))
+        )
 
     names = [*CHANNELS, "own", "own"]
     return [
         {
-            "middleware": chance.choice(list(PROTOCOLS)),
-            "hosts": some(1, 1e9 if number % 5 == 0 else 100),
-            "processes": some(1, 1e9 if number % 7 == 0 else 20),
+            "robot": "own",
+            "middleware": chance.choice(list(ds.PROTOCOLS)),
+            "hosts": some(1, 1e9 if number % 5 == 0 else 100, whole=True),
+            "processes": some(1, 1e9 if number % 7 == 0 else 20, whole=True),
             "endpoints": some(0, 1e9 if number % 7 == 0 else 1000, zero=True),
+            "beside": chance.choice(("none", "laptop", "own")),
+            "beside_hosts": some(1, 100, whole=True),
+            "beside_processes": some(1, 20, whole=True),
+            "beside_endpoints": some(0, 1000, zero=True),
             "wifi": names[number % len(names)],
             "unicast_rate": some(0.1, 1e4),
             "unicast_overhead": some(0, 1e3, zero=True),
@@ -163,22 +213,43 @@ def tab(opened: tuple[Page, list[str]]) -> Iterator[Page]:
 
 def link(tab: Page) -> str:
     """Return the address of the answer that is shown, once the tab has it."""
-    wanted: str = tab.get_by_role("link", name="Link to this answer").evaluate("e => e.href")
+    wanted: str = tab.locator("#calc-link").evaluate("e => e.href")
     tab.wait_for_url(wanted)
     return wanted
 
 
 def shown(tab: Page) -> dict[str, float]:
-    numbers: dict[str, str] = tab.evaluate("calculatorTest.shown()")
-    return {name: float(value) for name, value in numbers.items()}
+    return without_remedies(tab.evaluate("calculatorTest.shown()"))
 
 
+def without_remedies(numbers: dict[str, str]) -> dict[str, float]:
+    return {name: float(value) for name, value in numbers.items() if not name.startswith("remedy ")}
+
+
+def put(tab: Page, entries: dict[str, str]) -> None:
+    tab.evaluate("entries => calculatorTest.fill(entries)", entries)
+
+
+ROBOT = robots()[write_calculator.START_ROBOT]
 START = {
+    "robot": ROBOT.name,
+    "middleware": "Fast DDS",
+    "hosts": "5",
+    "processes": f"{ROBOT.processes:g}",
+    "endpoints": f"{ROBOT.endpoints:g}",
+    "beside": "laptop",
+    "beside_hosts": "1",
+    "wifi": "paper",
+}
+#: The swarm of Fig. 2 at its largest.
+PAPER = {
+    **START,
+    "robot": "The paper's swarm",
     "middleware": "DDS",
     "hosts": "7",
     "processes": "2",
     "endpoints": "10",
-    "wifi": "paper",
+    "beside": "none",
 }
 
 
@@ -194,13 +265,10 @@ def test_says_what_python_says(tab: Page) -> None:
     kinds = set()
     for entries, answer in zip(settings, answers, strict=True):
         wanted = expected(entries)
-        assert {name: float(v) for name, v in answer["shown"].items()} == same(wanted), entries
-        kinds |= {
-            (
-                math.isnan(wanted["DDS saturation"]),
-                wanted["DDS drain DDS, periods of Fast DDS"] == math.inf,
-            ),
-        }
+        assert without_remedies(answer["shown"]) == same(wanted), entries
+        kinds.add(
+            (math.isnan(wanted["DDS saturation second"]), wanted["Fast DDS drain"] == math.inf)
+        )
     # All that can happen: one host fits into the second or does not, and drains or never does.
     assert len(kinds) == 4
     # One of twenty may meet a busy machine.
@@ -217,33 +285,99 @@ def test_answers_within_50_ms(tab: Page) -> None:
     assert statistics.median(times) < 50
 
 
-def test_starts_with_the_paper(tab: Page) -> None:
-    assert shown(tab) == same(expected(START))
-    status = tab.get_by_role("status")
-    expect(status).to_contain_text("DDS: discovery takes 95.4% of the channel")
-    expect(status).to_contain_text("7 hosts with 2 processes of 10 endpoints each")
-    expect(status).to_contain_text("Zenoh: discovery takes 83.1%")
+VERDICTS = [
+    (START, "1", "Starts slowly: 7.3\u00a0s at best."),
+    ({**START, "hosts": "1"}, "0", "Starts within a second, at best."),
+    ({**START, "hosts": "15"}, "2", "Leases at risk: "),
+    ({**START, "hosts": "400"}, "3", "Never catches up."),
+    (PAPER, "0", "Starts within a second, at best."),
+    ({**PAPER, "hosts": "8"}, "2", "Does not fit into one second: 1.3\u00a0s at best."),
+]
 
 
-def test_what_is_below_the_whole_is_not_shown_as_the_whole(tab: Page) -> None:
-    status = tab.get_by_role("status")
-    for name, value in (("hosts", "2"), ("endpoints", "299")):
-        tab.locator(f"#calc-{name}").fill(value)
-    expect(status).to_contain_text("DDS: discovery takes just below 100% of the channel")
-    tab.locator("#calc-endpoints").fill("300")
-    expect(status).to_contain_text("DDS: discovery takes 100.3% of the channel")
+@pytest.mark.parametrize(("entries", "severity", "words"), VERDICTS)
+def test_the_verdict_is_the_packages(
+    tab: Page, entries: dict[str, str], severity: str, words: str
+) -> None:
+    put(tab, entries)
+    answer = tab.locator("#calc-answer")
+    expect(answer).to_contain_text(words)
+    expect(answer).to_have_attribute("data-severity", severity)
+    protocol = ds.PROTOCOLS[entries["middleware"]]
+    time, _ = drain(protocol, fleet_of(entries), channel(entries))
+    told = [int(time > limit) for limit in (1, protocol.lease)] + [int(time == math.inf)]
+    assert sum(told) == min(int(severity), 1) if protocol.lease == math.inf else int(severity)
+    assert tab.locator(".calc-front").inner_text().count("\n") >= 1
+    expect(tab.locator(".calc-front")).to_contain_text(timeline.OUTLOOKS[sum(told)])
+
+
+@pytest.mark.parametrize(
+    ("hosts", "words"),
+    [("60", "minutes"), ("600", "hours"), ("1e4", "days"), ("1e9", "years")],
+)
+def test_times_are_told_in_peoples_units(tab: Page, hosts: str, words: str) -> None:
+    put(tab, {**START, "middleware": "DDS", "hosts": hosts})
+    expect(tab.locator("#calc-answer")).to_contain_text(f"\u00a0{words} at best")
+    assert "349" not in tab.locator("#calc-answer").inner_text()
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [
+        START,
+        PAPER,
+        {**PAPER, "hosts": "12", "middleware": "Fast DDS", "processes": "8", "robot": "own"},
+        {**START, "wifi": "802.11n 20 MHz 2x2, 2.4 GHz", "hosts": "3"},
+        {**START, "robot": "TurtleBot 4 with Nav2", "processes": "22", "endpoints": "42.1818"},
+    ],
+)
+def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> None:
+    put(tab, entries)
+    robot, operators = robots().get(entries["robot"]), laptop()
+    assert robot is None or robot.nodes is not None
+    assert operators.nodes is not None
+    known = [robot.nodes if robot else None, operators.nodes]
+    fleet = fleet_of(entries)
+    groups = [ds.HostGroup(*g.counts(), nodes=n) for g, n in zip(fleet.groups, known, strict=False)]
+    plan = ds.plan(ds.Fleet(tuple(groups)), ds.PROTOCOLS[entries["middleware"]], channel(entries))
+    best: dict[str, float] = {}
+    alike = {
+        name
+        for name, table in ds.PROTOCOLS.items()
+        if write_calculator.group(table) == write_calculator.group(plan.protocol)
+    }
+    for remedy in plan.remedies:
+        other = remedy.kind == "middleware" and remedy.protocol.name not in alike
+        if remedy.whole and remedy.saved >= 0.005 and not other:
+            best.setdefault(f"remedy {remedy.kind}", remedy.saved)
+    numbers: dict[str, str] = tab.evaluate("calculatorTest.shown()")
+    told = {name: float(value) for name, value in numbers.items() if name.startswith("remedy ")}
+    assert list(told) == list(best)[:3]
+    assert told == pytest.approx({name: best[name] for name in told}, rel=1e-9)
+    assert len(told) > 1
+
+
+def test_a_robot_brings_its_numbers_and_where_they_are_from(tab: Page) -> None:
+    for name, robot in robots().items():
+        tab.get_by_label("What runs on each").select_option(name)
+        expect(tab.locator("#calc-processes")).to_have_value(f"{robot.processes:g}")
+        expect(tab.locator("#calc-endpoints")).to_have_value(f"{robot.endpoints:.6g}")
+        expect(tab.locator("#calc-robot-list li")).not_to_have_count(0)
+    tab.locator("#calc-processes").fill("3")
+    expect(tab.get_by_label("What runs on each")).to_have_value("own")
+    expect(tab.locator("#calc-robot-parts")).to_be_hidden()
 
 
 def test_all_fields_have_labels(tab: Page) -> None:
-    tab.get_by_label("Channel", exact=True).select_option("own")
+    put(tab, {"wifi": "own", "beside": "own"})
     fields = tab.locator("#calc-form").locator("input, select")
-    for name in ("Hosts", "Rate, unicast [Mbit/s]", "Overhead of a frame, multicast [µs]"):
+    for name in ("Robots", "Access point", "Rate, unicast [Mbit/s]", "Processes on each of them"):
         expect(tab.get_by_label(name, exact=True)).to_be_visible()
     unlabelled = fields.evaluate_all("all => all.filter(e => !e.labels.length).length")
     assert unlabelled == 0
-    for group in ("Middleware", "Swarm", "Wi-Fi"):
+    for group in ("Robots", "Beside them", "Software and air"):
         expect(tab.get_by_role("group", name=group)).to_be_visible()
-    expect(tab.get_by_role("img", name="DDS and Zenoh curve upwards")).to_be_visible()
+    expect(tab.get_by_role("img", name="Your robots are a point on each curve")).to_be_visible()
 
 
 def test_the_keyboard_is_enough(tab: Page) -> None:
@@ -254,8 +388,6 @@ def test_the_keyboard_is_enough(tab: Page) -> None:
                 return
         pytest.fail(f"Tab does not lead to {name}")
 
-    go_to("middleware")
-    tab.keyboard.press("ArrowRight")
     go_to("hosts")
     tab.keyboard.press("ControlOrMeta+a")
     tab.keyboard.type("12")
@@ -267,7 +399,7 @@ def test_the_keyboard_is_enough(tab: Page) -> None:
     tab.keyboard.press("ArrowDown")
     wifi = tab.locator("#calc-channel").input_value()
     assert wifi == next(iter(ds.WIFI))
-    entries = {**START, "middleware": "Zenoh", "hosts": "12", "endpoints": "40.5", "wifi": wifi}
+    entries = {**START, "hosts": "12", "endpoints": "40.5", "wifi": wifi}
     assert shown(tab) == same(expected(entries))
     go_to("calc-csv")
     with tab.expect_download() as download:
@@ -279,18 +411,21 @@ def test_the_keyboard_is_enough(tab: Page) -> None:
 
 
 BAD = [
-    ("hosts", "0", "Hosts must be a number of at least 1 and at most 1,000,000,000; got “0”."),
+    ("hosts", "0", "Robots must be a whole number of at least 1 and at most 1,000,000,000; "),
+    ("hosts", "7.5", "Robots must be a whole number"),
     ("hosts", "-3", "of at least 1"),
     ("hosts", "1e10", "at most 1,000,000,000; got “1e10”."),
     ("hosts", "ten", "got “ten”."),
     ("hosts", "", "the field is empty"),
     ("hosts", "1,5", "got “1,5”."),
+    ("hosts", "1,0000", "got “1,0000”."),
     ("hosts", "NaN", "got “NaN”."),
     ("hosts", "Infinity", "got “Infinity”."),
     ("hosts", "0x10", "got “0x10”."),
     ("hosts", "<b>7</b>", "got “<b>7</b>”."),
-    ("processes", "0.5", "Processes on each host must be a number of at least 1"),
-    ("endpoints", "-1", "Endpoints of each process must be a number of at least 0"),
+    ("processes", "0", "Processes on each must be a whole number of at least 1"),
+    ("endpoints", "-1", "Endpoints a process must be a number of at least 0"),
+    ("beside_hosts", "0.5", "How many must be a whole number of at least 1"),
     ("unicast_rate", "0", "Rate, unicast must be a number of Mbit/s above 0; got “0”."),
     ("unicast_rate", "1e400", "above 0; got “1e400”."),
     ("unicast_overhead", "-1", "must be a number of µs of at least 0; got “-1”."),
@@ -303,14 +438,15 @@ BAD = [
 def test_bad_input_is_refused_next_to_its_field(
     tab: Page, name: str, text: str, words: str
 ) -> None:
-    tab.get_by_label("Channel", exact=True).select_option("own" if name in OWN else "paper")
+    put(tab, {"wifi": "own" if name in OWN else "paper"})
     before, url = shown(tab), link(tab)
     stale = tab.get_by_text("An entry is not valid.")
     expect(stale).to_be_hidden()
     field = tab.locator(f"#calc-{name}")
     good = field.input_value()
-    field.fill(text)
     error = tab.locator(f"#calc-{name}-error")
+    expect(error).to_be_empty()
+    field.fill(text)
     expect(error).to_contain_text(words)
     expect(error).to_have_attribute("role", "alert")
     expect(field).to_have_attribute("aria-invalid", "true")
@@ -329,46 +465,49 @@ def test_bad_input_is_refused_next_to_its_field(
     [
         (name, text)
         for name, text, _ in BAD
-        if text not in {"", "ten", "1,5", "0x10", "<b>7</b>", "x"}
+        if text not in {"", "ten", "1,5", "1,0000", "7.5", "0x10", "<b>7</b>", "x"}
     ],
 )
 def test_python_refuses_the_same(name: str, text: str) -> None:
-    entries = {**START, **dict.fromkeys(OWN, "1"), "wifi": "own", name: text}
+    own = {f"beside_{count}": "1" for count in COUNTS}
+    entries = {**START, **own, **dict.fromkeys(OWN, "1"), "wifi": "own", name: text}
     with pytest.raises(ValueError, match="must be a finite number"):
         expected(entries)
 
 
 @pytest.mark.parametrize(
-    ("name", "text"),
+    ("name", "text", "meant"),
     [
-        ("hosts", "1"),
-        ("hosts", "1e9"),
-        ("hosts", " 2.5 "),
-        ("hosts", "+3"),
-        ("endpoints", "0"),
-        ("endpoints", ".5"),
-        ("unicast_rate", "1e-3"),
-        ("unicast_overhead", "0"),
+        ("hosts", "1", "1"),
+        ("hosts", "1e9", "1e9"),
+        ("hosts", " 2.0 ", "2"),
+        ("hosts", "+3", "3"),
+        ("hosts", "1,000", "1000"),
+        ("hosts", "1 000 000", "1e6"),
+        ("endpoints", "1,234.5", "1234.5"),
+        ("endpoints", "0", "0"),
+        ("endpoints", ".5", ".5"),
+        ("unicast_rate", "1e-3", "1e-3"),
+        ("unicast_overhead", "0", "0"),
     ],
 )
-def test_the_ends_of_the_ranges_are_allowed(tab: Page, name: str, text: str) -> None:
+def test_numbers_may_be_written_as_people_do(tab: Page, name: str, text: str, meant: str) -> None:
     own = dict(zip(OWN, ("144.4", "180", "6", "120"), strict=True))
-    entries = {**START, **own, "wifi": "own", name: text}
-    tab.evaluate("entries => calculatorTest.fill(entries)", entries)
+    entries = {**START, **own, "robot": "own", "wifi": "own", name: text}
+    put(tab, entries)
     expect(tab.locator(".calc-error:not(:empty)")).to_have_count(0)
-    assert shown(tab) == same(expected(entries))
+    assert shown(tab) == same(expected({**entries, name: meant}))
 
 
 # ---- the address ----
 
 
 def test_the_address_keeps_the_answer(tab: Page) -> None:
-    tab.get_by_label("Zenoh", exact=True).check()
-    tab.get_by_label("Hosts", exact=True).fill("12")
-    tab.get_by_label("Channel", exact=True).select_option("802.11n 20 MHz 2x2, A-MPDU 64")
+    put(tab, {"middleware": "Zenoh peer", "hosts": "12", "beside": "own"})
+    tab.get_by_label("Access point", exact=True).select_option("802.11n 20 MHz 2x2, A-MPDU 64")
     preset = link(tab)
     numbers = shown(tab)
-    tab.get_by_label("Channel", exact=True).select_option("own")
+    tab.get_by_label("Access point", exact=True).select_option("own")
     tab.get_by_label("Rate, multicast [Mbit/s]", exact=True).fill("24")
     own_numbers = shown(tab)
     for url, wanted in ((link(tab), own_numbers), (preset, numbers)):
@@ -376,19 +515,37 @@ def test_the_address_keeps_the_answer(tab: Page) -> None:
             other.add_init_script(DRIVER)
             other.goto(url)
             assert shown(other) == wanted
-            expect(other.get_by_label("Zenoh", exact=True)).to_be_checked()
+            expect(other.get_by_label("Middleware", exact=True)).to_have_value("Zenoh peer")
             assert other.url == url
     assert numbers != own_numbers
 
 
+def test_the_link_is_copied_and_says_so(tab: Page) -> None:
+    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    anchor = tab.locator("#calc-link")
+    wanted = link(tab)
+    anchor.click()
+    expect(anchor).to_have_text("Copied")
+    assert tab.evaluate("navigator.clipboard.readText()") == wanted
+    expect(tab.locator("#calc-said")).to_have_text("Copied to the clipboard.")
+    paste = tab.locator(".calc-paste")
+    paste.first.get_by_role("button").click()
+    expect(paste.first.get_by_role("button")).to_have_text("Copied")
+    assert (
+        tab.evaluate("navigator.clipboard.readText()") == paste.first.locator("code").inner_text()
+    )
+
+
 def test_another_address_in_the_same_tab(tab: Page) -> None:
     tab.evaluate("location.hash = '#hosts=3&wifi=802.11a+20+MHz+1x1'")
-    expect(tab.get_by_label("Hosts", exact=True)).to_have_value("3")
+    expect(tab.get_by_label("Robots", exact=True)).to_have_value("3")
     entries = {**START, "hosts": "3", "wifi": "802.11a 20 MHz 1x1"}
-    expect(tab.get_by_role("status")).to_contain_text("3 hosts")
+    expect(tab.locator("#calc-answer")).to_contain_text("3\u00a0robots")
     assert shown(tab) == same(expected(entries))
     tab.evaluate("location.hash = '#how-to-read-the-answer'")  # no state: nothing changes
     assert shown(tab) == same(expected(entries))
+    tab.evaluate("location.hash = '#robot=One+bare+node&processes=2'")
+    expect(tab.get_by_label("What runs on each")).to_have_value("own")
 
 
 def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) -> None:
@@ -397,10 +554,12 @@ def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) ->
     expect(tab.locator("#calc-middleware-error")).to_contain_text("“Pigeon”, which is not in")
     expect(tab.locator("#calc-channel-error")).to_contain_text("“<script>”, which is not in")
     assert shown(tab) == same(expected(START))
-    tab.get_by_label("Hosts", exact=True).fill("7")
-    tab.get_by_label("DDS", exact=True).check()
-    assert shown(tab) == same(expected({**START, "processes": "3"}))
-    tab.get_by_label("Channel", exact=True).select_option("802.11a 20 MHz 1x1")
+    tab.get_by_label("Robots", exact=True).fill("7")
+    tab.get_by_label("Middleware", exact=True).select_option("DDS")
+    assert shown(tab) == same(
+        expected({**START, "hosts": "7", "middleware": "DDS", "processes": "3"})
+    )
+    tab.get_by_label("Access point", exact=True).select_option("802.11a 20 MHz 1x1")
     expect(tab.locator("#calc-channel-error")).to_be_empty()
 
 
@@ -409,7 +568,8 @@ def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) ->
 
 @pytest.mark.parametrize("wifi", ["paper", "802.11n 20 MHz 2x2, A-MPDU 64"])
 def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
-    tab.get_by_label("Channel", exact=True).select_option(wifi)
+    entries = {**START, "hosts": "7", "wifi": wifi}
+    put(tab, entries)
     with tab.expect_download() as download:
         tab.get_by_role("button", name="CSV").click()
     text = download.value.path().read_text(encoding="utf-8")
@@ -418,10 +578,11 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
     assert {row["quantity"]: row["of"] for row in rows}["channel"] == CHANNELS[wifi].name
     inputs = {row["of"]: float(row["value"]) for row in rows if row["quantity"] == "input"}
     rate = CHANNELS[wifi].unicast.rate
-    assert {"N_H": 7, "N_P": 2, "N_E": 10, "R_uni": rate}.items() <= inputs.items()
-    for name, protocol in PROTOCOLS.items():
+    assert {"N_H": 7, "N_H1": 1, "N_E": ROBOT.endpoints, "R_uni": rate}.items() <= inputs.items()
+    fleet = fleet_of(entries)
+    for name, protocol in ds.PROTOCOLS.items():
         own = [row for row in rows if row["protocol"] == name]
-        table = ds.breakdown(protocol, 7, 2, 10, CHANNELS[wifi])
+        table = ds.breakdown(protocol, fleet, wifi=CHANNELS[wifi])
         for quantity, column in {
             "uplink messages": "uplink_messages",
             "uplink airtime": "uplink_s",
@@ -429,18 +590,19 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
         }.items():
             found = {row["of"]: float(row["value"]) for row in own if row["quantity"] == quantity}
             assert found == same(table[column].to_dict())
-        entries = {**START, "wifi": wifi}
         values = {row["quantity"]: row["value"] for row in own}
-        assert float(values["utilization"]) == pytest.approx(
-            expected(entries)[f"{name} utilization"], rel=1e-9
-        )
-        curve = [row for row in own if row["quantity"] == "curve"]
-        hosts = [float(row["hosts"]) for row in curve]
-        assert len(hosts) > 100
-        assert min(hosts) == 1
-        assert max(hosts) > 7
-        there = ds.utilization(protocol, hosts, 2, 10, CHANNELS[wifi])
-        assert [float(row["value"]) for row in curve] == pytest.approx(list(there), rel=1e-9)
+        used = float(ds.utilization(protocol, fleet, wifi=CHANNELS[wifi]))
+        assert float(values["utilization"]) == pytest.approx(used, rel=1e-9)
+    curve = [row for row in rows if row["quantity"] == "curve" and row["protocol"] == "Fast DDS"]
+    hosts = [float(row["hosts"]) for row in curve]
+    assert len(hosts) > 100
+    assert min(hosts) == 1
+    assert max(hosts) > 7
+    robot = ds.HostGroup(np.array(hosts), ROBOT.processes, ROBOT.endpoints)
+    there = ds.utilization(
+        ds.PROTOCOLS["Fast DDS"], ds.Fleet((robot, fleet.groups[1])), wifi=CHANNELS[wifi]
+    )
+    assert [float(row["value"]) for row in curve] == pytest.approx(list(there), rel=1e-9)
 
 
 # ---- looks and weight ----
@@ -455,16 +617,73 @@ def test_the_plot_follows_light_and_dark(tab: Page) -> None:
     assert pictures[0] == pictures[2] != pictures[1]
 
 
+def test_the_curves_tell_what_is_pointed_at(tab: Page) -> None:
+    tip = tab.locator(".calc-tip")
+    expect(tip).to_be_hidden()
+    tab.locator("#calc-plot .u-over").hover(position={"x": 200, "y": 100})
+    expect(tip).to_contain_text("robot")
+    expect(tip).to_contain_text("Fast DDS: ")
+
+
+#: Counts what uPlot writes at the marks of its axes.
+MARKS = """() => {
+    const told = [];
+    const write = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+        told.push(text);
+        return write.call(this, text, ...rest);
+    };
+    return new Promise((done) => {
+        calculatorTest.fill({});
+        requestAnimationFrame(() => {
+            CanvasRenderingContext2D.prototype.fillText = write;
+            done(told);
+        });
+    });
+}"""
+
+
+@pytest.mark.parametrize("most", ["1e3", "1e6", "1e9"])
+def test_the_axes_are_labelled_up_to_the_largest_numbers(tab: Page, most: str) -> None:
+    put(tab, {"robot": "own", "hosts": most, "processes": most, "endpoints": most})
+    told = tab.evaluate(MARKS)
+    times = [text for text in told if text.endswith((" y", " d", " h", " min", " s"))]
+    assert 3 <= len(times) <= 7
+    assert times[-1].endswith(" y")
+    largest = {"1e3": "1,000", "1e6": "10⁶", "1e9": "10⁹"}[most]
+    assert largest in told
+
+
 @pytest.mark.parametrize("hosts", ["7", "1000", "1e9", "lots"])
 def test_fits_a_phone(tab: Page, hosts: str) -> None:
     tab.set_viewport_size({"width": 390, "height": 800})
-    tab.get_by_label("Channel", exact=True).select_option("own")
-    tab.get_by_label("Hosts", exact=True).fill(hosts)
+    put(tab, {"wifi": "own", "beside": "own"})
+    tab.get_by_label("Robots", exact=True).fill(hosts)
     tab.evaluate("() => new Promise(requestAnimationFrame)")
     assert tab.evaluate("document.documentElement.scrollWidth") == 390
     plot = tab.locator("#calc-plot canvas").bounding_box()
     assert plot is not None
     assert 300 < plot["width"] < 390
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 800), (1280, 800)])
+def test_the_answer_stays_in_sight_while_one_changes_things(
+    tab: Page, width: int, height: int
+) -> None:
+    tab.set_viewport_size({"width": width, "height": height})
+    for name in ("hosts", "beside_hosts", "channel"):
+        field = tab.locator(f"#calc-{name}")
+        field.evaluate("e => e.scrollIntoView({block: 'center', behavior: 'instant'})")
+        tab.evaluate("() => new Promise(requestAnimationFrame)")
+        answer, entry = (
+            tab.locator(where).bounding_box() for where in ("#calc-answer", f"#calc-{name}")
+        )
+        assert answer is not None
+        assert entry is not None
+        assert answer["y"] >= 0
+        assert answer["y"] + answer["height"] <= height / 2
+        if width < 1000:
+            assert entry["y"] >= answer["y"] + answer["height"]  # not under it
 
 
 def test_without_scripts_it_says_so(browser: Browser, address: str) -> None:

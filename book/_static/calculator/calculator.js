@@ -207,13 +207,21 @@
 
   // ---- the answer: rows of model.js, each its functions, added up ----
 
+  // What was asked before, by channel, then by name.
+  const prices = new WeakMap();
+
   /** Return what each message of a table costs on a channel, and each unit in each window [s]. */
   function priced(name, channel) {
+    if (!prices.has(channel)) prices.set(channel, {});
+    return (prices.get(channel)[name] ??= price(name, channel));
+  }
+
+  function price(name, channel) {
     const protocol = MODEL.protocols[name];
-    const rows = protocol.messages.map((message) => {
-      const values = { ...channel.values, ...message.values };
-      const hops = message.airtime[channel.model];
-      return { up: hops.up ? F[hops.up](values) : 0, down: hops.down ? F[hops.down](values) : 0 };
+    const airtime = MODEL.airtime[channel.model];
+    const rows = protocol.messages.map(({ hops, bytes, cast }) => {
+      const of = (hop, formula) => (hops.includes(hop) ? F[formula]({ ...channel.values, L: bytes }) : 0);
+      return { up: of("up", airtime.up), down: of("down", airtime[cast]) };
     });
     const costs = {};
     for (const window of ["burst", ...Object.keys(protocol.windows)]) {
@@ -261,14 +269,13 @@
       at: (hosts) => total(table, "second", { ...swarm, N_H: hosts }),
       messages: protocol.messages.map((message, i) => {
         const load = message.per_unit * message.sent.second * F[protocol.units[message.unit].count](swarm);
-        const up = message.airtime[channel.model].up ? load * rows[i].up : 0;
-        const down = message.airtime[channel.model].down ? load * rows[i].down : 0;
+        const [up, down] = [load * rows[i].up, load * rows[i].down];
         return { ...message, load, up, down, both: up + down };
       }),
     };
   }
 
-  /** Return what would help, most first, the best of each kind: the same functions, asked again. */
+  /** Return the three things that help most, the best of each kind: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
     const { family, group, repeats } = MODEL.protocols[middleware];
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
@@ -276,7 +283,7 @@
     const add = (kind, what, { name = middleware, air = channel, base = channel, fleet = swarm }) => {
       const [before, after] = [cost(middleware, base, swarm), cost(name, air, fleet)];
       const saved = before ? 1 - after / before : 0;
-      if (saved >= NOTHING) found.push({ kind, what, name, before, after, saved, then: answerOf(name, air, fleet) });
+      if (saved >= NOTHING) found.push({ kind, what, name, before, after, saved, air, fleet });
     };
     if (swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1)) {
       const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
@@ -294,7 +301,8 @@
     found.sort((a, b) => b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
-      .map((one) => ({ ...one, ...(MODEL.remedies[one.kind].of[family] ?? MODEL.remedies[one.kind].of.None), paste: pasted(one) }));
+      .slice(0, 3)
+      .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), ...(MODEL.remedies[one.kind].of[family] ?? MODEL.remedies[one.kind].of.None), paste: pasted(one) }));
   }
 
   const pasted = ({ kind, name }) => MODEL.remedies[kind].paste[kind === "middleware" ? name : "any"];
@@ -324,12 +332,17 @@
     const lease = duration(protocol.lease);
     return [
       ["Starts within a second, at best.", `${takes}.${after}`],
-      [
-        `Starts slowly: ${duration(drain)} at best.`,
-        `${takes}. Until then some do not see each other, and data waits in the same queues.` +
-          (protocol.lease < Infinity ? ` That is within the lease of ${lease}, so nobody need be taken for lost.` : "") +
-          after,
-      ],
+      protocol.lease < Infinity
+        ? [
+            `Starts slowly: ${duration(drain)} at best.`,
+            `${takes}. Until then some do not see each other, and data waits in the same queues. ` +
+              `That is within the lease of ${lease}, so nobody need be taken for lost.${after}`,
+          ]
+        : [
+            `Does not fit into one second: ${duration(drain)} at best.`,
+            `${takes}, which the paper charges to one second and calls saturated. Its messages have neither a ` +
+              `lease nor periods; choose a product to see what becomes of the start.`,
+          ],
       [
         `Leases at risk: ${duration(drain)} at best.`,
         `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
@@ -342,23 +355,21 @@
     const { front } = answer;
     const [title, reason] = verdict(answer);
     const box = byId("answer");
-    box.dataset.severity = front.severity;
+    box.dataset.severity = front.severity && Math.max(front.severity, front.protocol.lease < Infinity ? 1 : 2);
     box.replaceChildren(
-      make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[front.severity]), make("strong", {}, title)),
-      make("p", { class: "calc-reason" }, `${front.name}: ${reason}`),
+      make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[box.dataset.severity]), make("strong", {}, title)),
+      make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${front.name}`),
     );
+    byId("reason").textContent = reason;
     const { second, lease, ever } = front.fitting;
     const fit = [["within a second", second], ["within the lease", lease], ["in the long run", ever]]
       .filter(([, found]) => found && found.largest < Infinity)
       .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as one alone is too much" : ""));
     byId("numbers").replaceChildren(
-      make("p", {}, make("span", { class: "calc-label" }, "Robots that fit"), make("ul", {}, ...fit)),
+      make("p", { class: "calc-title" }, "Robots that fit"),
+      make("ul", {}, ...fit),
       make("p", { class: "calc-hint" }, assumed(answer)),
     );
-    // A list must not be in a paragraph.
-    const [first] = byId("numbers").children;
-    const division = make("div", {}, ...first.childNodes);
-    first.replaceWith(division);
   }
 
   /** What every number of this page assumes. */
@@ -371,15 +382,14 @@
   }
 
   function showRemedies(answer) {
-    const best = answer.remedies.slice(0, 3);
     byId("remedies").replaceChildren(
-      ...best.map(({ kind, what, before, after, saved, then, price, paste }) => {
+      ...answer.remedies.map(({ kind, what, before, after, saved, then, price, paste }) => {
         const item = make(
           "li",
           {},
           make("span", { class: "calc-what" }, `${capitalized(what)}: `),
           `${duration(before)} → ${duration(after)} of airtime, `,
-          exact(saved, `${number(100 * saved)}% less`, `remedy ${kind}`),
+          exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
           make("span", { class: "calc-hint" }, `Mind: ${price}.`),
         );
@@ -391,16 +401,14 @@
         return item;
       }),
     );
-    byId("no-remedy").hidden = best.length > 0;
+    byId("no-remedy").hidden = answer.remedies.length > 0;
   }
 
-  /** Tables are written into one element at a time. */
   function showAll(answer) {
-    const some = (found) =>
-      found === undefined ? "" : found.full === null ? "none" : found.full === Infinity ? "any" : count(found.largest);
+    const some = ({ full, largest }) => (full === null ? "none" : full === Infinity ? "any" : count(largest));
     const cell = (one, window) => {
       const found = one.fitting[window];
-      return found ? exact(found.full ?? NaN, some(found), `${one.name} saturation ${window}`) : "";
+      return found ? exact(found.full ?? NaN, some(found), `${one.name} saturation ${window}`) : "–";
     };
     byId("all").tBodies[0].replaceChildren(
       ...answer.all.map((one) =>
@@ -501,22 +509,19 @@
     return marks.filter((mark, i) => (marks.length - 1 - i) % step === 0);
   };
 
-  /** Where a logarithmic axis of hosts has its marks: right up to its end. */
-  function powers(least, most) {
+  /** Where a logarithmic axis has its marks: right up to its end; the units are what is told in one. */
+  function marksOf(least, most, units, at_most) {
+    const fine = most / least < 15 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : most / least < 1000 ? [1, 2, 5] : [1];
     const marks = [];
-    for (let exponent = Math.floor(Math.log10(least)); 10 ** exponent <= most; exponent++)
-      marks.push(...(most / least < 1000 ? [1, 2, 5] : [1]).map((digit) => digit * 10 ** exponent));
-    return thinned(marks.filter((mark) => mark >= least * 0.999 && mark <= most), 7);
+    units.forEach((unit, i) => {
+      const end = units[i + 1] ?? Infinity;
+      for (let length = unit; length < Math.min(end, 10 * most); length *= 10)
+        marks.push(...fine.map((digit) => digit * length).filter((mark) => mark < end));
+    });
+    return thinned(marks.filter((mark) => mark >= least * 0.999 && mark <= most), at_most);
   }
-
-  /** Where a logarithmic axis of time has its marks: whole seconds, minutes, hours, days, years. */
-  function times(least, most) {
-    const marks = [];
-    for (let exponent = Math.floor(Math.log10(least)); exponent < 2; exponent++) marks.push(10 ** exponent);
-    marks.push(MINUTE, 10 * MINUTE, HOUR, 10 * HOUR, DAY, 10 * DAY, 100 * DAY);
-    for (let length = YEAR; length <= most; length *= 10) marks.push(length);
-    return thinned(marks.filter((mark) => mark >= least && mark <= most), 6);
-  }
+  const powers = (least, most) => marksOf(least, most, [1], 8);
+  const times = (least, most) => marksOf(least, most, [1e-6, MINUTE, HOUR, DAY, YEAR], 6);
 
   /** A mark on the axis of time. */
   function short(seconds) {
@@ -554,9 +559,11 @@
       ctx.stroke();
       ctx.setLineDash([]);
       ctx.font = `${13 * scale}px sans-serif`;
-      ctx.textAlign = "left";
+      // Where the curves are not.
+      const { log } = view(answer);
+      ctx.textAlign = log ? "right" : "left";
       ctx.textBaseline = "bottom";
-      ctx.fillText("1 s: the channel is full", bbox.left + 6 * scale, limit - 3 * scale);
+      ctx.fillText("1 s: the channel is full", bbox.left + (log ? bbox.width - 6 * scale : 6 * scale), limit - 3 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);
@@ -624,7 +631,8 @@
       labelFont: "13px sans-serif",
       grid: { stroke: border, width: 1 },
       ticks: { stroke: border, width: 1 },
-      ...(log ? { splits: (u, index, least, most) => splits(least, most), filter: (u, all) => all } : {}),
+      // uPlot's own steps end at 1e32, beyond which it would draw no axis.
+      ...(log ? { incrs: [1e300], splits: (u, index, least, most) => splits(least, most), filter: (u, all) => all } : {}),
       values: (u, all) => all.map(values),
     });
     const { init, setCursor } = pointed(answer);
