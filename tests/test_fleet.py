@@ -14,6 +14,7 @@ from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
 from discostorm.data import data_path, read_data
+from discostorm.robots import laptop, robots
 from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS
 from discostorm.notation import N_E, N_H, N_P
 from discostorm.paper.enumeration import walk
@@ -256,6 +257,23 @@ def test_the_laptop_of_the_example_has_the_endpoints_that_its_parts_add_up_to() 
     parts = read_data("fleets/rviz_endpoints.csv")
     endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
     assert laptop == ds.HostGroup(1, 1, endpoints, name="laptop")
+
+
+def test_ready_made_robots_are_the_sum_of_their_parts() -> None:
+    rows = read_data("fleets/robots.csv")
+    assert {row["kind"] for row in rows} == {"printed", "counted", "estimated"}
+    for name, robot in robots().items():
+        parts = [row for row in rows if row["robot"] == name]
+        many = sum(int(part["processes"]) for part in parts)
+        assert (robot.hosts, robot.processes, robot.name) == (1, many, name)
+        assert robot.nodes is not None
+        # What each process has, on the mean, adds up to whole numbers.
+        for mean, count in ((robot.endpoints, "endpoints"), (robot.nodes, "nodes")):
+            assert mean * many == pytest.approx(sum(int(part[count]) for part in parts), rel=1e-12)
+    assert robots()["Nav2 in one process"].endpoints == 678
+    composed = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
+    assert robots()["Nav2 in one process"].nodes == composed
+    assert laptop() == ds.HostGroup(1, 1, 90, name="laptop", nodes=2)
 
 
 def test_nodes_may_stand_in_the_file(tmp_path: Path) -> None:
