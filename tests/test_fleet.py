@@ -14,10 +14,10 @@ from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
 from discostorm.data import data_path, read_data
-from discostorm.robots import laptop, robots
 from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS
 from discostorm.notation import N_E, N_H, N_P
 from discostorm.paper.enumeration import walk
+from discostorm.robots import laptop, robots
 from discostorm.scalability import saturation
 
 #: Hosts, processes and endpoints of each group.
