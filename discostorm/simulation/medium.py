@@ -50,10 +50,9 @@ def draw(cell, station):
 
 
 @njit
-def back_off(cell, station, base):
-    """Draw the back-off after a transmission; it begins at a tick of its own, or all others'."""
+def wait(cell, station, base, slots):
+    """Let a station wait for so many slots, from a tick of its own on or from all others'."""
     now, its = cell.now[0], cell.stations[station]
-    slots = draw(cell, station)
     if its.length == 0:
         its.send_slot = now.slot + slots
     elif base == now.base:
@@ -63,7 +62,14 @@ def back_off(cell, station, base):
         now.strays += 1
         stray.station, stray.base, stray.left = station, base, slots
         stray.time = base + slots * cell.radio[0].slot
+        now.stray_time = min(now.stray_time, stray.time)
         its.waits = 1
+
+
+@njit
+def back_off(cell, station, base):
+    """Draw the back-off after a transmission and wait for it."""
+    wait(cell, station, base, draw(cell, station))
 
 
 @njit
@@ -101,6 +107,22 @@ def next_slot(cell):
 
 
 @njit
+def first_to_send(cell, base):
+    """Return the slot of the next transmission if it surely begins before a tick, or -1.
+
+    Who counts from that tick on only may stand in the wheel at once, behind that slot.
+    """
+    now, radio = cell.now[0], cell.radio[0]
+    if not radio.edca or radio.lifetime < NEVER or now.strays > 0 or now.waiting == 0:
+        return np.int64(-1)
+    slot = next_slot(cell)
+    time = now.base + (slot - now.slot) * radio.slot
+    if time >= base or (now.events > 0 and cell.events[0].time <= time):
+        return np.int64(-1)
+    return slot
+
+
+@njit
 def synchronize(cell, time, sent_slot):
     """Move the clock on to the transmission that starts now; everybody counts alike again.
 
@@ -121,7 +143,7 @@ def synchronize(cell, time, sent_slot):
                 gone = (time - base) // radio.slot + radio.edca
         if stray.station >= 0:
             enter(cell, stray.station, now.slot + stray.left - gone)
-    now.strays = 0
+    now.strays, now.stray_time = 0, NEVER
 
 
 # ---------------------------------------------------------------- what comes to be sent
