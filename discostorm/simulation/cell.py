@@ -72,8 +72,9 @@ RADIO = _record(
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
-#: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then counts. ``open``: frames of the burst that
-#: are on their way, ``coming``: parts of the burst that hosts have still to send.
+#: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
+#: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
+#: hosts have still to send.
 NOW = _record(
     *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
     *("free", "spare"),
@@ -89,12 +90,14 @@ FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it, who waits behind it for the
 #: same; failures in a row; frames that it holds, has just sent, has numbered; whether it has
-#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst. The
+#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst; how
+#: many were to receive its processes' frames, and for how many they are lost for good. The
 #: access point's frames for host h hang on ``to_head`` and ``to_tail`` of h.
 STATION = _record(
     *("send_slot", "waits", "behind", "failures", "held", "sent", "length", "must_ask"),
     *("head", "tail", "following", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
     *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
+    *("sought", "missed"),
     floats=("loss",),
 )
 

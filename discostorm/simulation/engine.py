@@ -16,7 +16,6 @@ from discostorm.simulation.cell import (
     destination_of,
     kind_of,
     next_event,
-    source_of,
     uniform,
 )
 from discostorm.simulation.medium import (
@@ -37,6 +36,7 @@ from discostorm.simulation.queues import (
     drop_head,
     first_entry,
     frames_of,
+    host_of,
     lose,
     make,
     receiver,
@@ -253,13 +253,14 @@ def deliver(cell, station, frame, time, alone):
         if now.repairs:
             arrive(cell, frame, destination_of(frame), time)
         return
-    sender = cell.processes[source_of(frame)].host
+    sender = host_of(cell, frame)
     for host in range(now.hosts):
         its = cell.stations[host]
         if host == sender:
             continue
         if its.loss > 0 and uniform(now) < its.loss:
             now.on_air += burst
+            cell.stations[sender].missed += burst
             continue
         now.arrived += burst
         if now.repairs:

@@ -12,7 +12,7 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 import numpy as np
 
 from discostorm.simulation._compile import njit, shared
-from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of, source_of
+from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of
 from discostorm.simulation.queues import (
     burst_entry,
     burst_frames,
@@ -20,6 +20,7 @@ from discostorm.simulation.queues import (
     count_lost,
     first_entry,
     frames_to_all,
+    host_of,
     is_steady,
     lose,
     make,
@@ -176,9 +177,10 @@ def offer_new(cell, frame, time):
     if not frame & STEADY:
         now.open += 1
         now.expected += receivers(cell, frame)
+        cell.stations[host_of(cell, frame)].sought += receivers(cell, frame)
     station = now.hosts
     if cell.kinds[kind_of(frame)].up:
-        station = cell.processes[source_of(frame)].host
+        station = host_of(cell, frame)
     if offer(cell, station, frame, time):
         wake(cell, station, time, time <= now.idle)
 
@@ -204,7 +206,8 @@ def offer_burst(cell, host, batch, time):
         cut = max(multicast - fits, 0)
         now.open += fits
         now.expected += total + multicast * (now.links - 1)
-        count_lost(cell, total - fits + cut * (now.links - 1), host, FULL)
+        cell.stations[host].sought += total + multicast * (now.links - 1)
+        count_lost(cell, total - fits + cut * (now.links - 1), host, host, FULL)
     if fits > 0:
         put(cell, host, burst_entry(batch, fits), time)
         change_length(cell, host, fits)
