@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab mutation ns3 test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -105,6 +105,9 @@ build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 
 ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (half an hour; needs g++)
 	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
+
+simulate: $(READY) ## simulate what the chapters of Part IV read (some minutes; goes on where it was)
+	@$(BIN)/python scripts/simulate.py $(ARGS)
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

@@ -44,10 +44,22 @@ START_MIDDLEWARE = "Fast DDS"
 
 #: Like hosts beside a group of others, of which there may be none.
 BESIDE = symbolic_group(1)
-FLEET = Fleet((*SWARM.groups, BESIDE))
+#: Endpoints match none elsewhere, or one in every other process.
+FLEETS = tuple(
+    Fleet((*SWARM.groups, BESIDE), *matching)
+    for matching in (((0.0,), (1.0,)) if hasattr(SWARM, "matching") else ((),))
+)
 
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
+
+#: Headings of the middlewares, in order.
+GROUPS = (
+    "Products as built",
+    "As the paper counts",
+    "The paper's messages, a product's periods",
+    "Other tables",
+)
 
 #: The largest whole number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
@@ -255,13 +267,13 @@ def ready_made() -> Code:
 def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
-        return "As the paper counts"
+        return GROUPS[1]
     if not protocol.repeats:
-        return "Other tables"
+        return GROUPS[3]
     papers = [message for table in PAPERS for message in table.messages]
     if any(message in papers for message in protocol.messages):
-        return "The paper's messages, a product's periods"
-    return "Products as built"
+        return GROUPS[2]
+    return GROUPS[0]
 
 
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
@@ -272,6 +284,7 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
         "phase": data(message.phase),
         "cast": data(message.cast),
         "bytes": number(message.frame_bytes),
+        "frames": number(getattr(message, "frames", 1.0)),
         "unit": data(units.index(message.unit)),
         "per_unit": number(message.per_unit),
         "hops": data(message.hops),
@@ -306,15 +319,37 @@ def outlooks(protocol: Protocol) -> Code:
     }
 
 
-def saturation(units: list[Unit]) -> sp.Expr:
-    """Return the hosts that fill the channel, with c0, c1 and so on as what each unit costs."""
-    costs = sp.symbols(f"c:{len(units)}", positive=True)
-    return solve_hosts(
-        sp.Add(*(cost * unit.count(FLEET) for cost, unit in zip(costs, units, strict=True)))
+#: What the first, second and third further host add, and what one alone takes [1].
+MORE = sp.Symbol("x", positive=True)
+COEFFICIENTS = sp.symbols("c b a third", positive=True)
+
+
+def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
+    """Return the powers of N_H - 1 in the number of a unit, that of the constant first."""
+    count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + MORE)
+    parts = [count.diff(MORE, n).subs(MORE, 0) / sp.factorial(n) for n in range(5)]
+    while parts and parts[-1] == 0:
+        parts.pop()
+    return parts
+
+
+def saturation(degree: int, known: Formulas) -> str:
+    """Return the hosts that fill the channel if utilization is a polynomial of that degree."""
+    powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
+    return known.name(
+        solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
     )
 
 
-def about(protocol: Protocol, known: Formulas) -> Code:
+def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Code:
+    """Return how many of a unit a fleet has, and what further hosts add to it."""
+    return {
+        "count": known.name(sp.sympify(unit.count(fleet)), "count"),
+        "more": [known.name(part, "more") for part in coefficients(unit, fleet)],
+    }
+
+
+def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     """Return all that the calculator knows of a protocol."""
     windows = {"second": PAPER_WINDOW}
     if protocol.lease < sp.oo:
@@ -329,11 +364,10 @@ def about(protocol: Protocol, known: Formulas) -> Code:
         "repeats": data(protocol.repeats),
         "outlooks": outlooks(protocol),
         "windows": {name: number(window) for name, window in windows.items()},
-        "units": [
-            {"name": data(unit.name), "count": known.name(unit.count(FLEET), "count")}
-            for unit in units
-        ],
-        "saturation": known.name(saturation(units), "saturation"),
+        "units": [[unit_code(unit, fleet, known) for fleet in FLEETS] for unit in units],
+        "degree": number(
+            max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS)
+        ),
         "messages": [row(message, windows, units) for message in protocol.messages],
     }
 
@@ -368,7 +402,11 @@ def remedies() -> Code:
 def model() -> Code:
     """Return all that the calculator reads."""
     known = Formulas()
-    protocols: Code = {name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()}
+    protocols: dict[str, Any] = {
+        name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()
+    }
+    degrees = range(max(int(about["degree"]) for about in protocols.values()) + 1)
+    full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees[1:])]
     drain = known.name(timeline.DRAIN, "drain")
     largest = known.name(LARGEST, "largest")
     return {
@@ -376,6 +414,8 @@ def model() -> Code:
             "robot": data(START_ROBOT),
             "middleware": data(START_MIDDLEWARE),
         },
+        "groups": data(GROUPS),
+        "matching": data(len(FLEETS) > 1),
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
@@ -385,6 +425,7 @@ def model() -> Code:
         "service_endpoints": number(planner.parameter_service_endpoints()),
         "remedies": remedies(),
         "largest": largest,
+        "saturation": full,
         "drain": drain,
         "formulas": known.code(),
         "protocols": protocols,

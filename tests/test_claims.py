@@ -15,6 +15,7 @@ from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
 from discostorm import messages
+from discostorm.data import read_data
 from discostorm.paper import claims
 from discostorm.uncertainty import saturation_bounds
 
@@ -359,6 +360,33 @@ def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
     assert claims.report("dds").splitlines()[-1] == "   -> not checkable"
     verdicts = [line[6:] for line in lines if line.startswith("   -> ")]
     assert verdicts == [c.verdict() for c in claims.claims() if c.section == "zenoh"]
+
+
+@pytest.mark.parametrize(
+    ("test", "said"),
+    [
+        ("control_saved is significant", "at least 10% of the control messages of DDS saved by"),
+        ("frame_bytes SPDP = 414", "414 B in a frame of SPDP: 414 B"),
+        ("overhead_with_backoff unicast ≈ 180e-6", "about 180 µs for the same with the mean"),
+        ("load DDS SPDP = N_H*N_P", "messages of all hosts, SPDP of DDS: the same"),
+        (
+            "share DDS SPDP 7 2 10 is not dominant",
+            "at most 50% of the airtime for SPDP of DDS, 7 h",
+        ),
+        ("utilization DDS 3 1 40 is low", "DDS with 3 hosts of 1 process with 40 endpoints: 11%"),
+        ("ht_rate 7 ≈ 144.4e6 ± 0.05e6", "about 144.4 Mbit/s ± 0.05 Mbit/s for MCS 7"),
+    ],
+)
+def test_tests_in_words(test: str, said: str) -> None:
+    assert said in claims.Criterion(test).in_words()
+
+
+def test_every_quantity_has_words_and_says_how_it_is_known() -> None:
+    named = [row["quantity"] for row in read_data("paper/quantities.csv")]
+    tested = {test.quantity.split()[0] for claim in claims.claims() for test in deciding(claim)}
+    assert sorted(tested) == sorted(named)
+    known = {test.provenance for claim in claims.claims() for test in deciding(claim)}
+    assert known <= {"computed", "read in sources", "simulated", "measured"}
 
 
 def test_numbers_are_shown_to_four_digits_and_expressions_as_they_are() -> None:

@@ -72,10 +72,12 @@ RADIO = _record(
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
-#: before; the medium is idle from ``idle`` on; then counts. ``open``: frames of the burst that
-#: are on their way, ``coming``: parts of the burst that hosts have still to send.
+#: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
+#: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
+#: hosts have still to send.
 NOW = _record(
-    *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "events", "free", "spare"),
+    *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
+    *("free", "spare"),
     *("open", "coming", "drained", "queued", "sample", "step", "samples", "logged", "random"),
     *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
     *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
@@ -83,17 +85,19 @@ NOW = _record(
     *("busy", "wasted", "expired"),
 )
 
-#: Causes of losses, for `lose`.
-FULL, AGE, RETRY, AIR = range(4)
+#: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
+FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it, who waits behind it for the
 #: same; failures in a row; frames that it holds, has just sent, has numbered; whether it has
-#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst. The
+#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst; how
+#: many were to receive its processes' frames, and for how many they are lost for good. The
 #: access point's frames for host h hang on ``to_head`` and ``to_tail`` of h.
 STATION = _record(
     *("send_slot", "waits", "behind", "failures", "held", "sent", "length", "must_ask"),
     *("head", "tail", "following", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
     *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
+    *("sought", "missed"),
     floats=("loss",),
 )
 
@@ -106,8 +110,9 @@ ENTRY = _record("frame", "came", "next", "same")
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
 STRAY = _record("station", "base", "left", "time")
 
-#: Who sends now, and until when; also what has just arrived.
-SENDER = _record("station", "end", "frame")
+#: Who sends now, and until when; from which tick on it waits then, for how many slots; also what
+#: has just arrived.
+SENDER = _record("station", "end", "base", "slots", "frame")
 
 #: What happens later.
 EVENT = _record("time", "what")
@@ -152,7 +157,7 @@ PROCESS = _record("host", "endpoints", "start", "announce", "heartbeat", "beatin
 
 #: A transmission.
 SENT = _record("start", "end", "station", "kind", "frames", "outcome")
-SUCCESS, COLLISION, ERROR = range(3)
+SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))
 
 #: Queue lengths at a time.
 SAMPLE = _record("time", "hosts", "access_point")

@@ -16,14 +16,17 @@ from discostorm.simulation.cell import (
     destination_of,
     kind_of,
     next_event,
-    source_of,
     uniform,
 )
 from discostorm.simulation.medium import (
     back_off,
+    draw,
+    enter,
+    first_to_send,
     next_slot,
     offer,
     synchronize,
+    wait,
     wake,
 )
 from discostorm.simulation.queues import (
@@ -33,6 +36,7 @@ from discostorm.simulation.queues import (
     drop_head,
     first_entry,
     frames_of,
+    host_of,
     lose,
     make,
     receiver,
@@ -176,7 +180,7 @@ def is_multicast(cell, station):
     return cell.kinds[kind_of(cell.window[station, 0].frame)].multicast > 0
 
 
-@njit
+@shared
 def note(cell, station, start, end, outcome):
     """Record a transmission."""
     now, sent = cell.now[0], cell.stations[station].sent
@@ -232,7 +236,7 @@ def sample(cell, time):
         now.sample += now.step
 
 
-@njit
+@shared
 def deliver(cell, station, frame, time, alone):
     """Pass on what has arrived: to the access point's queue, or to who it is for."""
     now = cell.now[0]
@@ -249,13 +253,14 @@ def deliver(cell, station, frame, time, alone):
         if now.repairs:
             arrive(cell, frame, destination_of(frame), time)
         return
-    sender = cell.processes[source_of(frame)].host
+    sender = host_of(cell, frame)
     for host in range(now.hosts):
         its = cell.stations[host]
         if host == sender:
             continue
         if its.loss > 0 and uniform(now) < its.loss:
             now.on_air += burst
+            cell.stations[sender].missed += burst
             continue
         now.arrived += burst
         if now.repairs:
@@ -264,8 +269,8 @@ def deliver(cell, station, frame, time, alone):
 
 
 @njit
-def fail(cell, station, base):
-    """Note that nothing came back; the station goes on AIFS after its timeout."""
+def count_failure(cell, station):
+    """Note that nothing came back to a station."""
     radio, its = cell.radio[0], cell.stations[station]
     # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
@@ -278,7 +283,6 @@ def fail(cell, station, base):
         lose(cell, cell.window[station, 0].frame, station, RETRY)
         its.held = 0
         change_length(cell, station, -1)
-    back_off(cell, station, base)
 
 
 @shared
@@ -306,7 +310,7 @@ def send_multicast(cell, time, end):
     its.held, its.failures = 0, 0
     change_length(cell, station, -1)
     back_off(cell, station, now.base)
-    deliver(cell, station, frame, end, True)
+    deliver(cell, station, frame, end, its.sent == 1)
 
 
 @njit
@@ -334,7 +338,8 @@ def send_unicast(cell, station, time, end):
             cell.window[station, place].came &= ~_MISSING
         now.busy += end - time
         note(cell, station, time, end, ERROR)
-        fail(cell, station, end + radio.timeout + radio.aifs)
+        count_failure(cell, station)
+        back_off(cell, station, end + radio.timeout + radio.aifs)
         return
     now.busy += end - time + answer
     note(cell, station, time, now.idle, SUCCESS)
@@ -374,18 +379,50 @@ def collide(cell, count, time):
     now.collided += count
     now.busy += last - time
     now.wasted += last - time
+    # Of single frames of hosts there is nothing to note but how many; the rest goes by `note`.
+    brief = radio.mpdus == 1 and now.logged == cell.log.size
+    noted, retried, drained = np.int64(0), np.int64(0), now.drained
+    least = NEVER
     for place in range(count):
-        station, end = cell.senders[place].station, cell.senders[place].end
-        note(cell, station, time, end, COLLISION)
+        sender = cell.senders[place]
+        station, base = sender.station, last + radio.aifs
+        its, held = cell.stations[station], cell.window[station, 0]
+        if brief and station < now.hosts:
+            noted += 1
+            retried += held.tries > 0
+            if not held.frame & STEADY:
+                drained = max(drained, sender.end)
+            cell.airtime[kind_of(held.frame), FAILED] += (sender.end - time) * PARTS
+        else:
+            note(cell, station, time, sender.end, COLLISION)
+            drained = max(drained, now.drained)
         if is_multicast(cell, station):
             # Nobody would have acknowledged it: the sender does not know.
-            its = cell.stations[station]
-            lose(cell, cell.window[station, 0].frame, station, AIR)
+            lose(cell, held.frame, station, AIR)
             its.held, its.failures = 0, 0
             change_length(cell, station, -1)
-            back_off(cell, station, last + radio.aifs)
         else:
-            fail(cell, station, max(end + radio.timeout, last) + radio.aifs)
+            count_failure(cell, station)
+            base = max(sender.end + radio.timeout, last) + radio.aifs
+        sender.slots, sender.base = draw(cell, station), base
+        if its.length == 0 or base == now.base:
+            wait(cell, station, base, sender.slots)
+            sender.base = NEVER
+        least = min(least, sender.base)
+    now.ppdus += noted
+    now.mpdus += noted
+    now.retried += retried
+    now.drained = drained
+    if least == NEVER:
+        return
+    slot = first_to_send(cell, least)
+    for place in range(count):
+        sender = cell.senders[place]
+        if sender.base < NEVER:
+            if slot >= 0:
+                enter(cell, sender.station, slot + radio.edca + sender.slots)
+            else:
+                wait(cell, sender.station, sender.base, sender.slots)
 
 
 @njit
@@ -412,11 +449,16 @@ def transmit(cell, time, slot):
             following = cell.stations[station].behind
             count = add_sender(cell, station, time, count)
             station = following
-    for place in range(now.strays):
-        stray = cell.strays[place]
-        if stray.station >= 0 and time >= stray.time:
-            count = add_sender(cell, stray.station, time, count)
-            stray.station = -1
+    if time >= now.stray_time:
+        now.stray_time = NEVER
+        for place in range(now.strays):
+            stray = cell.strays[place]
+            if stray.station >= 0:
+                if time >= stray.time:
+                    count = add_sender(cell, stray.station, time, count)
+                    stray.station = -1
+                else:
+                    now.stray_time = min(now.stray_time, stray.time)
     if count == 0:
         return
     synchronize(cell, time, slot)
@@ -457,10 +499,8 @@ def _advance(digest):
             if now.waiting > 0:
                 slot = next_slot(cell)
                 time = now.base + (slot - now.slot) * slot_ticks
-            for place in range(now.strays):
-                stray = cell.strays[place]
-                if stray.station >= 0 and stray.time < time:
-                    time, slot = stray.time, np.int64(-1)
+            if now.stray_time < time:
+                time, slot = now.stray_time, np.int64(-1)
             happens = now.events > 0 and cell.events[0].time <= time
             if happens:
                 time = cell.events[0].time

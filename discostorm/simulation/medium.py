@@ -12,7 +12,7 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 import numpy as np
 
 from discostorm.simulation._compile import njit, shared
-from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of, source_of
+from discostorm.simulation.cell import FULL, NEVER, STEADY, below, kind_of
 from discostorm.simulation.queues import (
     burst_entry,
     burst_frames,
@@ -20,6 +20,7 @@ from discostorm.simulation.queues import (
     count_lost,
     first_entry,
     frames_to_all,
+    host_of,
     is_steady,
     lose,
     make,
@@ -50,10 +51,9 @@ def draw(cell, station):
 
 
 @njit
-def back_off(cell, station, base):
-    """Draw the back-off after a transmission; it begins at a tick of its own, or all others'."""
+def wait(cell, station, base, slots):
+    """Let a station wait for so many slots, from a tick of its own on or from all others'."""
     now, its = cell.now[0], cell.stations[station]
-    slots = draw(cell, station)
     if its.length == 0:
         its.send_slot = now.slot + slots
     elif base == now.base:
@@ -63,7 +63,14 @@ def back_off(cell, station, base):
         now.strays += 1
         stray.station, stray.base, stray.left = station, base, slots
         stray.time = base + slots * cell.radio[0].slot
+        now.stray_time = min(now.stray_time, stray.time)
         its.waits = 1
+
+
+@njit
+def back_off(cell, station, base):
+    """Draw the back-off after a transmission and wait for it."""
+    wait(cell, station, base, draw(cell, station))
 
 
 @njit
@@ -101,6 +108,22 @@ def next_slot(cell):
 
 
 @njit
+def first_to_send(cell, base):
+    """Return the slot of the next transmission if it surely begins before a tick, or -1.
+
+    Who counts from that tick on only may stand in the wheel at once, behind that slot.
+    """
+    now, radio = cell.now[0], cell.radio[0]
+    if not radio.edca or radio.lifetime < NEVER or now.strays > 0 or now.waiting == 0:
+        return np.int64(-1)
+    slot = next_slot(cell)
+    time = now.base + (slot - now.slot) * radio.slot
+    if time >= base or (now.events > 0 and cell.events[0].time <= time):
+        return np.int64(-1)
+    return slot
+
+
+@njit
 def synchronize(cell, time, sent_slot):
     """Move the clock on to the transmission that starts now; everybody counts alike again.
 
@@ -121,7 +144,7 @@ def synchronize(cell, time, sent_slot):
                 gone = (time - base) // radio.slot + radio.edca
         if stray.station >= 0:
             enter(cell, stray.station, now.slot + stray.left - gone)
-    now.strays = 0
+    now.strays, now.stray_time = 0, NEVER
 
 
 # ---------------------------------------------------------------- what comes to be sent
@@ -154,9 +177,10 @@ def offer_new(cell, frame, time):
     if not frame & STEADY:
         now.open += 1
         now.expected += receivers(cell, frame)
+        cell.stations[host_of(cell, frame)].sought += receivers(cell, frame)
     station = now.hosts
     if cell.kinds[kind_of(frame)].up:
-        station = cell.processes[source_of(frame)].host
+        station = host_of(cell, frame)
     if offer(cell, station, frame, time):
         wake(cell, station, time, time <= now.idle)
 
@@ -182,7 +206,8 @@ def offer_burst(cell, host, batch, time):
         cut = max(multicast - fits, 0)
         now.open += fits
         now.expected += total + multicast * (now.links - 1)
-        count_lost(cell, total - fits + cut * (now.links - 1), host, FULL)
+        cell.stations[host].sought += total + multicast * (now.links - 1)
+        count_lost(cell, total - fits + cut * (now.links - 1), host, host, FULL)
     if fits > 0:
         put(cell, host, burst_entry(batch, fits), time)
         change_length(cell, host, fits)

@@ -15,6 +15,7 @@ from discostorm.simulation.cell import (
     compose,
     destination_of,
     kind_of,
+    source_of,
 )
 
 #: An entry whose frame has been taken already.
@@ -56,18 +57,25 @@ def receivers(cell, frame):
     return cell.now[0].links if kind.multicast and kind.down else np.int64(1)
 
 
+@njit
+def host_of(cell, frame):
+    """Return the host that a frame is from."""
+    return cell.processes[source_of(frame)].host
+
+
 @shared
 def lose(cell, frame, station, cause):
     """Count a frame as lost for good."""
     if not frame & STEADY:
         cell.now[0].open -= 1
-        count_lost(cell, receivers(cell, frame), station, cause)
+        count_lost(cell, receivers(cell, frame), host_of(cell, frame), station, cause)
 
 
 @shared
-def count_lost(cell, times, station, cause):
-    """Count receptions that will not be, by cause."""
+def count_lost(cell, times, source, station, cause):
+    """Count receptions that will not be, by the host they come from and by cause."""
     now = cell.now[0]
+    cell.stations[source].missed += times
     host = station < now.hosts
     if cause == FULL:
         if host:
@@ -188,7 +196,7 @@ def lose_burst(cell, station, entry):
     maker.begun = 0
     if not is_steady(cell, batch_of(entry)):
         cell.now[0].open -= left
-        count_lost(cell, left + multicast * (cell.now[0].links - 1), station, AGE)
+        count_lost(cell, left + multicast * (cell.now[0].links - 1), station, station, AGE)
 
 
 @njit

@@ -37,6 +37,7 @@ class Run:
 
     drain_time: float
     lost: float
+    lost_by_host: Floats
     convergence_time: float
     busy: float
     counts: dict[str, int]
@@ -66,6 +67,8 @@ class Simulation:
     lost : ndarray
         The part of the frames that never arrived [1]. A multicast frame counts once for each
         host that was to receive it; with recovery repeated frames count, too.
+    lost_by_host : ndarray of shape (runs, hosts)
+        The same part of the frames of each host [1], in the order of the fleet's groups.
     convergence_time : ndarray
         When every process knew every other one and all its endpoints, for the first time [s];
         infinity if never. Without recovery it is the drain time if nothing was lost.
@@ -97,6 +100,7 @@ class Simulation:
     settings: dict[str, Any]
     drain_time: Floats
     lost: Floats
+    lost_by_host: Floats
     convergence_time: Floats
     busy_time: Floats
     counts: dict[str, Ints]
@@ -117,6 +121,7 @@ class Simulation:
             settings,
             np.array([run.drain_time for run in runs]),
             np.array([run.lost for run in runs]),
+            np.array([run.lost_by_host for run in runs]),
             np.array([run.convergence_time for run in runs]),
             np.array([run.busy for run in runs]),
             {name: np.array([run.counts[name] for run in runs]) for name in COUNTS},

@@ -187,10 +187,12 @@ def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
         remote = plan.hosts.host_of[:, None] != plan.hosts.host_of
         done = cell.pairs["done"][remote]
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
+    hosts = cell.stations[: now["hosts"]]
     samples = cell.samples[: now["samples"]]
     return Run(
         drained,
         lost / counts["expected"] if counts["expected"] else 0.0,
+        hosts["missed"] / np.maximum(hosts["sought"], 1),
         converged,
         float(now["busy"] * TICK),
         counts,

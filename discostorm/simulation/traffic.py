@@ -230,6 +230,7 @@ def new_cell(
     now = np.zeros(1, _cell.NOW)
     now["base"] = radio["slot"]
     now["idle"] = -1
+    now["stray_time"] = _cell.NEVER
     now["step"] = ticks(1e-3)
     now["spare"] = _POOL
     now["hosts"], now["links"], now["kinds"] = count, count - 1, rows

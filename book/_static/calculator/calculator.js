@@ -129,10 +129,11 @@
     choose(byId("robot"), MODEL.start.robot);
     fill(byId("beside"), [["", [[NONE, "Nothing"], [LAPTOP, "Laptop with RViz"], [OWN, "Others, by number"]]]]);
     choose(byId("beside"), LAPTOP);
-    const groups = Object.groupBy
-      ? Object.groupBy(NAMES, (name) => MODEL.protocols[name].group)
-      : NAMES.reduce((all, name) => ({ ...all, [MODEL.protocols[name].group]: [...(all[MODEL.protocols[name].group] ?? []), name] }), {});
-    fill(byId("middleware"), Object.entries(groups).map(([label, names]) => [label, names.map((name) => [name, name])]));
+    const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
+    fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
+    fill(byId("matching"), [["", [["0", "Of its own (a namespace each)"], ["1", "The same on all"]]]]);
+    choose(byId("matching"), "0");
+    byId("matching").parentElement.hidden = !MODEL.matching;
     choose(byId("middleware"), MODEL.start.middleware);
     const named = (model) =>
       [...channels].filter(([, channel]) => channel.model === model).map(([key, channel]) => [key, key === PAPER ? "The paper's, 802.11n" : channel.name]);
@@ -146,7 +147,7 @@
     for (const field of LINKS) addField(byId("own"), field);
   }
 
-  const LISTS = ["robot", "beside", "middleware", "channel"];
+  const LISTS = ["robot", "beside", "middleware", "channel", ...(MODEL.matching ? ["matching"] : [])];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
   const usedFields = () => [
@@ -186,7 +187,7 @@
 
   /** Return the settings, or null if one is not valid; each error is shown at its field. */
   function readForm() {
-    const swarm = { N_H1: 0, N_P1: 1, N_E1: 0 };
+    const swarm = { N_H1: 0, N_P1: 1, N_E1: 0, matching: Number(chosen("matching")) };
     const link = {};
     let valid = true;
     const used = usedFields();
@@ -219,8 +220,8 @@
   function price(name, channel) {
     const protocol = MODEL.protocols[name];
     const airtime = MODEL.airtime[channel.model];
-    const rows = protocol.messages.map(({ hops, bytes, cast }) => {
-      const of = (hop, formula) => (hops.includes(hop) ? F[formula]({ ...channel.values, L: bytes }) : 0);
+    const rows = protocol.messages.map(({ hops, bytes, frames, cast }) => {
+      const of = (hop, formula) => (hops.includes(hop) ? frames * F[formula]({ ...channel.values, L: bytes }) : 0);
       return { up: of("up", airtime.up), down: of("down", airtime[cast]) };
     });
     const costs = {};
@@ -235,7 +236,20 @@
 
   /** Return the utilization of a window, or the airtime of the burst [s]. */
   function total({ protocol, costs }, window, swarm) {
-    return protocol.units.reduce((sum, unit, i) => sum + (costs[window][i] && costs[window][i] * F[unit.count](swarm)), 0);
+    return protocol.units.reduce((sum, unit, i) => sum + (costs[window][i] && costs[window][i] * F[unit[swarm.matching].count](swarm)), 0);
+  }
+
+  /** Return the number of robots at which the utilization of a window reaches the limit. */
+  function saturation({ protocol, costs }, window, swarm) {
+    // What each further robot adds: the polynomial's coefficients, that of the constant first.
+    const [c, b, a, third] = [0, 1, 2, 3].map((power) =>
+      protocol.units.reduce((sum, unit, i) => {
+        const part = unit[swarm.matching].more[power];
+        return part && costs[window][i] ? sum + costs[window][i] * F[part](swarm) : sum;
+      }, 0),
+    );
+    const degree = protocol.degree > 2 && third === 0 ? 2 : protocol.degree;
+    return F[MODEL.saturation[degree]]({ c, b, a, third, U_limit: MODEL.limit });
   }
 
   function answerOf(name, channel, swarm) {
@@ -246,8 +260,7 @@
     for (const window of Object.keys(protocol.windows)) {
       // As in Python: one robot must not exceed the limit, else there is no such number.
       const fits = total(table, window, one) <= MODEL.limit;
-      const given = { ...swarm, U_limit: MODEL.limit, ...Object.fromEntries(costs[window].map((cost, i) => [`c${i}`, cost])) };
-      const found = F[protocol.saturation](given);
+      const found = saturation(table, window, swarm);
       const full = fits ? (costs[window].some(Boolean) && !Number.isNaN(found) ? Math.max(1, found) : Infinity) : null;
       fitting[window] = { full, largest: full === null ? 0 : full < Infinity ? F[MODEL.largest]({ N_sat: full }) : Infinity };
     }
@@ -268,7 +281,7 @@
       single: total(table, "second", one),
       at: (hosts) => total(table, "second", { ...swarm, N_H: hosts }),
       messages: protocol.messages.map((message, i) => {
-        const load = message.per_unit * message.sent.second * F[protocol.units[message.unit].count](swarm);
+        const load = message.per_unit * message.sent.second * F[protocol.units[message.unit][swarm.matching].count](swarm);
         const [up, down] = [load * rows[i].up, load * rows[i].down];
         return { ...message, load, up, down, both: up + down };
       }),

@@ -1,0 +1,123 @@
+"""Start one after the other: rules that say when each host of a swarm starts.
+
+Whoever starts later meets a calmer channel. The rules give what `discostorm.simulate` takes as
+``start``: `at_random` needs no one to agree with anyone, `in_turn` needs an order.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm import _checks
+from discostorm.messages import Protocol
+from discostorm.scalability import burst
+from discostorm.wifi import PAPER, Wifi
+
+Floats = NDArray[np.float64]
+
+#: The window of the rule of thumb is so many times as long as the burst's airtime.
+TIMES = 2.0
+
+
+def window(
+    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
+) -> float:
+    """Return the rule of thumb's window: twice the airtime of the whole start.
+
+    Parameters
+    ----------
+    protocol, hosts, processes, endpoints, wifi
+        As for `discostorm.utilization`, one number each.
+
+    Returns
+    -------
+    float
+        Within how long all hosts should start [s].
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range.
+    TypeError
+        If an argument is of another kind.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> from discostorm import staggered
+    >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
+    4.1
+    """
+    return TIMES * float(burst(protocol, hosts, processes, endpoints, wifi))
+
+
+def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
+    """Return a rule by which each host draws its start from a window, all alike.
+
+    Parameters
+    ----------
+    within : float
+        How long the window is [s], at least 0.
+
+    Returns
+    -------
+    function
+        Of a `numpy.random.Generator` and a number of hosts, which returns their times [s].
+
+    Raises
+    ------
+    ValueError
+        If the window is negative, NaN or infinite.
+    TypeError
+        If it is not a number.
+    """
+    seconds = _checks.number("within", within, 0)
+
+    def draw(rng: np.random.Generator, hosts: int) -> Floats:
+        return rng.uniform(0.0, seconds, hosts)
+
+    return draw
+
+
+def in_turn(
+    protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
+) -> Floats:
+    """Return a start for each host: when the airtime of all that come before it has passed.
+
+    After the idea of SPRED: start times from the sizes of the first bursts and the throughput of
+    the queue that sends them. Here the size of a burst is what the table says that one host
+    more adds, and the throughput what the closed form says.
+
+    Parameters
+    ----------
+    protocol, hosts, processes, endpoints, wifi
+        As for `discostorm.utilization`, one number each; hosts whole.
+
+    Returns
+    -------
+    ndarray of shape (hosts,)
+        When each host starts [s], in ascending order.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range.
+    TypeError
+        If an argument is of another kind.
+
+    References
+    ----------
+    "Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis, DGIST, 2026
+    (scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> from discostorm import staggered
+    >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
+    array([0.  , 0.  , 0.05, 0.14])
+    """
+    _checks.whole("hosts", hosts, 1)
+    before = np.arange(1.0, hosts)
+    return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

@@ -1,0 +1,293 @@
+"""Simulate the sweeps that the chapters read, and write their tables to data/simulated/.
+
+Every row is one setting: its options, then medians and quartiles over its runs. What has been
+simulated is kept in build/simulate, by setting and by the sources of the simulator, so that what
+is interrupted goes on where it stopped, and what has not changed is not done again.
+"""
+
+import argparse
+import csv
+import json
+import re
+import sys
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import discostorm as ds
+from discostorm import staggered
+from discostorm.simulation._compile import sources
+from discostorm.simulation.result import CAUSES
+
+ROOT = Path(__file__).parents[1]
+CACHE = ROOT / "build" / "simulate"
+TABLES = ROOT / "discostorm" / "data" / "simulated"
+
+PAPER = ("DDS", "Zenoh")
+ALL = (*PAPER, "Fast DDS", "Cyclone DDS", "Zenoh peer")
+SEED = 2026
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One row: what is simulated, how often."""
+
+    protocol: str
+    hosts: int
+    processes: int = 2
+    endpoints: int = 10
+    #: "n": 802.11n as in the paper, two streams; "ax": 802.11ax at 80 MHz, two streams.
+    radio: str = "n"
+    mpdus: int = 1
+    #: Frames and seconds of the queues; 0 for no limit.
+    queue_frames: int = 500
+    queue_s: float = 0.5
+    loss: float = 0.0
+    #: How the hosts start: "together", "random" within ``window_s``, "rule": random within the
+    #: window of `staggered.window`, "in turn": `staggered.in_turn`.
+    start: str = "together"
+    window_s: float = 0.0
+    recovery: int = 0
+    until_s: float = 120.0
+    runs: int = 20
+
+    @property
+    def wifi(self) -> ds.Wifi:
+        """The channel."""
+        standard, width = {"n": ("802.11n", 20e6), "ax": ("802.11ax", 80e6)}[self.radio]
+        return ds.Radio(standard, streams=2, width=width, aifsn=3, mpdus=self.mpdus).wifi()
+
+    @property
+    def swarm(self) -> tuple[ds.Protocol, int, int, int, ds.Wifi]:
+        """What the rules of `staggered` take."""
+        protocol = ds.PROTOCOLS[self.protocol]
+        return protocol, self.hosts, self.processes, self.endpoints, self.wifi
+
+    @property
+    def delays(self) -> Any:
+        """When the hosts start, as `ds.simulate` takes it."""
+        if self.start == "together":
+            return 0.0
+        if self.start == "in turn":
+            return staggered.in_turn(*self.swarm)
+        return staggered.at_random(self.window)
+
+    @property
+    def window(self) -> float:
+        """By when the last host has begun [s]."""
+        if self.start == "in turn":
+            return float(self.delays[-1])
+        return staggered.window(*self.swarm) if self.start == "rule" else self.window_s
+
+    def run(self) -> dict[str, object]:
+        """Return the row's results."""
+        queue = (self.queue_frames or np.inf, self.queue_s or np.inf)
+        found = ds.simulate(
+            ds.Fleet.swarm(self.hosts, self.processes, self.endpoints),
+            ds.PROTOCOLS[self.protocol],
+            self.wifi,
+            queue=queue,
+            start=self.delays,
+            loss=self.loss,
+            recovery=bool(self.recovery),
+            runs=self.runs,
+            seed=SEED,
+            until=self.until_s,
+        )
+        expected = found.counts["expected"].sum()
+        row: dict[str, object] = {"begun_s": rounded(self.window)}
+        row |= spread("drain_time_s", found.drain_time)
+        row |= spread("lost", found.lost)
+        row |= spread("convergence_time_s", found.convergence_time)
+        row |= {name: rounded(found.counts[name].sum() / expected) for name in CAUSES}
+        row["converged"] = int(np.isfinite(found.convergence_time).sum())
+        row["expired"] = rounded(found.counts["expired"].mean())
+        row["collided"] = rounded(found.counts["collided"].sum() / found.counts["ppdus"].sum())
+        return row
+
+
+def rounded(value: float) -> str:
+    """Return a number with six digits, as it stands in a table."""
+    return f"{value:.6g}"
+
+
+def spread(name: str, values: NDArray[np.float64]) -> dict[str, object]:
+    """Return median and quartiles; of values that are infinite the next whole run's."""
+    quantiles = np.quantile(values, [0.5, 0.25, 0.75], method="higher")
+    names = (name, f"{name}_q25", f"{name}_q75")
+    return {key: rounded(float(value)) for key, value in zip(names, quantiles, strict=True)}
+
+
+def each(base: Setting, **options: Iterable[Any]) -> list[Setting]:
+    """Return the settings of all combinations, the first option slowest."""
+    settings = [base]
+    for name, values in options.items():
+        settings = [replace(one, **{name: value}) for one in settings for value in values]
+    return settings
+
+
+ALONE = Setting("DDS", 2, queue_frames=0, queue_s=0.0)
+HEALED = Setting("DDS", 2, recovery=1)
+
+#: The tables.
+SWEEPS: dict[str, Callable[[], list[Setting]]] = {
+    "drain": lambda: each(
+        ALONE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 15, 20, 25, 30)
+    ),
+    "queues": lambda: each(
+        Setting("DDS", 2, runs=10),
+        protocol=PAPER,
+        mpdus=(1, 64),
+        hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50),
+    ),
+    "convergence": lambda: each(
+        replace(HEALED, runs=10),
+        protocol=ALL,
+        loss=(0.0, 0.1, 0.3),
+        hosts=(2, 4, 6, 8, 10, 12, 14, 16, 20, 24),
+    ),
+    "staggered": lambda: (
+        each(
+            replace(HEALED, start="random", runs=10),
+            protocol=PAPER,
+            hosts=(5, 10, 15, 20),
+            window_s=(0.5, 1.0, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0, 30.0, 45.0),
+        )
+        + each(
+            replace(HEALED, runs=10),
+            protocol=PAPER,
+            hosts=(5, 10, 15, 20),
+            start=("together", "rule", "in turn"),
+            radio=("n", "ax"),
+            mpdus=(1, 64),
+        )
+    ),
+    "fits": lambda: (
+        each(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
+        + each(
+            replace(HEALED, until_s=30.0),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            start=("together", "rule", "in turn"),
+            hosts=range(2, 31),
+        )
+        # With aggregation and a staggered start more fit.
+        + each(
+            replace(HEALED, until_s=30.0, mpdus=64),
+            protocol=PAPER,
+            start=("rule", "in turn"),
+            hosts=range(31, 41),
+        )
+    ),
+}
+
+
+def path_of(setting: Setting) -> Path:
+    """Return where the result of a setting is kept."""
+    text = repr((asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, SEED, sources()))
+    table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
+    return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
+
+
+def result(setting: Setting) -> dict[str, object]:
+    """Return the result of a setting, from the cache if it is there."""
+    path = path_of(setting)
+    if not path.exists():
+        row = setting.run()
+        CACHE.mkdir(parents=True, exist_ok=True)
+        # In one step: what is interrupted leaves nothing half-written.
+        path.with_suffix(".part").write_text(json.dumps(row), encoding="utf-8")
+        path.with_suffix(".part").replace(path)
+    loaded: dict[str, object] = json.loads(path.read_text(encoding="utf-8"))
+    return loaded
+
+
+def settings_of(name: str) -> list[Setting]:
+    """Return the settings of a table, each once, in order."""
+    return sorted(set(SWEEPS[name]()), key=lambda one: tuple(asdict(one).values()))
+
+
+def write(name: str, rows: list[dict[str, object]]) -> None:
+    """Write one table."""
+    TABLES.mkdir(parents=True, exist_ok=True)
+    path = TABLES / f"{name}.csv"
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    sys.stderr.write(f"{path.relative_to(ROOT)}: {len(rows)} rows\n")
+
+
+def main() -> None:
+    """Simulate what is missing and write the tables."""
+    from tqdm import tqdm
+
+    parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
+    parser.add_argument("--only", choices=list(SWEEPS), help="one table; default: all")
+    only = parser.parse_args().only
+    wanted = {name: settings_of(name) for name in SWEEPS if only in (None, name)}
+    todo = {one for settings in wanted.values() for one in settings if not path_of(one).exists()}
+    # The short ones first.
+    for setting in tqdm(sorted(todo, key=lambda one: (one.hosts, repr(one))), "settings"):
+        result(setting)
+    for name, settings in wanted.items():
+        write(name, [asdict(one) | result(one) | {"seed": SEED} for one in settings])
+    if only in (None, "fits"):
+        write("ladder", ladder([asdict(one) | result(one) for one in settings_of("fits")]))
+
+
+#: Steps of the ladder: what is assumed, in words and as options of the settings.
+CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
+QUEUES = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
+LADDER: list[tuple[str, str, dict[str, object]]] = [
+    ("contention", CONTEND, {"recovery": 0, "start": "together"}),
+    ("queues", QUEUES, {"recovery": 1, "start": "together"}),
+    ("staggered", f"{QUEUES}; random starts, see window", {"recovery": 1, "start": "rule"}),
+    ("in turn", f"{QUEUES}; starts in turn, see in_turn", {"recovery": 1, "start": "in turn"}),
+]
+#: Within how long [s] what has to be over.
+CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (10.0, 20.0)]}
+
+
+def ladder(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
+    """Return how many hosts fit, step by step of the assumptions.
+
+    That is the largest number with which the median run meets the criterion, as do all below.
+    """
+    steps: list[dict[str, object]] = []
+    for protocol in PAPER:
+        for step, assumed, options in LADDER:
+            for mpdus in (1, 64):
+                wanted = options | {"protocol": protocol, "mpdus": mpdus}
+                of_step = [row for row in rows if all(row[k] == v for k, v in wanted.items())]
+                of_step.sort(key=lambda row: int(row["hosts"]))
+                for column, limit in CRITERIA[int(str(options["recovery"]))]:
+                    good = [float(row[column]) <= limit for row in of_step]
+                    assert False in good, "the sweep must go on until they do not fit"
+                    fits = good.index(False)
+                    steps.append(
+                        {
+                            "protocol": protocol,
+                            "step": step,
+                            "mpdus": mpdus,
+                            "criterion": column,
+                            "limit_s": f"{limit:g}",
+                            "processes": of_step[0]["processes"],
+                            "endpoints": of_step[0]["endpoints"],
+                            "hosts": int(of_step[fits]["hosts"]) - 1,
+                            "value_s": of_step[fits - 1][column] if fits else "",
+                            "one_more_s": of_step[fits][column],
+                            "assumed": assumed + (", frames aggregated" if mpdus > 1 else ""),
+                            "source": "data/simulated/fits.csv",
+                        }
+                    )
+    return steps
+
+
+if __name__ == "__main__":
+    main()

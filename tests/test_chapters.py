@@ -1,0 +1,150 @@
+"""What all chapters share: question and answer, tables for people, numbers of the paper."""
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from bs4 import BeautifulSoup
+from test_browser import TOC, toc_files
+
+import discostorm as ds
+from discostorm import figures, notebook
+
+ROOT = Path(__file__).parents[1]
+CHAPTERS = sorted(
+    page
+    for page in toc_files(yaml.safe_load(TOC.read_text(encoding="utf-8")))
+    if page.startswith("notebooks/")
+)
+
+
+def cells(page: str) -> list[dict[str, Any]]:
+    found = json.loads((ROOT / f"{page}.ipynb").read_text(encoding="utf-8"))["cells"]
+    assert isinstance(found, list)
+    return found
+
+
+@pytest.mark.parametrize("page", CHAPTERS)
+def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
+    first, *_ = cells(page)
+    assert re.search(r"^> \*\*The question\.\*\* .+\?$", "".join(first["source"]), re.M | re.S)
+    code = [cell for cell in cells(page) if cell["cell_type"] == "code"]
+    answers = [
+        "".join(output["data"].get("text/markdown", ""))
+        for output in code[-1]["outputs"]
+        if "data" in output
+    ]
+    assert [answer.startswith("> **The answer.** ") for answer in answers] == [True]
+
+
+@pytest.mark.parametrize("page", CHAPTERS)
+def test_a_chapter_has_exercises_whose_solutions_are_folded(page: str) -> None:
+    prompts = [cell["metadata"].get("mystnb", {}).get("code_prompt_show") for cell in cells(page)]
+    solutions = [
+        cell
+        for cell, prompt in zip(cells(page), prompts, strict=True)
+        if prompt == "Show the solution"
+    ]
+    assert 1 <= len(solutions) <= 3
+    assert all("hide-cell" in cell["metadata"]["tags"] for cell in solutions)
+
+
+def test_tables_are_for_people() -> None:
+    frame = pd.DataFrame(
+        {
+            "slot_us": [9.0, np.inf],
+            "how_many": [1, 2],
+            "fits": [True, False],
+            "share": ["95%", "1,000%"],
+            "rows": ["1, 2", "3"],
+        }
+    )
+    heads, rule, *rows = notebook.table(frame, {"slot_us": ".1f"}).data.splitlines()
+    assert re.findall(r"[^| ][^|]*[^| ]", heads) == [
+        "slot [µs]",
+        "how many",
+        "fits",
+        "share",
+        "rows",
+    ]
+    assert [mark.endswith(":") for mark in rule.strip("|").split("|")] == [
+        True,
+        True,
+        False,
+        True,
+        False,
+    ]
+    assert [cell.strip() for cell in rows[1].strip("|").split("|")] == [
+        "∞",
+        "2",
+        "no",
+        "1,000%",
+        "3",
+    ]
+
+
+def test_sentences_are_said_one_by_one_or_as_a_list() -> None:
+    shown: list[Any] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(notebook, "display", shown.append)
+        notebook.say("One.")
+        notebook.say("One.", "Two.")
+    assert [markdown.data for markdown in shown] == ["One.", "- One.\n- Two."]
+    assert notebook.answer("Yes.", "Why: so.").data == "> **The answer.** Yes.\n>\n> Why: so."
+
+
+def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
+    plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
+    shown = notebook.advice(plan).data + "\n\n" + notebook.advice(plan, rest=True).data
+    plain = re.sub(r"[*]", "", shown)
+    assert plain.split() == plan.advice().split()
+    assert "**What would help, most first:**\n\n1. Composing" in shown
+
+
+def test_who_tells_whom_is_read_off_the_table() -> None:
+    def titles(protocol: ds.Protocol) -> list[str]:
+        drawn = figures.who_tells_whom(protocol)
+        return [axis.get_title().replace("\n", ": ") for axis in drawn.axes]
+
+    assert titles(ds.DDS) == [
+        "SPDP: to all at once",
+        "SEDP: 2 to each remote process",
+        "Heartbeat: 2 to each remote process",
+        "ACKNACK: 2 to each remote process",
+    ]
+    thrice = tuple(replace(message, per_unit=3 * message.per_unit) for message in ds.ZENOH.messages)
+    assert titles(replace(ds.ZENOH, messages=thrice))[1:] == [
+        "Hello: 3 to each remote process",
+        "Declare: 6 to each remote process",
+        "KeepAlive: 6 to each remote process",
+    ]
+
+
+@pytest.mark.book
+def test_equations_and_figures_of_the_paper_have_its_numbers(book: Path) -> None:
+    papers, others = {}, []
+    for page in CHAPTERS:
+        html = BeautifulSoup((book / f"{page}.html").read_text(encoding="utf-8"), "html.parser")
+        numbered = {
+            str(equation["id"]): equation.select_one(".eqno")
+            .get_text()
+            .strip("()\N{PILCROW SIGN}# ")
+            for equation in html.select("div.math[id^=equation-]")
+        } | {
+            str(figure["id"]): figure.select_one(".caption-number").get_text().strip()
+            for figure in html.select("figure[id^=fig-]")
+        }
+        for name, number in numbered.items():
+            if found := re.fullmatch(r"(equation-eq|fig)-paper-(\d+)", name):
+                papers[found[1], int(found[2])] = number.removeprefix("Fig. ")
+            else:
+                others.append(number.removeprefix("Fig. "))
+    wanted = [("equation-eq", n) for n in range(1, 13)] + [("fig", n) for n in range(1, 5)]
+    assert papers == {key: str(key[1]) for key in wanted}
+    assert all(re.fullmatch(r"\d+\.\d+", number) for number in others)

@@ -1,0 +1,86 @@
+"""The ledger of claims in a browser: filters, sorting, a head that stays, cards on a phone."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page
+from test_browser import DESKTOP, PHONE, REST
+
+from discostorm.paper import claims
+
+pytestmark = pytest.mark.book
+
+ROWS = ".tag_ledger tbody tr"
+#: The texts of a column of the rows that are shown.
+COLUMN = f"""(index) => [...document.querySelectorAll("{ROWS}")]
+    .filter((row) => row.checkVisibility()).map((row) => row.cells[index].textContent.trim())"""
+
+
+@pytest.fixture
+def ledger(browser: Browser, book: Path) -> Iterator[Page]:
+    with browser.new_page(viewport=DESKTOP) as tab:
+        (page,) = (book / "notebooks").glob("*_claims.html")
+        tab.goto(page.as_uri())
+        tab.evaluate(REST)
+        yield tab
+
+
+def test_filters_leave_what_fits_all_of_them(ledger: Page) -> None:
+    everything = claims.claims()
+    assert len(ledger.evaluate(COLUMN, 0)) == len(everything)
+    ledger.get_by_role("button", name="qualified").click()
+    qualified = [claim for claim in everything if claim.verdict() == "qualified"]
+    assert [int(number) for number in ledger.evaluate(COLUMN, 0)] == [c.id for c in qualified]
+    ledger.get_by_label("where").select_option("Sec. IV-C")
+    here = [claim for claim in qualified if claim.where.split(",")[0] == "Sec. IV-C"]
+    assert [int(number) for number in ledger.evaluate(COLUMN, 0)] == [c.id for c in here]
+    assert 0 < len(here) < len(qualified)
+    assert ledger.locator("output").inner_text() == f"{len(here)} of {len(everything)} claims"
+    ledger.get_by_label("word").fill("no such word")
+    assert ledger.evaluate(COLUMN, 0) == []
+
+
+def test_enter_sorts_once_and_equals_keep_their_order(ledger: Page) -> None:
+    verdicts = [claim.verdict() for claim in claims.claims()]
+    ledger.get_by_role("button", name="verdict", exact=True).focus()
+    ledger.keyboard.press("Enter")
+    numbers = [int(number) for number in ledger.evaluate(COLUMN, 0)]
+    groups: dict[str, list[int]] = {}
+    for number in numbers:
+        groups.setdefault(verdicts[number - 1], []).append(number)
+    assert [number for group in groups.values() for number in group] == numbers
+    assert all(group == sorted(group) for group in groups.values())
+    assert ledger.locator("th[aria-sort]").get_attribute("aria-sort") == "ascending"
+    ledger.keyboard.press("Enter")
+    backwards = [int(number) for number in ledger.evaluate(COLUMN, 0)]
+    assert backwards == [number for group in reversed(groups.values()) for number in group]
+
+
+def test_the_head_stays_in_sight(ledger: Page) -> None:
+    ledger.locator(ROWS).nth(60).scroll_into_view_if_needed()
+    ledger.mouse.wheel(0, 300)
+    ledger.evaluate(REST)
+    box = ledger.locator(".tag_ledger thead th").first.bounding_box()
+    assert box is not None
+    assert 0 <= box["y"] < 120
+
+
+def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
+    ledger.set_viewport_size(PHONE)
+    ledger.evaluate(REST)
+    boxes = [cell.bounding_box() for cell in ledger.locator(f"{ROWS}:first-child td").all()]
+    tops = [box["y"] for box in boxes if box]
+    assert tops == sorted(set(tops))  # one below the other
+    assert all(box and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
+
+
+def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:
+    assert not ledger.locator("#claim-17").is_visible()
+    ledger.locator(f"{ROWS} td a", has_text="17").first.click()
+    ledger.locator("#claim-17").wait_for(state="visible")
+
+
+def test_every_claim_says_in_which_cell_it_is_decided(ledger: Page) -> None:
+    links = ledger.locator(f"{ROWS} a", has_text="decided in").count()
+    assert links == sum(bool(claim.link) for claim in claims.claims())
