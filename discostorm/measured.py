@@ -123,8 +123,8 @@ def payloads(name: str, kind: str) -> list[float]:
     """Return the mean payload of a kind of message in the start-up window of each point [B]."""
     found = []
     for point in points(name):
-        casts = ("multicast", "unicast")
-        messages, _, octets = sum(point.median(("startup", kind, "", cast)) for cast in casts)
+        keys = (("startup", kind, "", cast) for cast in ("multicast", "unicast"))
+        messages, _, octets = np.sum([point.median(key) for key in keys], axis=0)
         if messages:
             found.append(float(octets / messages))
     return found

@@ -81,8 +81,8 @@ class Capture:
             not say; ``submessage``, its name in the standard or in Zenoh; of RTPS, ``entity``,
             what its entities are about, ``reader`` and ``writer``, their ids, and ``size``,
             the octets to the next header [B]; ``ends``, whether it takes back what it is
-            about, or ends a connection; ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its
-            part of packets [1].
+            about, or ends a connection; ``copy``, whether the capture shows it once more;
+            ``transport``; ``frames``, its part of packets [1].
         """
         return self._messages.copy()
 
@@ -182,8 +182,8 @@ class Capture:
         """Hold what was captured against the table of a protocol.
 
         Left out are what the capture shows twice, what stays on one host, and what takes back
-        an announcement or ends a connection (shutdown). A capture without any message that the table has for
-        the start alone is taken for one of the steady state.
+        an announcement or ends a connection (shutdown). A capture without any message that the
+        table has for the start alone is taken for one of the steady state.
 
         Parameters
         ----------
