@@ -1,7 +1,7 @@
 """The printed edition: in parts, without what is folded, solutions last, tables that fit."""
 
 import re
-from collections import defaultdict
+from math import ceil
 from pathlib import Path
 
 from docutils import nodes
@@ -86,68 +86,73 @@ def _width(text: str, size: float, *, is_code: bool) -> float:
     return size * (0.5 * len(text) + 0.25 * capitals)
 
 
-def _columns(table: nodes.table, size: float) -> list[tuple[float, float, bool]]:
-    """Return least and natural width [pt] of each column, and whether it is right-aligned."""
-    columns: defaultdict[int, list[tuple[float, float, bool]]] = defaultdict(list)
-    for row in table.findall(nodes.row):
-        for place, entry in enumerate(row.findall(nodes.entry)):
-            is_code = any(True for _ in entry.findall(nodes.literal))
-            text = entry.astext()
-            # Code is broken at some signs, too.
-            words = re.split(r"(?<=[\s.,;?!/])", text) if is_code else text.split()
-            columns[place].append(
-                (
-                    max((_width(word, size, is_code=is_code) for word in words), default=0.0),
-                    _width(text, size, is_code=is_code),
-                    "text-right" in entry.get("classes", ()),
-                )
-            )
-    return [
-        (max(c[0] for c in cells), max(c[1] for c in cells), any(c[2] for c in cells))
-        for cells in columns.values()
-    ]
+def _least(entry: nodes.entry, size: float) -> float:
+    """Return how wide the longest word of a cell is [pt]."""
+    is_code = any(True for _ in entry.findall(nodes.literal))
+    # Code is broken at some signs, too.
+    words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
+    return max((_width(word, size, is_code=is_code) for word in words), default=0.0)
 
 
-def _shared(columns: list[tuple[float, float, bool]], measure: float) -> list[float] | None:
+def _natural(entry: nodes.entry, size: float) -> float:
+    """Return how wide a cell is on one line [pt]."""
+    is_code = any(True for _ in entry.findall(nodes.literal))
+    return _width(entry.astext(), size, is_code=is_code)
+
+
+def _shared(rows: list[list[nodes.entry]], size: float, measure: float) -> list[float] | None:
     """Return a width for each column [pt], or nothing if the longest words do not fit."""
-    room = measure - _GAP * len(columns)
-    least = [column[0] for column in columns]
-    more = [column[1] - column[0] for column in columns]
-    if sum(least) > room:
+    count = len(rows[0])
+    widths = [max(_least(row[i], size) for row in rows) + 2 for i in range(count)]
+    natural = [[_natural(entry, size) + 2 for entry in row] for row in rows]
+    left = measure - _GAP * count - sum(widths)
+    if left < 0:
         return None
-    if sum(least) + sum(more) <= room:
-        return [column[1] + 2 for column in columns]
-    # What is left goes to all alike, first to those that need the least of it.
-    widths, left = least[:], room - sum(least)
-    for done, place in enumerate(sorted(range(len(columns)), key=more.__getitem__)):
-        given = min(more[place] + 2, left / (len(columns) - done))
-        widths[place] += given
-        left -= given
+    full = [max(row[i] for row in natural) for i in range(count)]
+    if sum(full) - sum(widths) <= left:
+        return full
+
+    def height(widths: list[float]) -> tuple[int, float]:
+        lines = [[ceil(n / w) for n, w in zip(row, widths, strict=True)] for row in natural]
+        return sum(map(max, lines)), sum(map(sum, lines))
+
+    # What is left goes, a little at a time, to the column that makes the table shortest by it.
+    step = left / 40
+    for _ in range(40):
+        wider = [[w + step * (i == j) for j, w in enumerate(widths)] for i in range(count)]
+        widths = min(wider, key=height)
     return widths
 
 
 def _fit(table: nodes.table) -> None:
     """Give a table columns that fit the page, smaller type or a turned page if they must."""
+    rows = [list(row.findall(nodes.entry)) for row in table.findall(nodes.row)]
+    right = [
+        any("text-right" in e.get("classes", ()) for e in column)
+        for column in zip(*rows, strict=True)
+    ]
     for measure in (_UPRIGHT, _TURNED):
         for size, command in _SIZES:
-            widths = _shared(columns := _columns(table, size), measure)
+            widths = _shared(rows, size, measure)
             # What would be a tower of words is better turned.
-            wide = sum(column[1] for column in columns)
-            if widths is None or (measure == _UPRIGHT and wide > 4.5 * _UPRIGHT):
+            most = sum(
+                max(_natural(entry, size) for entry in column) for column in zip(*rows, strict=True)
+            )
+            if widths is None or (measure == _UPRIGHT and most > 4.5 * _UPRIGHT):
                 continue
             spec = "".join(
-                rf">{{\ragged{'left' if right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
-                for width, (_, _, right) in zip(widths, columns, strict=True)
+                rf">{{\ragged{'left' if is_right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
+                for width, is_right in zip(widths, right, strict=True)
             )
             table["classes"].append("longtable")
             turn, back = (
-                ("\\begin{landscape}", "\\end{landscape}") if measure == _TURNED else ("", "")
+                (r"\begin{landscape}", r"\end{landscape}") if measure == _TURNED else ("", "")
             )
             parent = table.parent
             at = parent.index(table)
-            parent.insert(at + 1, _latex(f"\\endgroup{back}\n"))
+            parent.insert(at + 1, _latex(rf"\endgroup{back}" + "\n"))
             parent.insert(at, tabular_col_spec(spec=spec))
-            parent.insert(at, _latex(f"{turn}\\begingroup{command}\n"))
+            parent.insert(at, _latex(rf"{turn}\begingroup{command}" + "\n"))
             return
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
@@ -158,7 +163,7 @@ def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
         if reference.get("internal"):
             reference.replace_self(nodes.inline("", reference.astext()))
     page = "book/calculator"
-    next(tree.findall(nodes.section)).append(_link(app, page, app.env.titles[page].astext()))
+    next(tree.findall(nodes.section)).append(_link(app, page, "The calculator"))
 
 
 def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
