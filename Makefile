@@ -56,11 +56,14 @@ pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@rm -rf _build/latex _build/.doctrees _build/run_times.csv
 	@$(BUILD) --builder latex
 	@echo "Running LaTeX ..."
-	@cd _build/latex && SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 \
-		latexmk -xelatex -halt-on-error -interaction=nonstopmode -quiet discostorm.tex >latex.out 2>&1 \
-		|| { tail -n 40 latex.out; exit 1; }
-	@mkdir -p build && cp _build/latex/discostorm.pdf build/
-	@echo; echo "The PDF is ready: open $$PWD/build/discostorm.pdf"
+	@cd _build/latex && for name in discostorm cheat_sheet; do \
+		SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 latexmk -xelatex -halt-on-error \
+		-interaction=nonstopmode -quiet $$name.tex >$$name.latexmk 2>&1 \
+		|| { tail -n 40 $$name.latexmk; exit 1; }; done
+	@$(BIN)/python scripts/check_pdf.py _build/latex/discostorm.pdf
+	@$(BIN)/python scripts/check_pdf.py _build/latex/cheat_sheet.pdf --pages 1
+	@mkdir -p build && cp _build/latex/discostorm.pdf _build/latex/cheat_sheet.pdf build/
+	@echo; echo "The PDF is ready: open $$PWD/build/discostorm.pdf, and cheat_sheet.pdf beside it"
 
 release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks, figures and data
 	@rm -rf _build/html _build/.doctrees build/release

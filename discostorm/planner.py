@@ -672,7 +672,7 @@ def _other_fleets(
             replace(group, endpoints=group.endpoints - each * own, nodes=0)
             for group, own in zip(fleet.groups, nodes, strict=True)
         )
-        counts = " and ".join(f"{own:g}" for own in dict.fromkeys(nodes))
+        counts = " and ".join(f"{own:.3g}" for own in dict.fromkeys(nodes))
         noun = "node" if set(nodes) == {1} else "nodes"
         what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
         yield "endpoints", what, Fleet(tuple(fewer), fleet.matching)

@@ -15,6 +15,7 @@ ROOT = Path(__file__).parents[1]
 CONTENTS = {
     "_build/html": "html",
     "build/discostorm.pdf": "discostorm.pdf",
+    "build/cheat_sheet.pdf": "cheat_sheet.pdf",
     "build/release/figures": "figures",
     "notebooks": "notebooks",
     "discostorm/data": "data",

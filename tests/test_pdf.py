@@ -1,7 +1,10 @@
 """The PDF that `make pdf` made last: A4, no blank pages, vectors, numbered as the HTML."""
 
 import re
+import sys
+from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import yaml
@@ -12,10 +15,14 @@ from test_browser import PAGES, source
 
 import discostorm as ds
 
+sys.path[:0] = [str(Path(__file__).parents[1] / folder) for folder in ("scripts", "book/_ext")]
+check_pdf, printed = import_module("check_pdf"), import_module("printed")
+
 pytestmark = pytest.mark.book
 
 ROOT = Path(__file__).parents[1]
 PDF = ROOT / "build" / "discostorm.pdf"
+CHEAT_SHEET = ROOT / "build" / "cheat_sheet.pdf"
 #: Where LaTeX says which number and page a label got.
 LABELS = ROOT / "_build" / "latex" / "discostorm.aux"
 LABEL = re.compile(r"\\newlabel\{equation:([\w/]+):([\w-]+)\}\{\{(.*?)\}\{(\d+)\}")
@@ -48,13 +55,69 @@ def test_pages_are_a4_and_none_is_blank(pdf: PdfReader, text: list[str]) -> None
     # A head and a foot alone have fewer letters; a page of a part has a number and a word.
     bare = [n for n, words in enumerate(text) if len("".join(words.split())) < 120]
     parts = [n for n in bare if re.match(r"Part\s+[IV]+\s+\w+\s+\d+$", text[n].strip())]
-    assert len(parts) == len(yaml.safe_load((ROOT / "_toc.yml").read_text())["parts"])
+    contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["parts"]
+    assert len(parts) == sum("caption" in part for part in contents)
     assert [n for n in bare if n not in parts] == [0]  # the title page
 
 
 def test_the_title_page_says_version_and_commit(text: list[str]) -> None:
-    assert "DiscoveryStorm,executable" in "".join(text[0].split())
+    title = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))["title"]
+    assert "".join(title.split()) in "".join(text[0].split())
     assert re.search(rf"{re.escape(ds.__version__)} \([0-9a-f]{{8}}(-dirty)?\)", text[0])
+
+
+def test_nothing_runs_off_a_page_and_no_figure_leaves_half_of_one_empty(pdf: PdfReader) -> None:
+    log = LABELS.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
+    assert not check_pdf.overfull(log)
+    assert not check_pdf.gaps(pdf, check_pdf.filled(PDF))
+
+
+def test_what_does_not_fit_is_found(pdf: PdfReader) -> None:
+    log = (
+        "Overfull \\hbox (4.9pt too wide) in paragraph at lines 1--2\n[]small\n"
+        "Overfull \\hbox (48.2pt too wide) in paragraph at lines 3--4\n[]ledger\n"
+        "LaTeX Warning: Float too large for page by 12.0pt on input line 5.\n\n"
+    )
+    assert [line.split(" pt")[0] for line in check_pdf.overfull(log)] == ["48.2", "12.0"]
+    begins = check_pdf.starts(pdf)
+    before_a_figure = next(
+        number
+        for number, page in enumerate(pdf.pages[1:])
+        if check_pdf.is_drawn_on(page) and number + 1 not in begins
+    )
+    shares = [1.0] * len(pdf.pages)
+    assert not check_pdf.gaps(pdf, shares)
+    shares[before_a_figure] = 0.4
+    assert [line.split()[1] for line in check_pdf.gaps(pdf, shares)] == [str(before_a_figure + 1)]
+
+
+def test_solutions_come_last_and_are_found(text: list[str]) -> None:
+    begin = max(n for n, words in enumerate(text) if words.strip().startswith("Solutions"))
+    ahead, behind = " ".join(text[:begin]), " ".join(text[begin:])
+    assert "Show the solution" not in ahead + behind
+    assert len(re.findall(r"Solution on page \d+", ahead)) > 10
+    assert "??" not in ahead
+    assert behind.count("assert") > 10
+
+
+def test_the_cheat_sheet_is_one_page_with_what_it_promises() -> None:
+    if not CHEAT_SHEET.exists():
+        missing("no cheat sheet here: run `make pdf`")
+    (page,) = PdfReader(CHEAT_SHEET).pages
+    words = " ".join(page.extract_text().split())
+    for promised in ("Fast DDS", "Zenoh", "1. ", "tcpdump -i", "calculator.html"):
+        assert promised in words
+
+
+@pytest.mark.parametrize("address", ["", "https://example.org/book/"])
+def test_chapters_lead_to_their_page(address: str) -> None:
+    app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address))
+    link = printed._link(app, "notebooks/06_hosts").astext()  # type: ignore[arg-type]
+    if address:
+        assert r"\qrcode[height=1.6cm]{https://example.org/book/notebooks/06_hosts.html}" in link
+    else:
+        assert "html/notebooks/06_hosts.html" in link
+        assert "qrcode" not in link
 
 
 def test_figures_are_vectors(pdf: PdfReader) -> None:

@@ -1,0 +1,95 @@
+"""Fail if something in the book's PDF runs off a page, or a figure leaves half a page empty."""
+
+import argparse
+import re
+import subprocess
+from pathlib import Path
+
+from pypdf import PageObject, PdfReader
+from pypdf.generic import Destination
+
+#: What is seen of a box that is wider than its column [pt].
+TOO_WIDE = 5.0
+#: Head and foot of a page, which are there on an empty one as well, as shares of its height.
+HEAD, FOOT = 0.09, 0.91
+BOX = re.compile(
+    r"(?:Overfull \\[hv]box \(|Float too large for page by )([\d.]+)pt([^\n]*)\n([^\n]*)"
+)
+
+
+def overfull(log: str) -> list[str]:
+    """Return what LaTeX says of each box that is too wide or too high."""
+    return [
+        f"{float(points):.1f} pt{where}: {text.strip()[:90]}"
+        for points, where, text in BOX.findall(log)
+        if float(points) > TOO_WIDE
+    ]
+
+
+def filled(pdf: Path) -> list[float]:
+    """Return how far down each page is printed, as a share of what can be."""
+    done = subprocess.run(
+        ["pdftoppm", "-r", "18", "-gray", str(pdf)], capture_output=True, check=True
+    )
+    shares = []
+    data = done.stdout
+    while data:
+        # A PGM file: P5, width and height, 255, then a byte for each pixel; page after page.
+        head = re.match(rb"P5\s(\d+)\s(\d+)\s255\s", data)
+        assert head, "pdftoppm has written something else than PGM"
+        width, height = int(head[1]), int(head[2])
+        start, end = head.end(), head.end() + width * height
+        rows = [min(data[start + row * width :][:width]) for row in range(height)]
+        first, last = round(HEAD * height), round(FOOT * height)
+        ink = [row for row in range(first, last) if rows[row] < 200]
+        shares.append((ink[-1] - first) / (last - first) if ink else 0.0)
+        data = data[end:]
+    return shares
+
+
+def starts(reader: PdfReader) -> set[int]:
+    """Return the pages, from 0, on which a part or a chapter begins."""
+    found: set[int] = set()
+    for entry in reader.outline:
+        for each in entry if isinstance(entry, list) else [entry]:
+            if isinstance(each, Destination):
+                page = reader.get_destination_page_number(each)
+                found |= {page} if page is not None else set()
+    return found
+
+
+def is_drawn_on(page: PageObject) -> bool:
+    """Return whether there is a figure on a page."""
+    things = page.get("/Resources", {}).get("/XObject") or {}
+    return any(thing.get_object()["/Subtype"] == "/Form" for thing in things.values())
+
+
+def gaps(reader: PdfReader, shares: list[float]) -> list[str]:
+    """Return the pages that are half empty because of a figure there or on the next one."""
+    begins = starts(reader) | {len(shares)}
+    drawn = [is_drawn_on(page) for page in reader.pages]
+    return [
+        f"page {page + 1} of the file is only {share:.0%} full, because of a figure"
+        for page, share in enumerate(shares)
+        if share < 0.5 and page + 1 not in begins and (drawn[page] or drawn[page + 1])
+    ]
+
+
+def main() -> None:
+    """Check the PDF and the log beside it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("pdf", type=Path, help="the file, with LaTeX's log beside it")
+    parser.add_argument("--pages", type=int, help="how many pages there may be at most")
+    arguments = parser.parse_args()
+    pdf = arguments.pdf
+    reader = PdfReader(pdf)
+    log = pdf.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
+    wrong = overfull(log) + gaps(reader, filled(pdf))
+    if arguments.pages and len(reader.pages) > arguments.pages:
+        wrong.append(f"{len(reader.pages)} pages; at most {arguments.pages} are wanted")
+    if wrong:
+        raise SystemExit("\n".join([f"discostorm: {pdf} does not fit its pages:", *wrong]))
+
+
+if __name__ == "__main__":
+    main()
