@@ -119,6 +119,17 @@ def points(name: str) -> list[Point]:
     return found
 
 
+def payloads(name: str, kind: str) -> list[float]:
+    """Return the mean payload of a kind of message in the start-up window of each point [B]."""
+    found = []
+    for point in points(name):
+        keys = (("startup", kind, "", cast) for cast in ("multicast", "unicast"))
+        messages, _, octets = np.sum([point.median(key) for key in keys], axis=0)
+        if messages:
+            found.append(float(octets / messages))
+    return found
+
+
 def times(schedule: Schedule, window: str) -> float:
     """Return how many times of a schedule are in a window."""
     begin, end = (float(np.asarray(schedule.sent(time))) for time in WINDOWS[window])

@@ -334,6 +334,12 @@ class Plan:
         if self.wifi.aggregation is not None:
             exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
         yield (f"Counted with nothing lost, no collisions and each unicast message in {exchanges}.")
+        if self.protocol.name in MEASURED:
+            yield (
+                f"The table of {self.protocol.name} is what was measured of the product in a lab, "
+                "in small swarms that began all at once; of the endpoints "
+                f"{words.percent(self.fleet.matching)} have names that match in all processes."
+            )
         if self.protocol.repeats:
             papers = [message.name for message in self.protocol.messages if _of_paper(message)]
             if papers:

@@ -16,14 +16,11 @@ from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
 
-#: The window of the rule of thumb is so many times as long as the burst's airtime.
-TIMES = 2.0
-
 
 def window(
     protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> float:
-    """Return the rule of thumb's window: twice the airtime of the whole start.
+    """Return the rule of thumb's window: as long as the airtime of the whole start.
 
     Parameters
     ----------
@@ -47,9 +44,9 @@ def window(
     >>> import discostorm as ds
     >>> from discostorm import staggered
     >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
-    4.1
+    2.0
     """
-    return TIMES * float(burst(protocol, hosts, processes, endpoints, wifi))
+    return float(burst(protocol, hosts, processes, endpoints, wifi))
 
 
 def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:

@@ -49,11 +49,13 @@ BARRIERS = """(rules) => axe
             `${impact} ${id}: ${target.join(" ")} ${html.slice(0, 160)} ${failureSummary}`)))"""
 #: Returns how much of the height of the article is code that is not folded.
 CODE_SHARE = """() => {
+    const article = document.querySelector(".bd-article");
+    if (!article) return 0;
     const height = (element) => element.getBoundingClientRect().height;
-    const code = [...document.querySelectorAll(".bd-article .cell_input")]
+    const code = [...article.querySelectorAll(".cell_input")]
         .filter((element) => element.checkVisibility());
     const sum = code.map(height).reduce((sum, one) => sum + one, 0);
-    return sum / height(document.querySelector(".bd-article"));
+    return sum / height(article);
 }"""
 #: Unfolds what is folded.
 OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
@@ -277,7 +279,7 @@ def test_figures_in_dark_mode_are_no_slabs_and_keep_their_hues(
             tab.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
             tab.goto(f"{(book / chapter).as_uri()}.html")
             tab.evaluate(REST)
-            picture = tab.locator("#fig-2 img").screenshot()
+            picture = tab.locator("#fig-paper-2 img").screenshot()
             pixels[theme] = Image.open(io.BytesIO(picture)).convert("RGB")
             ground = tab.evaluate("getComputedStyle(document.body).backgroundColor")
             corner = pixels[theme].getpixel((2, 2))

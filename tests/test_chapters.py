@@ -43,18 +43,6 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
     assert [answer.startswith("> **The answer.** ") for answer in answers] == [True]
 
 
-@pytest.mark.parametrize("page", CHAPTERS)
-def test_a_chapter_has_exercises_whose_solutions_are_folded(page: str) -> None:
-    prompts = [cell["metadata"].get("mystnb", {}).get("code_prompt_show") for cell in cells(page)]
-    solutions = [
-        cell
-        for cell, prompt in zip(cells(page), prompts, strict=True)
-        if prompt == "Show the solution"
-    ]
-    assert 1 <= len(solutions) <= 3
-    assert all("hide-cell" in cell["metadata"]["tags"] for cell in solutions)
-
-
 def test_tables_are_for_people() -> None:
     frame = pd.DataFrame(
         {

@@ -633,6 +633,7 @@ def _other_segments(
             "bytes": table["wire"][rows],
             "way": table["way"][rows],
             "frames": np.ones(len(rows)),
+            "ends": table["flags"][rows] & (tcp.FIN | tcp.RST) > 0,
             **_ends(table, rows, process[stream], process[streams.reverse[stream]]),
         }
     )

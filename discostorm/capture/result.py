@@ -81,8 +81,8 @@ class Capture:
             not say; ``submessage``, its name in the standard or in Zenoh; of RTPS, ``entity``,
             what its entities are about, ``reader`` and ``writer``, their ids, and ``size``,
             the octets to the next header [B]; ``ends``, whether it takes back what it is
-            about; ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its
-            part of packets [1].
+            about, or ends a connection; ``copy``, whether the capture shows it once more;
+            ``transport``; ``frames``, its part of packets [1].
         """
         return self._messages.copy()
 
@@ -182,8 +182,8 @@ class Capture:
         """Hold what was captured against the table of a protocol.
 
         Left out are what the capture shows twice, what stays on one host, and what takes back
-        an announcement (orderly shutdown). A capture without any message that the table has for
-        the start alone is taken for one of the steady state.
+        an announcement or ends a connection (shutdown). A capture without any message that the
+        table has for the start alone is taken for one of the steady state.
 
         Parameters
         ----------
@@ -209,9 +209,8 @@ class Capture:
             messages these send from the first message in the capture to its end, or
             until nobody sends any more [1];
             ``unicast`` and ``multicast``, how many were captured [1]; ``per_unit``, captured
-            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s];
-            ``expected_bytes``, payload of what is expected [B]. Where the
-            table has no such message, ``units`` and what follows from it are NaN.
+            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s].
+            Where the table has no such message, ``units`` and what follows from it are NaN.
 
         Raises
         ------
@@ -246,7 +245,7 @@ class Capture:
         window = self._window(protocol)
         started = self._started(protocol, rows)
         units = dict.fromkeys(others, np.nan)
-        expected, octets = dict(units), dict(units)
+        expected = dict(units)
         for message in protocol.messages:
             visible = self._units(message, fleet)
             units.setdefault(message.kind, visible)
@@ -256,13 +255,10 @@ class Capture:
                 times = window * message.schedule.per_second
             sent = visible * message.per_unit * times
             expected[message.kind] = expected.get(message.kind, 0.0) + sent
-            size = sent * message.payload.nominal
-            octets[message.kind] = octets.get(message.kind, 0.0) + size
         table.insert(0, "units", pd.Series(units))
         table.insert(1, "expected", pd.Series(expected))
         total = table["unicast"] + table["multicast"]
         table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
-        table["expected_bytes"] = pd.Series(octets)
         whole = ["unicast", "multicast", "bytes"]
         return table.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
 

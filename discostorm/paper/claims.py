@@ -19,16 +19,17 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
+from statistics import median
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import sympy as sp
 
-from discostorm import notation as nt, words
+from discostorm import measured, notation as nt, words
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol, header_bytes
 from discostorm.paper import enumeration
-from discostorm.protocols import DDS, ZENOH
+from discostorm.protocols import DDS, MEASURED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults, products
 from discostorm.scalability import message_costs, saturation_hosts, utilization
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
@@ -333,6 +334,22 @@ def payload_spread(message: str) -> float:
     """Return half the payload range of a message relative to its nominal value."""
     payload = _message(message).payload
     return (payload.high - payload.low) / 2 / payload.nominal
+
+
+@_quantity
+def payloads_measured(protocol: Protocol) -> float:
+    """Return which part of the messages had, in captures, a payload in the paper's range.
+
+    Of the products that speak the protocol, at least one; its median of all points of the lab.
+    """
+    within = set()
+    for name, table in PROTOCOLS.items():
+        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name:
+            for message in protocol.messages:
+                sizes = measured.payloads(name, message.name)
+                if sizes and message.payload.low <= median(sizes) <= message.payload.high:
+                    within.add(message.name)
+    return len(within) / len(protocol.messages)
 
 
 @_quantity
