@@ -286,7 +286,9 @@ def test_figures_in_dark_mode_are_no_slabs_and_keep_their_hues(
             assert corner == tuple(map(int, re.findall(r"\d+", ground)))
     for name in ("DDS", "Zenoh"):
         drawn = ImageColor.getrgb(figures.COLORS[name])
-        pairs = zip(*(pixels[theme].get_flattened_data() for theme in ("light", "dark")), strict=True)
+        pairs = zip(
+            *(pixels[theme].get_flattened_data() for theme in ("light", "dark")), strict=True
+        )
         shown = {after for before, after in pairs if before == drawn}
         assert shown
         for color in shown:
