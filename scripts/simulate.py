@@ -38,6 +38,7 @@ ALL = (
     "Zenoh, periods of Zenoh peer",
 )
 SEED = 2026
+SOURCE = {"source": f"ds.simulate, seed {SEED}"}
 
 
 @dataclass(frozen=True)
@@ -244,11 +245,11 @@ def main() -> None:
     for setting in tqdm(sorted(todo, key=lambda one: (one.hosts, repr(one))), "settings"):
         result(setting)
     for name, settings in wanted.items():
-        write(name, [asdict(one) | result(one) | {"seed": SEED} for one in settings])
+        write(name, [asdict(one) | result(one) | SOURCE for one in settings])
     if only in (None, "drain"):
-        write("events", events())
+        write("events", [row | SOURCE for row in events()])
     if only in (None, "queues"):
-        write("hosts", by_host())
+        write("hosts", [row | SOURCE for row in by_host()])
     if only in (None, "fits"):
         write("ladder", ladder([asdict(one) | result(one) for one in settings_of("fits")]))
 

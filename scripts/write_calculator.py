@@ -18,6 +18,7 @@ from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.protocols import MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
 from discostorm.wifi import Cast, Model, Wifi, downlink_airtime, uplink_airtime
@@ -45,13 +46,23 @@ START_MIDDLEWARE = "Fast DDS"
 #: Like hosts beside a group of others, of which there may be none.
 BESIDE = symbolic_group(1)
 #: Endpoints match none elsewhere, or one in every other process.
-FLEETS = tuple(
-    Fleet((*SWARM.groups, BESIDE), *matching)
-    for matching in (((0.0,), (1.0,)) if hasattr(SWARM, "matching") else ((),))
+FLEETS = tuple(Fleet((*SWARM.groups, BESIDE), matching) for matching in (0.0, 1.0))
+
+#: The first table of each product as built; the others are variants of one.
+PRODUCTS = tuple(
+    {
+        row["defaults"]: row["protocol"] for row in reversed(read_data("vendors/products.csv"))
+    }.values()
 )
 
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
+
+#: What products' tables were fitted to.
+ABOUT = {
+    row["protocol"]: f"{row['what']} (version {row['versions']})"
+    for row in read_data("vendors/products.csv")
+}
 
 #: Headings of the middlewares, in order.
 GROUPS = (
@@ -268,12 +279,10 @@ def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
         return GROUPS[1]
-    if not protocol.repeats:
-        return GROUPS[3]
     papers = [message for table in PAPERS for message in table.messages]
-    if any(message in papers for message in protocol.messages):
-        return GROUPS[2]
-    return GROUPS[0]
+    if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
+        return GROUPS[3]
+    return GROUPS[0] if protocol.name in MEASURED else GROUPS[2]
 
 
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
@@ -284,7 +293,7 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
         "phase": data(message.phase),
         "cast": data(message.cast),
         "bytes": number(message.frame_bytes),
-        "frames": number(getattr(message, "frames", 1.0)),
+        "frames": number(message.frames),
         "unit": data(units.index(message.unit)),
         "per_unit": number(message.per_unit),
         "hops": data(message.hops),
@@ -359,7 +368,8 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     return {
         "group": data(group(protocol)),
         "family": data(planner.family(protocol)),
-        "color": data(figures.COLORS[protocol.name]),
+        "about": data(ABOUT.get(protocol.name, "")),
+        "variant": data(protocol.name in MEASURED and protocol.name not in PRODUCTS),
         "lease": number(protocol.lease),
         "repeats": data(protocol.repeats),
         "outlooks": outlooks(protocol),
@@ -415,7 +425,7 @@ def model() -> Code:
             "middleware": data(START_MIDDLEWARE),
         },
         "groups": data(GROUPS),
-        "matching": data(len(FLEETS) > 1),
+        "palette": data(list(dict.fromkeys(figures.COLORS.values()))),
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],

@@ -21,6 +21,7 @@ import discostorm as ds
 from discostorm import timeline
 from discostorm._numeric import evaluate
 from discostorm.fleet import COUNTS
+from discostorm.protocols import MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.wifi import Model
 
@@ -78,7 +79,7 @@ def beside(entries: dict[str, str]) -> ds.Fleet | None:
         counts = (float(entries["beside_hosts"]), *laptop().counts()[1:])
     else:
         counts = tuple(float(entries[f"beside_{name}"]) for name in COUNTS)
-    return ds.Fleet((ds.HostGroup(*counts),))
+    return ds.Fleet((ds.HostGroup(*counts),), float(entries["matching"]))
 
 
 def fleet_of(entries: dict[str, str], hosts: float | None = None) -> ds.Fleet:
@@ -86,20 +87,20 @@ def fleet_of(entries: dict[str, str], hosts: float | None = None) -> ds.Fleet:
         hosts or float(entries["hosts"]), float(entries["processes"]), float(entries["endpoints"])
     )
     others = beside(entries)
-    return ds.Fleet((robots, *(others.groups if others else ())))
+    return ds.Fleet((robots, *(others.groups if others else ())), float(entries["matching"]))
 
 
 @functools.cache
-def burst(protocol: ds.Protocol, model: Model, groups: int) -> sp.Expr:
-    return protocol.burst(fleet=ds.Fleet.symbolic(groups), model=model)
+def burst(protocol: ds.Protocol, model: Model, fleet: ds.Fleet) -> sp.Expr:
+    return protocol.burst(fleet=fleet, model=model)
 
 
 def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: ds.Wifi) -> tuple[float, float]:
     """Return how long the start takes [s], and what is repeated [1], also of unlike hosts."""
     steady = float(ds.utilization(protocol, fleet, wifi=wifi, window=math.inf))
-    symbolic = ds.Fleet.symbolic(len(fleet.groups))
+    symbolic = ds.Fleet.symbolic(len(fleet.groups), fleet.matching)
     values = dict(zip(symbolic.counts(), fleet.counts(), strict=True))
-    formula = burst(protocol, wifi.model, len(fleet.groups))
+    formula = burst(protocol, wifi.model, symbolic)
     start = float(evaluate(formula, values | protocol.values() | wifi.values()))
     return (start / (1 - steady) if steady < 1 else math.inf), steady
 
@@ -158,6 +159,7 @@ def random_settings(many: int) -> list[dict[str, str]]:
         )
 
     names = [*CHANNELS, "own", "own"]
+    neighbors = [chance.choice(("none", "laptop", "own")) for _ in range(many)]
     return [
         {
             "robot": "own",
@@ -165,7 +167,9 @@ def random_settings(many: int) -> list[dict[str, str]]:
             "hosts": some(1, 1e9 if number % 5 == 0 else 100, whole=True),
             "processes": some(1, 1e9 if number % 7 == 0 else 20, whole=True),
             "endpoints": some(0, 1e9 if number % 7 == 0 else 1000, zero=True),
-            "beside": chance.choice(("none", "laptop", "own")),
+            "beside": neighbors[number],
+            # Where all match, Python solves for hosts only beside a fleet that says so.
+            "matching": "0" if neighbors[number] == "none" else chance.choice("01"),
             "beside_hosts": some(1, 100, whole=True),
             "beside_processes": some(1, 20, whole=True),
             "beside_endpoints": some(0, 1000, zero=True),
@@ -239,6 +243,7 @@ START = {
     "endpoints": f"{ROBOT.endpoints:g}",
     "beside": "laptop",
     "beside_hosts": "1",
+    "matching": "0",
     "wifi": "paper",
 }
 #: The swarm of Fig. 2 at its largest.
@@ -340,12 +345,17 @@ def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> 
     known = [robot.nodes if robot else None, operators.nodes]
     fleet = fleet_of(entries)
     groups = [ds.HostGroup(*g.counts(), nodes=n) for g, n in zip(fleet.groups, known, strict=False)]
-    plan = ds.plan(ds.Fleet(tuple(groups)), ds.PROTOCOLS[entries["middleware"]], channel(entries))
+    plan = ds.plan(
+        ds.Fleet(tuple(groups), fleet.matching),
+        ds.PROTOCOLS[entries["middleware"]],
+        channel(entries),
+    )
     best: dict[str, float] = {}
     alike = {
         name
         for name, table in ds.PROTOCOLS.items()
         if write_calculator.group(table) == write_calculator.group(plan.protocol)
+        and (name in write_calculator.PRODUCTS or name not in MEASURED)
     }
     for remedy in plan.remedies:
         other = remedy.kind == "middleware" and remedy.protocol.name not in alike

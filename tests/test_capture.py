@@ -11,6 +11,7 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -34,7 +35,14 @@ from capture_files import (
 from click.testing import CliRunner
 
 import discostorm as ds
-from discostorm.capture import Capture, CaptureError, read_capture, rtps as rtps_module
+from discostorm.capture import (
+    Capture,
+    CaptureError,
+    _chain,
+    files,
+    read_capture,
+    rtps as rtps_module,
+)
 from discostorm.cli import main
 
 DDS_CAPTURES = ["fast_dds", "cyclone_dds_010", "cyclone_dds_11"]
@@ -649,6 +657,92 @@ def test_wrong_arguments(name: str) -> None:
         captured("cyclone_dds_010").compare(**arguments)  # type: ignore[arg-type]
 
 
+# ---------------------------------------------------------------- large files
+
+
+def many(fill: bytes) -> list[Packet]:
+    """Return 6000 packets, 3 MB, which hold captures themselves; one is longer than the others."""
+    inner = pcap(packets("fast_dds")[:40]) + pcapng(packets("fast_dds")[:40])
+    parts = [inner[place : place + 400] + fill for place in range(0, len(inner), 97)]
+    frames = [udp(parts[turn % len(parts)] + bytes(turn % 7)) for turn in range(6000)]
+    frames[4000] = udp(inner[:60_000])
+    return at([LINKS["Ethernet"][1](frame) for frame in frames], step=1_000_000)
+
+
+@pytest.mark.parametrize("order", "<>")
+@pytest.mark.parametrize("make", [pcap, pcapng])
+@pytest.mark.parametrize("fill", [b"", bytes(100)], ids=["full", "zeros"])
+def test_packets_of_a_large_file_are_those_written_to_it(
+    make: Callable[..., bytes], order: str, fill: bytes, tmp_path: Path
+) -> None:
+    expected = many(fill)
+    path = tmp_path / "large"
+    content = make(expected, order=order)
+    path.write_bytes(content)
+    found = files.read(path)
+    table = {name: column.tolist() for name, column in found.table.items()}
+    assert table["time"] == [when for when, _, _ in expected]
+    assert table["length"] == [length for _, _, length in expected]
+    for place, size, (_, frame, _) in zip(table["at"], table["size"], expected, strict=True):
+        assert found.data[place : place + size].tobytes() == frame
+    for place in (len(content) - 1, table["at"][4000] + 9, 2_000_000):
+        path.write_bytes(content[:place])
+        # In pcapng zeros fill up to four bytes, and the length stands at the end again.
+        whole = sum(
+            (at_ + size if make is pcap else at_ + (size + 3 & ~3) + 4) <= place
+            for at_, size in zip(table["at"], table["size"], strict=True)
+        )
+        with pytest.raises(CaptureError, match="cut or broken") as error:
+            files.read(path)
+        # Where the header of the first that is not whole stands.
+        where = table["at"][whole] - (16 if make is pcap else 28)
+        assert f": byte {where}: " in str(error.value)
+
+
+def test_sections_of_a_large_file_may_change_the_byte_order(tmp_path: Path) -> None:
+    path = tmp_path / "large"
+    path.write_bytes(b"".join(pcapng(many(b""), order=order) for order in "<><>>"))
+    times = [when for when, _, _ in many(b"")]
+    assert files.read(path).table["time"].tolist() == times * 5
+    assert files.read(path).links == (1,) * 5
+
+
+def test_a_large_file_is_hardly_followed_packet_by_packet(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "large"
+    slowly: list[int] = []
+    one_by_one = _chain._up_to
+
+    def counted(*arguments: Any) -> tuple[Any, int]:
+        found, end = one_by_one(*arguments)
+        slowly.append(len(found))
+        return found, end
+
+    monkeypatch.setattr(_chain, "_up_to", counted)
+    for make in (pcap, pcapng):
+        path.write_bytes(make(many(b"")))
+        slowly.clear()
+        assert len(files.read(path).table["at"]) == 6000
+        assert sum(slowly) < 600
+
+
+def test_a_clock_that_is_set_back(read: Read) -> None:
+    some = packets("fast_dds")
+    hour = 3600 * 10**9
+    late = [(when - (turn >= 500) * hour, *rest) for turn, (when, *rest) in enumerate(some)]
+    straight, capture = read(pcap(some)), read(pcap(late))
+    messages = capture.messages()
+    assert (messages["time"] >= 0).all()
+    assert messages["time"].min() < 1
+    assert capture.start == pytest.approx(straight.start - 3600, abs=60)
+    assert 3600 - 60 < capture.duration < 3600 + 60
+    assert capture.fleet() == straight.fleet()
+    kinds_ = [rows.messages()["kind"].value_counts().to_dict() for rows in (straight, capture)]
+    assert kinds_[0] == kinds_[1]
+    assert len(capture.picture().axes) == 2
+
+
 # ---------------------------------------------------------------- broken files
 
 PLAIN = pcap(packets("cyclone_dds_010"))
@@ -667,6 +761,7 @@ NG = pcapng(packets("cyclone_dds_010"))
         (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is cut or broken"),
         (NG[:-3], "is cut or broken"),
         (NG[:8] + bytes(4) + NG[12:], "byte 0: a section without a byte order"),
+        (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is cut or broken"),
         (NG[:28] + NG[60:], "a packet of an interface that is not there"),
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),

@@ -1,7 +1,6 @@
 """The printed edition: in parts, without what is folded, solutions last, tables that fit."""
 
 import re
-from math import ceil
 from pathlib import Path
 
 from docutils import nodes
@@ -87,17 +86,25 @@ def _width(text: str, size: float, *, is_code: bool) -> float:
 
 
 def _least(entry: nodes.entry, size: float) -> float:
-    """Return how wide the longest word of a cell is [pt]."""
+    """Return how wide the longest word of a cell is [pt]; a formula is a word."""
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
     words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
+    formulas = [_formula(math.astext()) for math in entry.findall(nodes.math)]
+    if formulas:
+        words = formulas
     return max((_width(word, size, is_code=is_code) for word in words), default=0.0)
 
 
 def _natural(entry: nodes.entry, size: float) -> float:
     """Return how wide a cell is on one line [pt]."""
     is_code = any(True for _ in entry.findall(nodes.literal))
-    return _width(entry.astext(), size, is_code=is_code)
+    return _width(_formula(entry.astext()), size, is_code=is_code)
+
+
+def _formula(tex: str) -> str:
+    """Return about as many letters as are seen of a formula."""
+    return re.sub(r"\\[a-zA-Z]+\s?|[{}^_$]", "", tex) if "\\" in tex or "_{" in tex else tex
 
 
 def _shared(rows: list[list[nodes.entry]], size: float, measure: float) -> list[float] | None:
@@ -112,8 +119,9 @@ def _shared(rows: list[list[nodes.entry]], size: float, measure: float) -> list[
     if sum(full) - sum(widths) <= left:
         return full
 
-    def height(widths: list[float]) -> tuple[int, float]:
-        lines = [[ceil(n / w) for n, w in zip(row, widths, strict=True)] for row in natural]
+    def height(widths: list[float]) -> tuple[float, float]:
+        # Not in whole lines: a little more width that saves none yet is a step towards it.
+        lines = [[max(1, n / w) for n, w in zip(row, widths, strict=True)] for row in natural]
         return sum(map(max, lines)), sum(map(sum, lines))
 
     # What is left goes, a little at a time, to the column that makes the table shortest by it.

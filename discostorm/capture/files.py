@@ -3,16 +3,27 @@
 import lzma
 import struct
 import zlib
-from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from os import PathLike, fspath
 from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
 
-from discostorm.capture._bytes import Array, Bytes, Columns, buffer, number, stack, take, view
+from discostorm.capture._bytes import (
+    Array,
+    Bytes,
+    Columns,
+    Places,
+    buffer,
+    number,
+    stack,
+    take,
+    view,
+)
+from discostorm.capture._chain import Layout, follow, one_by_one
 
 #: The first four bytes of a pcap file, as they stand there: byte order, nanoseconds of a tick, and
 #: the length of a packet's header (the last two are of a patched libpcap).
@@ -145,21 +156,20 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside of its header")
     (link,) = struct.unpack_from(order + "I", view(data), 20)
-    read_size = struct.Struct(order + "I").unpack_from
-    source = view(data)
-    headers = array("q")
-    at, end = 24, size - header
-    while at <= end:
-        headers.append(at)
-        at += header + read_size(source, at + 8)[0]
+
+    def alike(places: Places) -> Array:
+        fraction, held, sent = (number(data, places + at, order + "u4") for at in (4, 8, 12))
+        return (fraction < 1_000_000_000 // tick) & (held > 0) & (held <= sent) & (sent <= MOST)
+
+    place, at = follow(data, size, 24, Layout(order, header, 8, header), alike)
     # Behind its last packet a file has nothing.
     if at != size:
-        where = headers.pop() if headers and at > size else at
+        whole = len(place) - (len(place) > 0 and at > size)
+        where = place[whole] if whole < len(place) else at
         raise CaptureError(
-            f"{name}: byte {where}: packet {len(headers) + 1} is cut or broken; the first "
-            f"{where} bytes of the file hold {len(headers)} whole packets"
+            f"{name}: byte {where}: packet {whole + 1} is cut or broken; the first "
+            f"{where} bytes of the file hold {whole} whole packets"
         )
-    place = np.frombuffer(headers, np.int64) if headers else np.zeros(0, np.int64)
     table: Columns = {
         "at": place + header,
         "size": number(data, place + 8, order + "u4").astype(np.int64),
@@ -210,38 +220,16 @@ class _Interface:
 
 
 def _pcapng(name: str, data: Bytes, size: int) -> Packets:
-    source = view(data)
     interfaces: list[_Interface] = []
     tables: list[Columns] = []
-    at, order, first = 0, "<", 0
-    blocks: dict[int, array[int]] = {kind: array("q") for kind in _AROUND}
-    read_head = struct.Struct("<II").unpack_from
+    at = 0
     while at < size:
-        kind, length = read_head(source, at)
-        if kind == _SECTION:
-            tables += _sections_packets(name, data, blocks, order, interfaces, first)
-            blocks = {kind: array("q") for kind in _AROUND}
-            order = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}.get(
-                source[at + 8 : at + 12].tobytes(), ""
-            )
-            if not order:
-                raise CaptureError(f"{name}: byte {at}: a section without a byte order")
-            first = len(interfaces)
-            read_head = struct.Struct(order + "II").unpack_from
-            kind, length = read_head(source, at)
-        if length < 12 or length & 3 or at + length > size:
-            raise CaptureError(
-                f"{name}: byte {at}: a block of {length} bytes is cut or broken; the first {at} "
-                "bytes of the file hold whole ones"
-            )
-        if kind in _AROUND:
-            if length < _AROUND[kind]:
-                raise CaptureError(f"{name}: byte {at}: a packet's block has {length} bytes")
-            blocks[kind].append(at)
-        elif kind == _INTERFACE:
-            interfaces.append(_interface(name, source, at, length, order))
-        at += length
-    tables += _sections_packets(name, data, blocks, order, interfaces, first)
+        order = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}.get(
+            data[at + 8 : at + 12].tobytes(), ""
+        )
+        if not order:
+            raise CaptureError(f"{name}: byte {at}: a section without a byte order")
+        at = _sections(name, data, size, at, order, interfaces, tables)
     if not tables:
         empty = np.zeros(0, np.int64)
         tables = [dict.fromkeys(("at", "size", "length", "time", "interface"), empty)]
@@ -250,6 +238,83 @@ def _pcapng(name: str, data: Bytes, size: int) -> Packets:
         table = take(table, np.argsort(table["at"], kind="stable"))
     _plausible(name, table)
     return Packets(data, table, tuple(interface.link for interface in interfaces))
+
+
+def _sections(
+    name: str,
+    data: Bytes,
+    size: int,
+    at: int,
+    order: str,
+    interfaces: list[_Interface],
+    tables: list[Columns],
+) -> int:
+    """Read the sections of one byte order from a place on; return where those of another start.
+
+    Their interfaces, and tables of their packets, are added to what is there.
+    """
+    layout = Layout(order, 12, 4, 0)
+
+    def alike(places: Places) -> Array:
+        length = layout.lengths(data, places)
+        good: Array = (number(data, places, order + "u4") == _ENHANCED) & (places + length <= size)
+        # The length stands at the end, too.
+        back = np.where(good & (length >= _AROUND[_ENHANCED]), places + length - 4, places)
+        good &= number(data, back, order + "u4") == length
+        return good
+
+    # Files that change the order again and again are not worth the search.
+    place, end = (one_by_one if at else follow)(data, size, at, layout, alike)
+    kind, length = number(data, place, order + "u4"), layout.lengths(data, place)
+    begins = np.flatnonzero(kind == _SECTION)
+    magic = number(data, place[begins] + 8, "=u4")
+    others = begins[magic != magic[:1]]
+    broken = np.flatnonzero((length & 3 > 0) | (place + length > size))
+    last = min([len(place), *others[:1].tolist(), *broken[:1].tolist()])
+    for begin, stop in pairwise([*begins[begins < last].tolist(), last]):
+        mine = slice(begin, stop)
+        tables += _section(name, data, place[mine], kind[mine], length[mine], order, interfaces)
+    if last in others:
+        return int(place[last])
+    if last < len(place):
+        end = int(place[last])
+    if end < size:
+        (found,) = number(data, np.array([end + 4]), order + "u4")
+        raise CaptureError(
+            f"{name}: byte {end}: a block of {found} bytes is cut or broken; the first {end} "
+            "bytes of the file hold whole ones"
+        )
+    return size
+
+
+def _section(
+    name: str,
+    data: Bytes,
+    place: Places,
+    kind: Array,
+    length: Places,
+    order: str,
+    interfaces: list[_Interface],
+) -> list[Columns]:
+    """Return the packets of a section, whose blocks are given; add its interfaces."""
+    first = len(interfaces)
+    source = view(data)
+    described = np.flatnonzero(kind == _INTERFACE)
+    interfaces += [
+        _interface(name, source, at, size, order)
+        for at, size in zip(place[described].tolist(), length[described].tolist(), strict=True)
+    ]
+    tables = []
+    for which, around in _AROUND.items():
+        mine = kind == which
+        if len(short := np.flatnonzero(mine & (length < around))):
+            where, found = place[short[0]], length[short[0]]
+            raise CaptureError(f"{name}: byte {where}: a packet's block has {found} bytes")
+        if mine.any():
+            tables.append(
+                _packets(name, data, which, place[mine], order, interfaces[first:], first)
+            )
+    return tables
 
 
 def _interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
@@ -272,59 +337,48 @@ def _interface(name: str, source: memoryview, at: int, length: int, order: str) 
     return found
 
 
-def _sections_packets(
+def _packets(
     name: str,
     data: Bytes,
-    blocks: dict[int, "array[int]"],
+    kind: int,
+    at: Places,
     order: str,
-    interfaces: list[_Interface],
+    here: list[_Interface],
     first: int,
-) -> list[Columns]:
-    """Return the packets of a section, whose interfaces start at the given one."""
-    here = interfaces[first:]
-    tables = []
-    for kind, places in blocks.items():
-        if not places:
-            continue
-        at = np.frombuffer(places, np.int64)
-        around = _AROUND[kind]
-        room = number(data, at + 4, order + "u4").astype(np.int64) - around
-        if kind == _SIMPLE:
-            interface = np.zeros(len(at), np.int64)
-        else:
-            interface = number(data, at + 8, order + ("u4" if kind == _ENHANCED else "u2"))
-            interface = interface.astype(np.int64)
-        if interface.max() >= len(here):
-            where = int(at[interface >= len(here)][0])
-            raise CaptureError(f"{name}: byte {where}: a packet of an interface that is not there")
-        if kind == _SIMPLE:
-            length = number(data, at + 8, order + "u4").astype(np.int64)
-            size = np.minimum(length, room)
-            if here[0].snaplen:
-                size = np.minimum(size, here[0].snaplen)
-            time = np.zeros(len(at), np.int64)
-        else:
-            high, low = (
-                number(data, at + place, order + "u4").astype(np.uint64) for place in (12, 16)
-            )
-            size, length = (
-                number(data, at + place, order + "u4").astype(np.int64) for place in (20, 24)
-            )
-            ticks = (high << np.uint64(32)) | low
-            time = np.zeros(len(at), np.int64)
-            for index in np.unique(interface):
-                mine = interface == index
-                time[mine] = here[index].nanoseconds(ticks[mine])
-        if len(broken := np.flatnonzero(size > room)):
-            where = int(at[broken[0]])
-            raise CaptureError(f"{name}: byte {where}: a packet is longer than its block")
-        tables.append(
-            {
-                "at": at + (12 if kind == _SIMPLE else 28),
-                "size": size,
-                "length": length,
-                "time": time,
-                "interface": interface + first,
-            }
+) -> Columns:
+    """Return the packets in blocks of a kind; ``first`` interfaces are of earlier sections."""
+    room = number(data, at + 4, order + "u4").astype(np.int64) - _AROUND[kind]
+    if kind == _SIMPLE:
+        interface = np.zeros(len(at), np.int64)
+    else:
+        interface = number(data, at + 8, order + ("u4" if kind == _ENHANCED else "u2"))
+        interface = interface.astype(np.int64)
+    if interface.max() >= len(here):
+        where = int(at[interface >= len(here)][0])
+        raise CaptureError(f"{name}: byte {where}: a packet of an interface that is not there")
+    if kind == _SIMPLE:
+        length = number(data, at + 8, order + "u4").astype(np.int64)
+        size = np.minimum(length, room)
+        if here[0].snaplen:
+            size = np.minimum(size, here[0].snaplen)
+        time = np.zeros(len(at), np.int64)
+    else:
+        high, low = (number(data, at + place, order + "u4").astype(np.uint64) for place in (12, 16))
+        size, length = (
+            number(data, at + place, order + "u4").astype(np.int64) for place in (20, 24)
         )
-    return tables
+        ticks = (high << np.uint64(32)) | low
+        time = np.zeros(len(at), np.int64)
+        for index in np.unique(interface):
+            mine = interface == index
+            time[mine] = here[index].nanoseconds(ticks[mine])
+    if len(broken := np.flatnonzero(size > room)):
+        where = int(at[broken[0]])
+        raise CaptureError(f"{name}: byte {where}: a packet is longer than its block")
+    return {
+        "at": at + (12 if kind == _SIMPLE else 28),
+        "size": size,
+        "length": length,
+        "time": time,
+        "interface": interface + first,
+    }

@@ -207,7 +207,9 @@ class _Reader:
             announced["datagram"].tolist(),
             strict=True,
         ):
-            process = self.processes.setdefault(which, Process(RTPS, ""))
+            process = self.processes.get(which)
+            if process is None:
+                process = self.processes[which] = Process(RTPS, "")
             process.announced = True
             if not spdp:
                 process.endpoints.add(id_)
@@ -576,12 +578,14 @@ def _zenoh_endpoints(
 
     A process declares to each other one; what it declares is the most that it does to one.
     """
-    names = np.array(zenoh.NAMES)[code]
-    plain = np.flatnonzero(np.isin(names, ("DeclareSubscriber", "DeclareQueryable")))
+    subscriber, queryable, token_code = map(
+        zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable", "DeclareToken")
+    )
+    plain = np.flatnonzero((code == subscriber) | (code == queryable))
     _, first = codes(stream[plain], code[plain], number_[plain])
     for index, count in Counter(stream[plain[first]].tolist()).items():
         _declared(reader, int(process[index]), count, tokens=False)
-    token = np.flatnonzero(names == "DeclareToken")
+    token = np.flatnonzero(code == token_code)
     _, first = codes(stream[token], number_[token])
     of_ros: Counter[int] = Counter()
     for row in token[first].tolist():

@@ -128,40 +128,45 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     rows = np.flatnonzero(wanted[table["stream"]] & (table["wire"] > 0))
     stream, place, wire, size = (table[key][rows] for key in ("stream", "place", "wire", "size"))
     new = np.diff(stream, prepend=-1) != 0
-    follows = (size == wire) & (new | (place == np.roll(place + wire, 1)))
-    broken = np.bincount(stream, ~follows, len(wanted)) > 0
-    # Those in order, all at once.
+    # Up to where each stream was there before each segment. Those in which something is missing
+    # for a while, or was cut when it was captured, are put together one by one.
+    known = _before(stream, place, place + wire, new)
+    broken = np.bincount(stream, (place > known) | (size < wire), len(wanted)) > 0
     easy = ~broken[stream]
-    segment = rows[easy]
-    start = np.flatnonzero(new[easy])
-    length = size[easy]
+    skip = np.clip(known - place, 0, wire)
+    fresh = easy & (skip < wire)
+    segment = rows[fresh]
+    start = np.flatnonzero(new[fresh])
+    length = (size - skip)[fresh]
     begin = np.cumsum(length) - length
     total = int(length.sum())
+    opened = stream[fresh][start]
+    backwards = np.bincount(stream, place < 0, len(wanted)) > 0
     runs = {
         "at": begin[start],
         "end": np.append(begin[start][1:], np.full(min(len(start), 1), total)),
-        "stream": stream[easy][start],
-        "start": streams_.complete[stream[easy][start]] & (place[easy][start] == 0),
+        "stream": opened,
+        "start": streams_.complete[opened] & ~backwards[opened],
     }
     # The others one by one.
     skips: list[int] = []
     sizes: list[int] = []
     segments: list[int] = []
     done: list[int] = []
-    old: list[int] = []
+    old: list[int] = rows[easy & ~fresh].tolist()
     more: list[tuple[int, int, int, bool]] = []
-    edge = np.searchsorted(stream, np.flatnonzero(broken))
-    for first, number in zip(edge.tolist(), np.flatnonzero(broken).tolist(), strict=True):
-        last = int(np.searchsorted(stream, number, side="right"))
+    numbers = np.flatnonzero(broken).astype(stream.dtype)
+    firsts, lasts = (np.searchsorted(stream, numbers, side).tolist() for side in ("left", "right"))
+    for first, last, number in zip(firsts, lasts, numbers.tolist(), strict=True):
         mine = rows[first:last].tolist()
         places = place[first:last].tolist()
         from_start = bool(streams_.complete[number]) and min(places) == 0
         begin_ = total
-        for which, skip, many, by in _ordered(
+        for which, over, many, by in _ordered(
             places, wire[first:last].tolist(), size[first:last].tolist()
         ):
             if many > 0:
-                skips.append(skip)
+                skips.append(over)
                 sizes.append(many)
                 segments.append(mine[which])
                 done.append(mine[by])
@@ -184,12 +189,23 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
         "segment": np.append(segment, np.array(segments, np.int64)),
         "done": np.append(segment, np.array(done, np.int64)),
     }
-    at = table["at"][pieces["segment"]]
-    at[len(segment) :] += np.array(skips, np.int64)
+    at = table["at"][pieces["segment"]] + np.append(skip[fresh], np.array(skips, np.int64))
     source = view(data)
     parts = [source[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
     joined = b"".join([*parts, bytes(PAD)])
     return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
+
+
+def _before(stream: Array, place: Array, end: Array, new: Array) -> Array:
+    """Return how far the segments of a stream before each one reach; before a first one, to it."""
+    # A step between streams that is longer than any of them lets one maximum run through all; of
+    # what is longer than that, which no capture has, nothing is known.
+    step = int(np.ptp(place)) + int(end.max() - place.min()) + 1 if len(place) else 1
+    if step * (len(place) + 1) > 1 << 62:
+        return np.where(new, place, np.iinfo(np.int64).min)
+    offset = stream.astype(np.int64) * step
+    reach = np.maximum.accumulate(offset + end)
+    return np.where(new, place, np.roll(reach, 1) - offset)
 
 
 def _ordered(

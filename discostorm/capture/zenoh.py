@@ -508,7 +508,8 @@ def batches(
 ) -> Columns:
     """Return where each batch in streams starts and ends, and its ``stream``."""
     data, runs, pieces = content.data, content.runs, content.pieces
-    special = [_special(stream, streams, opened) for stream in runs["stream"].tolist()]
+    reverse = streams.reverse.tolist()
+    special = [_special(stream, reverse, opened) for stream in runs["stream"].tolist()]
     # Zenoh writes whole batches, so that most segments hold nothing else.
     run = np.searchsorted(runs["at"], pieces["at"], side="right") - 1
     piece, at, end = _whole_batches(data, pieces["at"], pieces["at"] + pieces["size"])
@@ -568,9 +569,9 @@ def _whole_batches(data: Bytes, at: Places, end: Places) -> tuple[Array, Places,
     return piece, first, last
 
 
-def _special(stream: int, streams: Streams, opened: dict[int, Session]) -> str:
+def _special(stream: int, reverse: list[int], opened: dict[int, Session]) -> str:
     """Return what makes a session unreadable, if anything: both sides must have agreed on it."""
-    pair = [opened.get(stream), opened.get(int(streams.reverse[stream]))]
+    pair = [opened.get(stream), opened.get(reverse[stream])]
     said = [session for session in pair if session is not None]
     answers = [session for session in said if session.acknowledges]
     return next((session.special for session in answers or said if session.special), "")

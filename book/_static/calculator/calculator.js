@@ -5,7 +5,8 @@
 (() => {
   const MODEL = DISCOSTORM;
   const F = MODEL.formulas;
-  const NAMES = Object.keys(MODEL.protocols);
+  const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
+  const NAMES = Object.keys(MODEL.protocols).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
   // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
@@ -133,7 +134,6 @@
     fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
     fill(byId("matching"), [["", [["0", "Of its own (a namespace each)"], ["1", "The same on all"]]]]);
     choose(byId("matching"), "0");
-    byId("matching").parentElement.hidden = !MODEL.matching;
     choose(byId("middleware"), MODEL.start.middleware);
     const named = (model) =>
       [...channels].filter(([, channel]) => channel.model === model).map(([key, channel]) => [key, key === PAPER ? "The paper's, 802.11n" : channel.name]);
@@ -147,7 +147,7 @@
     for (const field of LINKS) addField(byId("own"), field);
   }
 
-  const LISTS = ["robot", "beside", "middleware", "channel", ...(MODEL.matching ? ["matching"] : [])];
+  const LISTS = ["robot", "beside", "middleware", "channel", "matching"];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
   const usedFields = () => [
@@ -290,7 +290,7 @@
 
   /** Return the three things that help most, the best of each kind: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
-    const { family, group, repeats } = MODEL.protocols[middleware];
+    const { family, group } = MODEL.protocols[middleware];
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
     const found = [];
     const add = (kind, what, { name = middleware, air = channel, base = channel, fleet = swarm }) => {
@@ -308,9 +308,9 @@
       fleet: { ...swarm, N_E: without(swarm.N_E, nodes[0]), N_E1: without(swarm.N_E1, nodes[1]) },
     });
     for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
-    const alike = NAMES.filter((name) => name !== middleware && MODEL.protocols[name].group === group);
-    const others = NAMES.filter((name) => name !== middleware && MODEL.protocols[name].repeats === repeats);
-    for (const name of alike.length ? alike : others) add("middleware", `switching to ${name}`, { name });
+    for (const name of NAMES)
+      if (name !== middleware && MODEL.protocols[name].group === group && !MODEL.protocols[name].variant)
+        add("middleware", `switching to ${name}`, { name });
     found.sort((a, b) => b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
@@ -323,7 +323,7 @@
   function compute(settings) {
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware);
-    const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group);
+    const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
     return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], remedies: remediesOf(settings) };
   }
 
@@ -439,7 +439,8 @@
     );
   }
 
-  function showParts({ front }) {
+  function showParts(answer) {
+    const { front } = answer;
     byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}`;
     const [body] = byId("parts").tBodies;
     body.replaceChildren(
@@ -447,7 +448,7 @@
         const share = message.both / front.utilization || 0;
         const bar = make("span", { class: "calc-bar", "aria-hidden": "true" }, make("span"));
         bar.firstChild.style.width = `${100 * share}%`;
-        bar.firstChild.style.background = colorOf(front);
+        bar.firstChild.style.background = colorOf(answer, front);
         const of = (what) => `${front.name} ${message.name} ${what}`;
         return make(
           "tr",
@@ -475,7 +476,7 @@
     theme = { text: color("text-base"), background: color("background"), border: color("border") };
   }
 
-  const colorOf = (one) => (one.protocol.color === "#000000" ? theme.text : one.protocol.color);
+  const colorOf = (answer, one) => MODEL.palette[answer.drawn.indexOf(one)];
   const dashOf = (answer, one) => DASHES[answer.drawn.indexOf(one)];
 
   /** A piece of a protocol's line, for the legend. */
@@ -487,7 +488,7 @@
     };
     const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
     const dash = dashOf(answer, one).join(" ");
-    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke: colorOf(one), "stroke-width": 3, "stroke-dasharray": dash }));
+    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke: colorOf(answer, one), "stroke-width": 3, "stroke-dasharray": dash }));
     return svg;
   }
 
@@ -583,8 +584,8 @@
         const y = u.valToPos(one.utilization, "y", true);
         ctx.beginPath();
         ctx.arc(x, y, 6 * scale, 0, 2 * Math.PI);
-        ctx.fillStyle = one === answer.front ? colorOf(one) : background;
-        ctx.strokeStyle = one === answer.front ? text : colorOf(one);
+        ctx.fillStyle = one === answer.front ? colorOf(answer, one) : background;
+        ctx.strokeStyle = one === answer.front ? text : colorOf(answer, one);
         ctx.lineWidth = 2 * scale;
         ctx.fill();
         ctx.stroke();
@@ -670,7 +671,7 @@
         series: [
           {},
           ...order.map((index) => ({
-            stroke: colorOf(answer.drawn[index]),
+            stroke: colorOf(answer, answer.drawn[index]),
             width: answer.drawn[index] === answer.front ? 3 : 2,
             dash: dashOf(answer, answer.drawn[index]),
             points: { show: false },
@@ -812,8 +813,8 @@
     }
     byId("others").hidden = chosen("beside") === NONE;
     BESIDE.slice(1).forEach((field) => (byId(field.name).parentElement.hidden = chosen("beside") !== OWN));
-    const { lease, group } = MODEL.protocols[chosen("middleware")];
-    byId("middleware-hint").textContent = `${group}${lease < Infinity ? `; lease ${duration(lease)}` : ""}.`;
+    const { lease, group, about } = MODEL.protocols[chosen("middleware")];
+    byId("middleware-hint").textContent = `${capitalized(about || group)}${lease < Infinity ? `; lease ${duration(lease)}` : ""}.`;
     byId("own").hidden = chosen("channel") !== OWN;
     const channel = channels.get(chosen("channel"));
     const { R_uni, O_uni, R_multi, O_agg, n_agg } = channel?.values ?? {};

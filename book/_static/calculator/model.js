@@ -2,7 +2,7 @@
 const DISCOSTORM = {
   "start": {"robot": "Nav2 in one process", "middleware": "Fast DDS"},
   "groups": ["Products as built", "As the paper counts", "The paper's messages, a product's periods", "Other tables"],
-  "matching": true,
+  "palette": ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"],
   "fields": {
     "swarm": [
       {
@@ -1277,7 +1277,8 @@ const DISCOSTORM = {
     "DDS": {
       "group": "As the paper counts",
       "family": "DDS",
-      "color": "#0072B2",
+      "about": "",
+      "variant": false,
       "lease": Infinity,
       "repeats": false,
       "outlooks": {
@@ -1350,7 +1351,8 @@ const DISCOSTORM = {
     "Zenoh": {
       "group": "As the paper counts",
       "family": "Zenoh",
-      "color": "#D55E00",
+      "about": "",
+      "variant": false,
       "lease": Infinity,
       "repeats": false,
       "outlooks": {
@@ -1423,7 +1425,8 @@ const DISCOSTORM = {
     "Cyclone DDS": {
       "group": "Products as built",
       "family": "DDS",
-      "color": "#009E73",
+      "about": "on a network that it takes for Wi-Fi: multicast for SPDP alone (version 0.10.2)",
+      "variant": false,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -1706,7 +1709,8 @@ const DISCOSTORM = {
     "Cyclone DDS, wired": {
       "group": "Products as built",
       "family": "DDS",
-      "color": "#E69F00",
+      "about": "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (version 0.10.2)",
+      "variant": true,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -2007,7 +2011,8 @@ const DISCOSTORM = {
     "Cyclone DDS, version 11": {
       "group": "Products as built",
       "family": "DDS",
-      "color": "#000000",
+      "about": "as Cyclone DDS, with type information in SEDP (version 11.0.1)",
+      "variant": true,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -2290,7 +2295,8 @@ const DISCOSTORM = {
     "Fast DDS": {
       "group": "Products as built",
       "family": "DDS",
-      "color": "#CC79A7",
+      "about": "with UDP and shared memory, as shipped and as in ROS 2 (version 2.9.1)",
+      "variant": false,
       "lease": 20,
       "repeats": true,
       "outlooks": {
@@ -2506,7 +2512,8 @@ const DISCOSTORM = {
     "DDS, periods of Fast DDS": {
       "group": "The paper's messages, a product's periods",
       "family": "DDS",
-      "color": "#0072B2",
+      "about": "",
+      "variant": false,
       "lease": 20,
       "repeats": true,
       "outlooks": {
@@ -2600,7 +2607,8 @@ const DISCOSTORM = {
     "DDS, periods of Cyclone DDS": {
       "group": "The paper's messages, a product's periods",
       "family": "DDS",
-      "color": "#D55E00",
+      "about": "",
+      "variant": false,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -2706,7 +2714,8 @@ const DISCOSTORM = {
     "Zenoh, periods of Zenoh peer": {
       "group": "The paper's messages, a product's periods",
       "family": "Zenoh",
-      "color": "#009E73",
+      "about": "",
+      "variant": false,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -2779,7 +2788,8 @@ const DISCOSTORM = {
     "Zenoh peer": {
       "group": "Products as built",
       "family": "Zenoh",
-      "color": "#56B4E9",
+      "about": "peers, each linked with each other (version 1.10.2)",
+      "variant": false,
       "lease": 10,
       "repeats": true,
       "outlooks": {
@@ -3037,7 +3047,8 @@ const DISCOSTORM = {
     "Zenoh peer, tokens": {
       "group": "Products as built",
       "family": "Zenoh",
-      "color": "#CC79A7",
+      "about": "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (version 1.10.2)",
+      "variant": true,
       "lease": 10,
       "repeats": true,
       "outlooks": {

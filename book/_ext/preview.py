@@ -1,0 +1,71 @@
+"""What a link to a page shows where it is shared: title, description and a picture."""
+
+from pathlib import Path
+from typing import Any
+from urllib.parse import urljoin
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from discostorm import DDS
+from discostorm.paper import storm
+
+PICTURE = "_static/preview.png"
+SIZE = (1200, 630)
+
+#: Characters of a description that search engines and messengers show.
+MOST = 200
+
+
+def _description(doctree: nodes.document) -> str:
+    """Return the first sentences of a page, as long as they fit."""
+    for paragraph in doctree.findall(nodes.paragraph):
+        if isinstance(paragraph.parent, nodes.section):
+            text = " ".join(paragraph.astext().split())
+            return text if len(text) <= MOST else text[:MOST].rsplit(" ", 1)[0] + " …"
+    return ""
+
+
+def _add(
+    app: Sphinx, pagename: str, templatename: str, context: dict[str, Any], doctree: Any
+) -> None:
+    if doctree is None:
+        return
+    base = app.config.html_baseurl
+    to_root = context["pathto"]("", 1).removesuffix(".")
+    picture = urljoin(base, PICTURE) if base else to_root.rstrip("/") + "/" + PICTURE
+    title = nodes.Text(context.get("title", app.config.project)).astext()
+    told = {
+        ("property", "og:type"): "article",
+        ("property", "og:site_name"): app.config.project,
+        ("property", "og:title"): title,
+        ("property", "og:description"): _description(doctree),
+        ("property", "og:image"): picture,
+        ("property", "og:image:width"): str(SIZE[0]),
+        ("property", "og:image:height"): str(SIZE[1]),
+        ("property", "og:image:alt"): "Robots around an access point, and a bar of airtime",
+        ("name", "twitter:card"): "summary_large_image",
+        ("name", "description"): _description(doctree),
+    }
+    if base:
+        told["property", "og:url"] = urljoin(base, f"{pagename}.html")
+    context["metatags"] = context.get("metatags", "") + "".join(
+        f'\n<meta {kind}="{name}" content="{_quoted(text)}">' for (kind, name), text in told.items()
+    )
+
+
+def _quoted(text: str) -> str:
+    return text.replace("&", "&amp;").replace('"', "&quot;").replace("<", "&lt;")
+
+
+def _draw(app: Sphinx, exception: Exception | None) -> None:
+    if exception is None and app.builder.format == "html":
+        figure = storm.preview(DDS, SIZE)
+        figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Connect to Sphinx."""
+    app.connect("html-page-context", _add)
+    app.connect("build-finished", _draw)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

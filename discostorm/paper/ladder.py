@@ -1,0 +1,175 @@
+"""The ladder of assumptions: how many robots fit under which of them, computed or simulated.
+
+Each assumption is a switch. The closed forms know any combination of timing, frames in an exchange
+and table; what only a simulation knows is there for the settings that it was run with.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import Literal
+
+from discostorm import figures, words
+from discostorm.data import read_data
+from discostorm.messages import PAPER_WINDOW
+from discostorm.protocols import PROTOCOLS
+from discostorm.scalability import saturation_hosts
+from discostorm.wifi import PAPER, Radio
+
+#: Frames of an A-MPDU.
+MPDUS = 64
+
+PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
+
+
+@dataclass(frozen=True)
+class Switch:
+    """An assumption in place of the paper's.
+
+    Parameters
+    ----------
+    key : str
+        What it is called in a `Rung`.
+    name : str
+        What a reader turns on.
+    why : str
+        What it changes, in words.
+    kind : {"computed", "simulated", "measured"}
+        Where its numbers come from: "measured" ones are computed from what was counted.
+    needs : tuple of str
+        Keys of the switches without which it does not go.
+    """
+
+    key: str
+    name: str
+    why: str
+    kind: Literal["computed", "simulated", "measured"] = "computed"
+    needs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Rung:
+    """How many robots fit under some of the assumptions.
+
+    Parameters
+    ----------
+    switches : frozenset of str
+        Keys of those that are on.
+    protocol : str
+        Of which protocol: DDS or Zenoh.
+    fit : int
+        The largest whole number of robots that fits.
+    full : float
+        Robots at which the channel is full [1]; of a simulation, which has whole ones, NaN.
+    """
+
+    switches: frozenset[str]
+    protocol: str
+    fit: int
+    full: float = math.nan
+
+
+TIMING = Switch(
+    "timing",
+    "The standard's exact timing",
+    "waiting, preambles and whole symbols as IEEE 802.11n has them, instead of the paper's rates "
+    "and overheads",
+)
+AGGREGATION = Switch(
+    "aggregation",
+    f"{MPDUS} frames in every exchange",
+    "aggregation at its best: every queue holds that many frames for one receiver",
+    needs=("timing",),
+)
+PERIODS = Switch(
+    "periods",
+    "The products' periods and leases",
+    "what products repeat is repeated, and the start may take as long as a silent peer counts as "
+    "alive, instead of one second",
+)
+AS_BUILT = Switch(
+    "as built",
+    "What the products really send",
+    "the messages of Fast DDS and of Zenoh peers, counted in captures, instead of the paper's",
+    kind="measured",
+    needs=("periods",),
+)
+
+CONTENTION = Switch(
+    "contention",
+    "Hosts that contend for the channel",
+    "hosts and access point wait, collide and try again, frame by frame; their queues have no end, "
+    "and all is carried within a second",
+    kind="simulated",
+    needs=("timing",),
+)
+QUEUES = Switch(
+    "queues",
+    "Queues that overflow, and repair",
+    "queues of 500 frames that are thrown away after half a second; the middleware repairs what is "
+    "lost, and all know each other before a lease of its product has passed",
+    kind="simulated",
+    needs=("contention",),
+)
+STAGGERED = Switch(
+    "staggered",
+    "A staggered start",
+    "one host after the other, with the gaps of the rule for staggered starts, instead of all at "
+    "once",
+    kind="simulated",
+    needs=("queues",),
+)
+
+COMPUTED = (TIMING, AGGREGATION, PERIODS, AS_BUILT)
+SIMULATED = (CONTENTION, QUEUES, STAGGERED)
+SWITCHES = (*COMPUTED, *SIMULATED)
+
+#: The paper's table, that with the periods of a product, and the product's own.
+TABLES = {
+    "DDS": ("DDS", "DDS, periods of Fast DDS", "Fast DDS"),
+    "Zenoh": ("Zenoh", "Zenoh, periods of Zenoh peer", "Zenoh peer"),
+}
+
+
+def rungs() -> Iterator[Rung]:
+    """Yield what is known of each combination of the switches, the paper's first."""
+    for protocol, on in product(TABLES, _subsets(COMPUTED)):
+        table = PROTOCOLS[TABLES[protocol][len(on & {"periods", "as built"})]]
+        mpdus = MPDUS if "aggregation" in on else 1
+        hosts = saturation_hosts(
+            table,
+            PROCESSES,
+            ENDPOINTS,
+            wifi=Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER,
+            window=table.lease if "periods" in on else PAPER_WINDOW,
+        )
+        assert isinstance(hosts, float)
+        assert math.isfinite(hosts)
+        yield Rung(on, protocol, words.whole_below(hosts), hosts)
+    yield from _simulated()
+
+
+#: What is on in a step of the sweeps.
+_STEPS = {
+    "contention": {"timing", "contention"},
+    "queues": {"timing", "contention", "queues"},
+    "in turn": {"timing", "contention", "queues", "staggered"},
+}
+
+
+def _simulated() -> Iterator[Rung]:
+    for row in read_data("simulated/ladder.csv"):
+        lease = PROTOCOLS[TABLES[row["protocol"]][1]].lease
+        limit = PAPER_WINDOW if row["step"] == "contention" else lease
+        if row["step"] in _STEPS and float(row["limit_s"]) == limit:
+            on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
+            yield Rung(frozenset(on), row["protocol"], int(row["hosts"]))
+
+
+def _subsets(switches: tuple[Switch, ...]) -> Iterator[frozenset[str]]:
+    """Yield the combinations of switches in which each has what it needs."""
+    for chosen in product((False, True), repeat=len(switches)):
+        on = frozenset(one.key for one, yes in zip(switches, chosen, strict=True) if yes)
+        if all(set(one.needs) <= on for one in switches if one.key in on):
+            yield on

@@ -1,0 +1,128 @@
+"""The stored sweeps: a part of them comes out the same again, and their tables add up."""
+
+import csv
+import importlib.util
+import io
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import discostorm as ds
+from discostorm import staggered
+from discostorm.data import read_data
+from discostorm.simulation.result import CAUSES
+
+ROOT = Path(__file__).parents[1]
+_spec = importlib.util.spec_from_file_location("sweeps", ROOT / "scripts" / "simulate.py")
+assert _spec is not None and _spec.loader is not None
+simulate = importlib.util.module_from_spec(_spec)
+import sys  # noqa: E402
+
+sys.modules["sweeps"] = simulate  # dataclasses look themselves up
+_spec.loader.exec_module(simulate)
+
+
+def text(row: dict[str, object]) -> dict[str, str]:
+    """Return a row as a file has it."""
+    file = io.StringIO()
+    writer = csv.DictWriter(file, list(row))
+    writer.writeheader()
+    writer.writerow(row)
+    file.seek(0)
+    return next(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("name", list(simulate.SWEEPS))
+def test_every_setting_has_its_row_in_order(name: str) -> None:
+    rows = read_data(f"simulated/{name}.csv")
+    settings = simulate.settings_of(name)
+    assert len(rows) == len(settings)
+    for row, setting in zip(rows, settings, strict=True):
+        assert text(asdict(setting)).items() <= row.items()
+
+
+@pytest.mark.parametrize("name", list(simulate.SWEEPS))
+def test_a_part_comes_out_the_same_again(name: str) -> None:
+    rows = read_data(f"simulated/{name}.csv")
+    settings = simulate.settings_of(name)
+    # The small ones, of every protocol and kind of start.
+    again = {(one.protocol, one.start, one.mpdus): n for n, one in enumerate(settings)}
+    small = [n for n, one in enumerate(settings) if one.hosts <= 5]
+    chosen = {*small[:: max(1, len(small) // 4)], *again.values()} & set(small)
+    assert len(chosen) >= 3
+    for number in chosen:
+        found = text(asdict(settings[number]) | settings[number].run() | simulate.SOURCE)
+        assert found == rows[number]
+
+
+def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
+    for name, rows in (("events", simulate.events()), ("hosts", simulate.by_host())):
+        assert [text(row | simulate.SOURCE) for row in rows] == read_data(f"simulated/{name}.csv")
+
+
+def test_the_ladder_is_that_of_its_sweep() -> None:
+    rows = [
+        asdict(setting) | row
+        for setting, row in zip(
+            simulate.settings_of("fits"), read_data("simulated/fits.csv"), strict=True
+        )
+    ]
+    typed = [row | {name: int(row[name]) for name in ("mpdus", "recovery")} for row in rows]
+    assert [text(row) for row in simulate.ladder(typed)] == read_data("simulated/ladder.csv")
+    for row in read_data("simulated/ladder.csv"):
+        assert float(row["value_s"]) <= float(row["limit_s"]) < float(row["one_more_s"])
+
+
+@pytest.mark.parametrize("name", ["drain", "queues"])
+def test_causes_of_losses_are_parts_of_what_was_sent(name: str) -> None:
+    for row in read_data(f"simulated/{name}.csv"):
+        parts = [float(row[cause]) for cause in CAUSES]
+        assert min(parts) >= 0
+        low, high = float(row["lost_q25"]), float(row["lost_q75"])
+        assert sum(parts) == pytest.approx(float(row["lost"]), abs=max(0.05, high - low))
+
+
+def test_a_window_is_the_airtime_of_the_burst() -> None:
+    for protocol in (ds.DDS, ds.ZENOH):
+        window = staggered.window(protocol, 12, 2, 10)
+        assert window == pytest.approx(ds.utilization(protocol, 12, 2, 10))
+        starts = staggered.at_random(window)(np.random.default_rng(0), 1000)
+        assert 0 <= starts.min() < 0.05 * window
+        assert 0.95 * window < starts.max() <= window
+
+
+def test_in_turn_everybody_waits_for_those_before() -> None:
+    starts = staggered.in_turn(ds.DDS, 6, 2, 10)
+    assert starts[0] == 0
+    for before in range(1, 6):
+        assert starts[before] == pytest.approx(ds.utilization(ds.DDS, before, 2, 10))
+
+
+def test_bad_input_is_refused_by_name() -> None:
+    with pytest.raises(ValueError, match="within must be .* got -1"):
+        staggered.at_random(-1)
+    with pytest.raises(ValueError, match="hosts must be a whole number.*2.5"):
+        staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="hosts must"):
+        staggered.window(ds.DDS, 0, 2, 10)
+
+
+def test_what_hosts_lose_adds_up() -> None:
+    fleet = ds.Fleet((ds.HostGroup(4, 2, 10), ds.HostGroup(2, 1, 60)))
+    found = ds.simulate(fleet, ds.DDS, ds.PAPER, loss=0.1, recovery=False, runs=3)
+    groups = np.repeat([0, 1], [4, 2])
+    sent = np.zeros(6)
+    for host, group in enumerate(groups):
+        alone = fleet.groups[group]
+        remote = float(sum(g.hosts * g.processes for g in fleet.groups) - alone.processes)
+        own = float(alone.processes)
+        for message in ds.DDS.messages:
+            each = message.per_unit * (
+                float(alone.endpoints) if "endpoint" in message.unit.name else 1
+            )
+            receivers = 5 if message.cast == "multicast" else remote
+            sent[host] += own * each * receivers
+    np.testing.assert_allclose(sent.sum(), found.counts["expected"])
+    np.testing.assert_allclose((found.lost_by_host * sent).sum(axis=1) / sent.sum(), found.lost)
