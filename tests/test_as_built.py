@@ -1,5 +1,7 @@
 """The tables as built against what the lab counted, on the half of the grid not fitted."""
 
+import lzma
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -180,3 +182,51 @@ def test_a_capture_is_held_against_the_table_of_its_network(
     assert set(compared.index) == {message.kind for message in own.messages}
     both = compared["unicast"] + compared["multicast"]
     assert both.sum() == pytest.approx(compared["expected"].sum(), rel=0.1)
+
+
+def later(source: Path, target: Path, seconds: float) -> Path:
+    """Write what a capture holds from some time after its first packet on."""
+    raw = lzma.decompress(source.read_bytes())
+    kept, place, begin = [raw[:24]], 24, None
+    while place < len(raw):
+        second, part, size = struct.unpack_from("<III", raw, place)
+        time = second + part * 1e-6
+        begin = time if begin is None else begin
+        if time - begin >= seconds:
+            kept.append(raw[place : place + 16 + size])
+        place += 16 + size
+    target.write_bytes(b"".join(kept))
+    return target
+
+
+def test_a_capture_of_the_steady_state_is_not_expected_to_show_a_start(tmp_path: Path) -> None:
+    source = ROOT / "tests" / "captures" / "fast_dds.pcap.xz"
+    found = ds.read_capture(later(source, tmp_path / "later.pcap", 12))
+    compared = found.compare(ds.PROTOCOLS["Fast DDS"], SWARM)
+    spdp = compared.loc["SPDP"]
+    # Six processes to the group and to 24 pairs, each 3 s.
+    assert spdp["expected"] == pytest.approx((6 + 24) * found.duration / 3, rel=0.2)
+    assert spdp["unicast"] + spdp["multicast"] == pytest.approx(spdp["expected"], rel=0.15)
+    assert (compared.drop("SPDP")["expected"] == 0).all()
+
+
+def test_names_that_match_are_told_from_what_users_acknowledge() -> None:
+    found = ds.read_capture(ROOT / "tests" / "captures" / "cyclone_dds_010.pcap.xz")
+    compared = found.compare(ds.PROTOCOLS["Cyclone DDS"])
+    # Two processes with two writers each, all of which match.
+    assert compared.loc["User ACKNACK", "units"] == 4
+    alone = found.compare(ds.PROTOCOLS["Cyclone DDS"], ds.Fleet.swarm(2, 1, 4))
+    assert alone.loc["User ACKNACK", "expected"] == 0
+
+
+def test_a_fleet_says_how_far_its_endpoints_match(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    group = "[[groups]]\nhosts = 3\nprocesses = 2\nendpoints = 10\n"
+    path.write_text(f"matching = 0.5\n{group}", encoding="utf-8")
+    fleet = ds.Fleet.from_toml(path)
+    assert fleet == ds.Fleet(SWARM.groups, matching=0.5) != SWARM
+    assert repr(fleet).endswith("matching=0.5)")
+    for wrong in ("2", "-0.1", "true", '"all"'):
+        path.write_text(f"matching = {wrong}\n{group}", encoding="utf-8")
+        with pytest.raises(ValueError, match=r"fleet\.toml: matching must be .* at most 1; got"):
+            ds.Fleet.from_toml(path)
