@@ -125,6 +125,7 @@ def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
     last = len(sent) // 2
     with figures.style():
         figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100)
+        figure.set_layout_engine("none")
         figure.text(0.06, 0.78, "Discovery Storm", fontsize=44, weight="bold", va="center")
         figure.text(
             0.06,
