@@ -15,6 +15,7 @@ from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Message, Protocol, Schedule
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -245,3 +246,60 @@ def _reason(row: dict[Hashable, Any], count: float, least: float, most: float) -
     if everyone == 2:
         return "one pair"
     return "crowd" if everyone >= 6 else "form"
+
+
+#: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with
+#: its timestamps.
+_AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
+
+
+def published() -> pd.DataFrame:
+    """Return what others published of discovery traffic, beside the model and the tables as built.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each number of ``data/vendors/published.csv``, indexed by its ``id``, with all
+        its columns, and what the paper's table and that of a product ``as_built``, Fast DDS or
+        Zenoh peer, expect of the phases that were counted, in the window: messages [1], or bytes
+        with the headers that Wireshark counts [B], each message in a packet of its own. NaN where
+        no number was published, or no table can say.
+
+    References
+    ----------
+    Paper, Table II and equations (1) to (10); ``data/vendors/published.csv``.
+    """
+    import pandas as pd
+
+    rows = []
+    for row in read_data("vendors/published.csv"):
+        wire = "Zenoh" if row["product"].startswith("Zenoh") else "DDS"
+        of_paper, built = (ZENOH, "Zenoh peer") if wire == "Zenoh" else (DDS, "Fast DDS")
+        counts = {
+            "number": float(row["number"] or "nan"),
+            "paper": _as_counted(of_paper, row),
+            "as_built": _as_counted(PROTOCOLS[built], row),
+        }
+        rows.append({name: text for name, text in row.items() if name != "number"} | counts)
+    return pd.DataFrame(rows).set_index("id")
+
+
+def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
+    """Return what a table expects of the messages that somebody counted."""
+    if not row["fleet"]:
+        return float("nan")
+    counts = (map(int, group.split("x")) for group in row["fleet"].split())
+    groups = tuple(HostGroup(hosts, processes, ends) for hosts, processes, ends in counts)
+    fleet, window = Fleet(groups, matching=1.0), float(row["window_s"])
+    counted = row["counted"].split()
+    return sum(
+        float(message.load(fleet))
+        * float(np.asarray(message.schedule.sent(window)))
+        * (
+            message.payload.nominal + _AROUND[message.transport]
+            if row["quantity"] == "bytes"
+            else 1
+        )
+        for message in protocol.messages
+        if message.phase in counted
+    )
