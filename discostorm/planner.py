@@ -163,6 +163,8 @@ class Plan:
         find each other stand behind all others.
     left_out : tuple of str
         What does not apply or could not be changed, and why.
+    simulated : tuple of str
+        What helps by the simulator: it changes when frames are sent, not how many.
     not_computed : tuple of str
         What might help and has no number yet: what it would do, and why there is none.
     """
@@ -175,6 +177,7 @@ class Plan:
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
     left_out: tuple[str, ...]
+    simulated: tuple[str, ...]
     not_computed: tuple[str, ...]
 
     def of_kind(self, kind: str) -> tuple[Share, ...]:
@@ -254,6 +257,7 @@ class Plan:
                 }
                 for remedy in self.remedies
             ],
+            "simulated": list(self.simulated),
             "not_computed": list(self.not_computed),
             "left_out": list(self.left_out),
         }
@@ -304,6 +308,7 @@ class Plan:
             lines += ["", "What would help, but not all hosts would find each other any more:"]
             lines += self._ranked(split, len(kept) + 1)
         for title, reasons in (
+            ("Simulated:", self.simulated),
             ("Not computed yet:", self.not_computed),
             ("Left out:", self.left_out),
         ):
@@ -518,6 +523,7 @@ def plan(
         tuple(_shares(fleet, protocol, wifi, float(window), before)),
         tuple(sorted(remedies, key=lambda remedy: (not remedy.whole, -remedy.saved))),
         (*left_out, *inapplicable),
+        tuple(_staggered(fleet, protocol, wifi)),
         missing,
     )
 
@@ -612,6 +618,32 @@ def _row(kind: str, of: str | None) -> dict[str, str] | None:
     rows = [row for row in read_data("vendors/remedies.csv") if row["kind"] == kind]
     found = [row for row in rows if row["family"] == of]
     return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
+
+
+def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
+    """Yield what a staggered start of the fleet is, and what the simulator says of small robots."""
+    own = family(protocol)
+    row = _row("staggered start", own)
+    assert row is not None
+    first, later = (float(utilization(protocol, fleet, wifi=wifi, window=w)) for w in (1, math.inf))
+    gains = []
+    for name in [own] if own else ["DDS", "Zenoh"]:
+        found: dict[int, dict[str, dict[str, str]]] = {}
+        for one in read_data("simulated/staggered.csv"):
+            if (one["protocol"], one["radio"], one["mpdus"]) == (name, "n", "1"):
+                found.setdefault(int(one["hosts"]), {})[one["start"]] = one
+        for hosts, starts in sorted(found.items())[-2:]:
+            together, rule = (
+                float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
+            )
+            gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
+    robot = starts["rule"]
+    yield (
+        f"{row['title']}: {row['why']}; the rule of thumb for this fleet is a window of "
+        f"{first - later:.2g} s; small robots ({robot['processes']} processes with "
+        f"{robot['endpoints']} endpoints, default queues, the paper's counts with recovery) all "
+        f"know each other, {words.listed(gains)}; mind: {row['price']}"
+    )
 
 
 def _without_number(protocol: Protocol) -> tuple[tuple[str, ...], tuple[str, ...]]:

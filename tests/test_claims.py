@@ -59,6 +59,8 @@ EXPECTED = {
     "saturation points are precise": "qualified",
     "678 endpoints": "not checkable",
     "come from packet captures": "qualified",
+    "before any application data": "qualified",
+    "worse than the model predicts": "qualified",
 }
 
 

@@ -13,7 +13,7 @@ from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
-from discostorm import planner
+from discostorm import planner, staggered
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
@@ -339,6 +339,22 @@ def test_what_another_radio_changes_is_said() -> None:
     assert {r.wifi.radio.mpdus for r in ds.plan(FIG3, wifi=many).remedies if r.wifi.radio} == {256}
 
 
+@pytest.mark.parametrize("name", ["DDS", "Zenoh"])
+def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) -> None:
+    protocol = ds.PROTOCOLS[name]
+    (said,) = ds.plan(ds.Fleet.swarm(20, 2, 10), protocol).simulated
+    window = staggered.window(protocol, 20, 2, 10)
+    assert f"a window of {window:.2g} s" in said
+    rows = [
+        row
+        for row in read_data("simulated/staggered.csv")
+        if (row["protocol"], row["hosts"], row["radio"], row["mpdus"]) == (name, "20", "n", "1")
+    ]
+    times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
+    assert f"20 with {name} in {times['rule']:.0f} s instead of {times['together']:.0f} s" in said
+    assert times["rule"] < times["together"]
+
+
 def test_domains_are_no_remedy_for_zenoh() -> None:
     for name, protocol in ds.PROTOCOLS.items():
         plan = ds.plan(NAV2, protocol)
@@ -360,25 +376,29 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     assert "neither SPDP (DDS) nor Scout (Zenoh)" in said
     for title in ("splitting into domains", "discovery server", "router", "static peers"):
         assert title in said
-    assert [reason.split(":")[0] for reason in plan.not_computed] == ["a staggered start"]
+    assert plan.not_computed == ()
+    assert [reason.split(":")[0] for reason in plan.simulated] == ["a staggered start"]
+    assert "with DDS in" in plan.simulated[0]
+    assert "with Zenoh in" in plan.simulated[0]
 
 
 @pytest.mark.parametrize("name", ds.PROTOCOLS)
 def test_remedies_without_a_number_are_named_with_the_reason(name: str) -> None:
     plan = ds.plan(NAV2, ds.PROTOCOLS[name])
     family = {
-        "DDS": ["a discovery server", "static peers", "static endpoints", "a staggered start"],
-        "Zenoh": ["a router on each host", "static peers", "a staggered start"],
+        "DDS": ["a discovery server", "static peers", "static endpoints"],
+        "Zenoh": ["a router on each host", "static peers"],
     }["Zenoh" if name.startswith("Zenoh") else "DDS"]
     assert [reason.split(":")[0] for reason in plan.not_computed] == family
     assert all("; no number, as " in reason for reason in plan.not_computed)
     told = " ".join(plan.advice().split())
     assert "Not computed yet: - A" in told
+    assert "Simulated: - A staggered start" in told
     # Each kind is somewhere: computed, without a number, or left out with a reason.
     titles = {
         row["title"] for row in read_data("vendors/remedies.csv") if row["works"] != "computed"
     }
-    reasons = "\n".join((*plan.not_computed, *plan.left_out))
+    reasons = "\n".join((*plan.simulated, *plan.not_computed, *plan.left_out))
     computed = {"splitting into domains"} if "DDS" in name else set()
     assert {title for title in titles if f"{title}: " not in reasons} == computed
     assert "composing: each host has one process already" in plan.left_out
@@ -393,7 +413,7 @@ def test_every_row_of_the_remedies_has_what_it_needs() -> None:
         get_args(planner.Kind)
     )
     for row in rows:
-        assert row["works"] in ("computed", "no table", "no")
+        assert row["works"] in ("computed", "simulated", "no table", "no")
         assert row["all_find_each_other"] in ("yes", "no")
         assert all(row[column] for column in ("title", "why", "source"))
         assert bool(row["price"]) == (row["works"] != "no")

@@ -3,6 +3,7 @@
 import csv
 import importlib.util
 import io
+import sys
 from dataclasses import asdict
 from pathlib import Path
 
@@ -16,10 +17,9 @@ from discostorm.simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[1]
 _spec = importlib.util.spec_from_file_location("sweeps", ROOT / "scripts" / "simulate.py")
-assert _spec is not None and _spec.loader is not None
+assert _spec is not None
+assert _spec.loader is not None
 simulate = importlib.util.module_from_spec(_spec)
-import sys  # noqa: E402
-
 sys.modules["sweeps"] = simulate  # dataclasses look themselves up
 _spec.loader.exec_module(simulate)
 
@@ -101,9 +101,9 @@ def test_in_turn_everybody_waits_for_those_before() -> None:
 
 
 def test_bad_input_is_refused_by_name() -> None:
-    with pytest.raises(ValueError, match="within must be .* got -1"):
+    with pytest.raises(ValueError, match=r"within must be .* got -1"):
         staggered.at_random(-1)
-    with pytest.raises(ValueError, match="hosts must be a whole number.*2.5"):
+    with pytest.raises(ValueError, match=r"hosts must be a whole number.*2.5"):
         staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="hosts must"):
         staggered.window(ds.DDS, 0, 2, 10)

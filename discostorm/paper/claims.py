@@ -352,6 +352,53 @@ def payloads_measured(protocol: Protocol) -> float:
     return len(within) / len(protocol.messages)
 
 
+def _simulated(table: str, **wanted: object) -> list[dict[str, str]]:
+    """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
+    named = {
+        name: f"{value:g}" if isinstance(value, float) else value for name, value in wanted.items()
+    }
+    rows = [row for row in read_data(f"simulated/{table}.csv") if named.items() <= row.items()]
+    if not rows:
+        raise ValueError(f"simulated/{table}.csv has no row with {named}")
+    return rows
+
+
+@_quantity
+def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how much longer a simulated burst takes than the closed form's airtime.
+
+    Without limits of the queues; the paper's small robots, on 802.11n as its channel has it.
+    """
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
+    swarm = (float(row[name]) for name in ("hosts", "processes", "endpoints"))
+    return float(row["drain_time_s"]) / float(utilization(protocol, *swarm, wifi)) - 1
+
+
+@_quantity
+def multicast_lost(protocol: Protocol, hosts: float) -> float:
+    """Return which part of the receptions of multicast a simulated burst loses to collisions."""
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1.0)
+    fleet = Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
+    receptions = {True: 0.0, False: 0.0}
+    for message in protocol.messages:
+        multicast = message.cast == "multicast"
+        receptions[multicast] += float(message.load(fleet)) * (hosts - 1 if multicast else 1)
+    return float(row["on_air"]) * sum(receptions.values()) / receptions[True]
+
+
+@_quantity
+def runs_converged(hosts: float) -> float:
+    """Return the part of the simulated runs in which everybody knew everybody in two minutes.
+
+    The least of the paper's counts with the periods of products; no frame errors.
+    """
+    rows = _simulated("convergence", hosts=hosts, loss="0.0")
+    return min(
+        int(row["converged"]) / int(row["runs"]) for row in rows if "periods" in row["protocol"]
+    )
+
+
 @_quantity
 def header(transport: str) -> int:
     """Return the header bytes of a transport, from their parts [B]."""
