@@ -371,8 +371,9 @@ def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """
     (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
     wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
-    swarm = (float(row[name]) for name in ("hosts", "processes", "endpoints"))
-    return float(row["drain_time_s"]) / float(utilization(protocol, *swarm, wifi)) - 1
+    counts = {name: float(row[name]) for name in ("hosts", "processes", "endpoints")}
+    closed = utilization(protocol, Fleet.swarm(**counts), wifi=wifi)
+    return float(row["drain_time_s"]) / float(closed) - 1
 
 
 @_quantity
