@@ -268,8 +268,7 @@ def events() -> list[dict[str, object]]:
     table = found.transmission_table()
     for column in ("start_s", "end_s"):
         table[column] = [f"{value:.7f}" for value in table[column]]  # whole ticks
-    rows: list[dict[str, object]] = table.to_dict("records")
-    return rows
+    return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
 
 
 def by_host() -> list[dict[str, object]]:
