@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any, Literal
 from urllib.parse import unquote, urlsplit
 
+import numpy as np
 import pytest
 import yaml
 from PIL import Image, ImageColor
@@ -286,10 +287,8 @@ def test_figures_in_dark_mode_are_no_slabs_and_keep_their_hues(
             assert corner == tuple(map(int, re.findall(r"\d+", ground)))
     for name in ("DDS", "Zenoh"):
         drawn = ImageColor.getrgb(figures.COLORS[name])
-        pairs = zip(
-            *(pixels[theme].get_flattened_data() for theme in ("light", "dark")), strict=True
-        )
-        shown = {after for before, after in pairs if before == drawn}
+        before, after = (np.asarray(pixels[theme]) for theme in ("light", "dark"))
+        shown = {tuple(map(int, color)) for color in after[(before == drawn).all(axis=2)]}
         assert shown
         for color in shown:
             # A hue that is 20 degrees off has the same name; a light color is seen on black.
