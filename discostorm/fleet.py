@@ -238,6 +238,23 @@ class Fleet:
         """Return hosts, processes and endpoints of one group after the other."""
         return tuple(count for group in self.groups for count in group.counts())
 
+    def hosts(self) -> Count:
+        """Return the number of hosts in the fleet."""
+        return reduce(add, (group.hosts for group in self.groups))
+
+    def once(self) -> Count:
+        """Return 1, whatever is in the fleet; in its shape."""
+        return 1 + 0 * self.hosts()
+
+    def host_pairs(self) -> Count:
+        """Return the number of ordered pairs of different hosts."""
+        hosts = self.hosts()
+        return hosts * (hosts - 1)
+
+    def kinds_endpoints(self) -> Count:
+        """Return the number of endpoints of one host of each group, added up."""
+        return reduce(add, (group.processes * group.endpoints for group in self.groups))
+
     def processes(self) -> Count:
         """Return the number of processes in the fleet."""
         return reduce(add, (group.hosts * group.processes for group in self.groups))

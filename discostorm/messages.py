@@ -62,6 +62,12 @@ PROCESS_PAIR = Unit("ordered pair of processes", Fleet.process_pairs)
 THIRD = Unit("ordered pair of processes on different hosts and third process", Fleet.thirds)
 ENDPOINT_THIRD = Unit("endpoint, process on another host and third process", Fleet.endpoint_thirds)
 MATCHED_WRITER = Unit("matched writer and process on another host", Fleet.matched_writers)
+HOST = Unit("host", Fleet.hosts)
+HOST_PAIR = Unit("ordered pair of hosts", Fleet.host_pairs)
+#: For what is sent once, however many hosts run the same software.
+KIND_ENDPOINT = Unit("endpoint of a kind of host", Fleet.kinds_endpoints)
+#: For what the whole fleet sends once.
+FLEET = Unit("fleet", Fleet.once)
 UNMATCHED = Unit("unmatched endpoint and process on another host", Fleet.unmatched)
 
 #: All of them by name.
@@ -77,6 +83,10 @@ UNITS = {
         ENDPOINT_THIRD,
         MATCHED_WRITER,
         UNMATCHED,
+        HOST,
+        HOST_PAIR,
+        KIND_ENDPOINT,
+        FLEET,
     )
 }
 

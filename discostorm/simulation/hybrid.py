@@ -65,10 +65,10 @@ class HybridRun:
         time, from 0 on [s]; infinity if at the end they do not.
     complete : ndarray
         Since when each host holds all sets of the living [s]; infinity if it does not.
-    known_to_all : ndarray
-        Since when all living others hold the set of each host [s]; infinity if they do not.
     airtime : float
         Of all transmissions, by equation (11) [s].
+    airtime_converged : float
+        The same of those that began before the convergence time [s].
     busiest_second : float
         Most airtime that began within any second [s].
     frames : dict of str to int
@@ -83,8 +83,8 @@ class HybridRun:
 
     convergence_time: float
     complete: NDArray[np.float64]
-    known_to_all: NDArray[np.float64]
     airtime: float
+    airtime_converged: float
     busiest_second: float
     frames: dict[str, int]
     mistaken: int
@@ -109,6 +109,7 @@ class Speakers:
     asked_for: Indices = field(init=False)
     basis: Bits = field(init=False)
     heard: NDArray[np.float64] = field(init=False)
+    direct: NDArray[np.float64] = field(init=False)
     due: NDArray[np.float64] = field(init=False)
     wait: NDArray[np.float64] = field(init=False)
     pulled: NDArray[np.float64] = field(init=False)
@@ -118,6 +119,7 @@ class Speakers:
     sent: Indices = field(init=False)
     announced: NDArray[np.float64] = field(init=False)
     denied: NDArray[np.float64] = field(init=False)
+    repeats: NDArray[np.float64] = field(init=False)
 
     def __post_init__(self) -> None:
         count, words = self.hosts, -(-self.hosts // _WORD)
@@ -130,7 +132,9 @@ class Speakers:
         for name in ("need", "asked_for"):
             setattr(self, name, np.zeros((count, words), np.int64))
         self.basis = np.zeros((count, words, _WORD), np.uint64)
+        # When each was heard last, by itself or in what another says of late; and by itself.
         self.heard = np.full((count, count), -np.inf)
+        self.direct = np.full((count, count), -np.inf)
         self.due = np.full((4, count), _NEVER)
         self.wait = np.full(count, parameters()["retry"])
         self.pulled = np.full(count, -np.inf)
@@ -141,6 +145,7 @@ class Speakers:
         self.announced = np.full(count, -np.inf)
         # How many have shown that they do not know it; not a number once somebody does.
         self.denied = np.zeros(count)
+        self.repeats = np.zeros(count)
 
     def learn(self, who: Indices, word: int, mask: np.uint64) -> Bools:
         """Let hosts receive the exclusive-or of the sets in a mask; return to whom it was news.
@@ -188,11 +193,16 @@ class Sizes:
     hashed: Indices
     headers: int
 
-    def coded(self, sets: Indices) -> int:
-        """Return the octets of a repair: as long as the longest of its sets."""
+    def coded(self, sets: Indices, many: int) -> int:
+        """Return the octets of so many repairs in a frame, each as long as the longest set."""
         value = parameters()
-        added = value["header"] + value["coded"] - value["header"]
-        return int(sets.max() + added)
+        above = self.headers + value["header"]
+        return int(above + many * (sets.max() - above + value["coded"]))
+
+    def together(self, sets: Indices) -> int:
+        """Return how many repairs share a frame."""
+        one = self.coded(sets, 1) - self.coded(sets, 0)
+        return max(1, int(parameters()["packed"] // one))
 
     def digest(self, hosts: int) -> int:
         """Return the octets of a digest of so many hosts."""
@@ -243,6 +253,7 @@ def hybrid_run(
     part: Any = 0,
     death: Death | None = None,
     until: float = 10.0,
+    enough: float = np.inf,
     seed: int = 0,
 ) -> HybridRun:
     """Simulate one run of the hybrid discovery on one Wi-Fi cell.
@@ -273,6 +284,8 @@ def hybrid_run(
         Hosts that die.
     until : float, optional
         When the run ends [s].
+    enough : float, optional
+        If all hold all sets, the run ends so long after anybody learned anything [s].
     seed : int, optional
         Of the random numbers.
 
@@ -312,7 +325,7 @@ def hybrid_run(
     _settle(speakers, np.broadcast_to(np.asarray(part), (count,)), rng)
     run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death)
     run.begin()
-    run.go(until)
+    run.go(until, enough)
     return run.result()
 
 
@@ -325,7 +338,8 @@ def _settle(speakers: Speakers, part: NDArray[Any], rng: np.random.Generator) ->
         bits = bits_of(members, words)
         speakers.held[members] = bits
         speakers.known[members] = bits
-        speakers.heard[np.ix_(members, members)] = 0.0
+        for array in (speakers.heard, speakers.direct):
+            array[np.ix_(members, members)] = 0.0
     period = beat_period(np.bitwise_count(speakers.known).sum(axis=1))
     speakers.due[BEAT, settled] = (rng.random(speakers.hosts) * period)[settled]
     young = ~settled
@@ -375,9 +389,8 @@ class _Run:
             self.toggle = self.rng.exponential(self._fade_means())
         self.dead: Indices = np.zeros(0, np.int64)
         self.complete = np.full(hosts, _NEVER)
-        self.to_all = np.full(hosts, _NEVER)
         self.incomplete = np.ones(hosts, bool)
-        self.check(np.arange(hosts))
+        self.count_living()
 
     def _fade_means(self) -> NDArray[np.float64]:
         clear = self.fade * (1 - self.multicast_loss) / max(self.multicast_loss, 1e-9)
@@ -385,7 +398,7 @@ class _Run:
 
     # ------------------------------------------------------------ the clock
 
-    def go(self, until: float) -> None:
+    def go(self, until: float, enough: float) -> None:
         """Go from one event to the next."""
         speakers, channel = self.speakers, self.channel
         death = self.death.time if self.death else _NEVER
@@ -397,12 +410,12 @@ class _Run:
             sending = channel.next_time()
             begun = starts[0] if starts else _NEVER
             time = min(timer, sending, death, begun)
-            if time > until:
+            if time > until or (time > self.changed + enough and not self.incomplete[self.there].any()):
                 return
             self.now = time
             if time == begun:
                 starts.pop(0)
-                self.check(np.arange(speakers.hosts))
+                self.count_living()
             elif time == death:
                 death = _NEVER
                 self.kill()
@@ -421,22 +434,31 @@ class _Run:
         self.speakers.alive[self.dead] = False
         self.speakers.due[:, self.dead] = _NEVER
         self.channel.silence(self.dead)
-        self.check(np.arange(self.speakers.hosts))
+        self.count_living()
+
+    def count_living(self) -> None:
+        """Note who is there, and who holds the sets of all these."""
+        speakers = self.speakers
+        self.there = speakers.alive & (speakers.start <= self.now)
+        self.target = bits_of(np.flatnonzero(self.there), self.words)
+        self.check(np.arange(speakers.hosts))
 
     def check(self, who: Indices) -> None:
         """Note who is complete now."""
         speakers = self.speakers
-        there = speakers.alive & (speakers.start <= self.now)
-        target = bits_of(np.flatnonzero(there), self.words)
-        missing = (target & ~speakers.held[who]).any(axis=1) | ~there[who]
+        missing = (self.target & ~speakers.held[who]).any(axis=1) | ~self.there[who]
         done = ~missing & self.incomplete[who]
         self.complete[who[done]] = self.now
         self.complete[who[missing]] = _NEVER
+        self.changed = self.now
         self.incomplete[who] = missing
 
     # ------------------------------------------------------------ the clocks of a speaker
 
     def act(self, kind: int, host: int) -> None:
+        if self.channel.queues[host]:  # its last frame is still waiting for the channel
+            self.speakers.due[kind, host] = self.now + self.quiet * (0.5 + self.rng.random())
+            return
         (self.announce, self.digest, self.repair, self.beat)[kind](host)
 
     def send(self, kind: str, host: int, octets: int, content: Any, to: int | None = None) -> None:
@@ -480,12 +502,19 @@ class _Run:
 
     def soon(self, who: Indices) -> None:
         """Let hosts send a digest once nothing new has come for a while."""
-        known = self.known_to(who)
-        spread = known * self.spacing(self.sizes.digest(int(known.max())), "digest_share", 0)
+        spread = self.digest_spread(who)
         lacking = self.speakers.lacks(who).any(axis=1)
         spread = np.where(lacking, spread / 2, spread)
         delay = self.quiet + self.rng.random(who.size) * spread
         self.speakers.due[DIGEST, who] = self.now + delay
+
+    def digest_spread(self, who: Indices) -> NDArray[np.float64]:
+        """Return the time in which all hosts together may send a digest each [s]."""
+        known = self.known_to(who)
+        spread: NDArray[np.float64] = known * self.spacing(
+            self.sizes.digest(int(known.max())), "digest_share", 0
+        )
+        return spread
 
     def digest(self, host: int) -> None:
         speakers = self.speakers
@@ -500,13 +529,15 @@ class _Run:
             content = (speakers.held[host].copy(), lacks.copy(), speakers.gone[host].copy())
             self.send("Digest", host, self.sizes.digest(int(self.known_to(host))), content)
         if lacks.any():
-            speakers.due[DIGEST, host] = self.now + speakers.wait[host] * (1 + self.rng.random())
+            wait = max(speakers.wait[host], float(self.digest_spread(np.array([host]))[0]))
+            speakers.due[DIGEST, host] = self.now + wait * (1 + self.rng.random())
             speakers.wait[host] = min(2 * speakers.wait[host], self.value["retry_most"])
         else:
             speakers.seen_equal[host] = True
 
     def repair_delay(self, who: Indices) -> NDArray[np.float64]:
-        octets = self.sizes.coded(self.sizes.hashed if self.alike else self.sizes.whole)
+        sets = self.sizes.hashed if self.alike else self.sizes.whole
+        octets = self.sizes.coded(sets, self.sizes.together(sets))
         spread = self.known_to(who) * self.spacing(octets, "share")
         delay: NDArray[np.float64] = self.rng.random(who.size) * spread
         return delay
@@ -519,15 +550,18 @@ class _Run:
             speakers.need[host], speakers.wanted[host] = 0, 0
             return
         word = int(np.where(open_, speakers.need[host], -1).argmax())
-        mask = able[word]
-        if np.bitwise_count(mask) > 1:
-            mask = np.uint64(0)
-            while mask == 0:
-                mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
-        among = np.flatnonzero((mask >> _PLACES) & _ONE) + _WORD * word
+        among = np.flatnonzero((able[word] >> _PLACES) & _ONE) + _WORD * word
         sets = (self.sizes.hashed if self.alike else self.sizes.whole)[among]
-        self.send("Repair", host, self.sizes.coded(sets), (word, mask))
-        speakers.need[host, word] -= 1
+        room = self.sizes.together(sets)
+        masks = [able[word]]
+        if among.size > 1:
+            masks = []
+            while len(masks) < min(room, int(speakers.need[host, word])):
+                mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
+                if mask:
+                    masks.append(mask)
+        self.send("Repair", host, self.sizes.coded(sets, len(masks)), (word, masks))
+        speakers.need[host, word] -= len(masks)
         if (speakers.need[host] > 0).any():
             speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
 
@@ -536,7 +570,7 @@ class _Run:
         period = float(beat_period(self.known_to(host)))
         speakers.due[BEAT, host] = self.now + period
         self.give_up(host, period)
-        recent = speakers.heard[host] > self.now - period
+        recent = speakers.direct[host] > self.now - period
         recent[host] = True
         content = (speakers.held[host].copy(), np.flatnonzero(recent))
         self.send("Heartbeat", host, self.sizes.heartbeat(int(self.known_to(host))), content)
@@ -560,7 +594,7 @@ class _Run:
             np.bitwise_count(lost & bits_of(np.flatnonzero(speakers.alive), self.words)).sum()
         )
         dead = bits_of(self.dead, self.words)
-        living = np.flatnonzero(speakers.alive & (speakers.start <= self.now))
+        living = np.flatnonzero(self.there)
         if self.dead.size and not (speakers.known[living] & dead).any():
             self.gone_at = self.now
         self.check(np.array([host]))
@@ -570,7 +604,7 @@ class _Run:
     def receivers(self, frame: Frame) -> Indices:
         """Return who hears a frame."""
         speakers = self.speakers
-        there = speakers.alive & (speakers.start <= self.now)
+        there = self.there.copy()
         if frame.to is not None:
             return np.array([frame.to] if there[frame.to] else [], np.int64)
         there[frame.sender] = False
@@ -588,6 +622,7 @@ class _Run:
         speakers, sender = self.speakers, frame.sender
         settled, count, content = frame.content
         speakers.heard[who, sender] = self.now
+        speakers.direct[who, sender] = self.now
         own = speakers.own[sender]
         if frame.kind == "Announce":
             back = (speakers.gone[who] & own).any(axis=1)
@@ -597,12 +632,13 @@ class _Run:
                 speakers.seen_description[who] = True
             self.take(who, sender // _WORD, own[sender // _WORD], new)
         elif frame.kind == "Repair":
-            word, mask = content
-            fresh = (mask & ~speakers.known[who, word] & ~speakers.gone[who, word]) != 0
-            useful = (mask & speakers.wanted[who, word]) != 0
-            speakers.known[who, word] |= mask & ~speakers.gone[who, word]
-            speakers.need[who[useful], word] -= 1
-            self.take(who, word, mask, fresh)
+            word, masks = content
+            for mask in masks:
+                fresh = (mask & ~speakers.known[who, word] & ~speakers.gone[who, word]) != 0
+                useful = (mask & speakers.wanted[who, word]) != 0
+                speakers.known[who, word] |= mask & ~speakers.gone[who, word]
+                speakers.need[who[useful], word] -= 1
+                self.take(who, word, mask, fresh)
         elif frame.kind == "Data":
             for word in range(self.words):
                 for place in np.flatnonzero((content[word] >> _PLACES) & _ONE):
@@ -674,10 +710,11 @@ class _Run:
         """Let hosts announce themselves again that several do not know, and nobody does."""
         speakers, value = self.speakers, self.value
         known = (speakers.own[who] & listed).any(axis=1)
-        late = self.now - speakers.announced[who] > self.quiet
+        late = self.now - speakers.announced[who] > self.quiet * 2 ** speakers.repeats[who]
         speakers.denied[who[late & ~known]] += 1
         speakers.denied[who[known]] = np.nan
         again = who[late & (speakers.denied[who] >= value["denials"])]
+        speakers.repeats[again] += speakers.due[ANNOUNCE, again] == _NEVER
         speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
 
     def pull(self, who: Indices, sender: int, count: int) -> None:
@@ -689,6 +726,10 @@ class _Run:
             if count - int(np.bitwise_count(speakers.held[host]).sum()) > value["pull_from"]:
                 speakers.pulled[host] = self.now
                 octets = self.sizes.digest(int(self.known_to(host)))
+                at_once = self.now + self.rng.random() * self.quiet
+                if speakers.due[ANNOUNCE, host] < _NEVER:  # the fleet is there: no need to spread
+                    speakers.due[ANNOUNCE, host] = min(at_once, speakers.due[ANNOUNCE, host])
+                    self.part_of_window[host] = 0.0
                 self.send("Pull", int(host), octets, speakers.held[host].copy(), sender)
                 speakers.due[DIGEST, host] = self.now + 2 * value["retry"]
 
@@ -727,8 +768,8 @@ class _Run:
         return HybridRun(
             convergence_time=float(done.max()),
             complete=self.complete,
-            known_to_all=self.to_all,
             airtime=float(costs.sum()),
+            airtime_converged=float(costs[begins < done.max()].sum()),
             busiest_second=worst,
             frames=dict(sorted(self.frames.items())),
             mistaken=self.mistaken,

@@ -1,0 +1,88 @@
+"""A discovery of our own: one speaker a host, sets packed in multicasts, coded repair.
+
+A proposal, not a product. The tables hold what is sent without losses; what is done about losses,
+deaths and newcomers is `discostorm.simulation.hybrid`, with the same sizes and times.
+What a frame holds has rows of its own, which have no part of a frame: they cost their
+bytes alone. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period of
+each grows, so that beyond the table is an upper bound.
+"""
+
+from discostorm.data import read_data
+from discostorm.messages import (
+    ENDPOINT,
+    FLEET,
+    HOST,
+    HOST_PAIR,
+    KIND_ENDPOINT,
+    LEAST_PER_UNIT,
+    ONCE,
+    PROCESS,
+    Message,
+    Payload,
+    Protocol,
+    Schedule,
+    Unit,
+)
+
+_ROWS = {row["quantity"]: row for row in read_data("hybrid/parameters.csv")}
+_VALUE = {name: float(row["value"]) for name, row in _ROWS.items()}
+_BEATS = Schedule((_VALUE["heartbeat"],), _VALUE["heartbeat"])
+
+
+def _row(
+    name: str,
+    phase: str,
+    quantity: str,
+    unit: Unit,
+    *,
+    schedule: Schedule = ONCE,
+    answers: str | None = None,
+    inside: bool = True,
+    per_unit: float = 1,
+) -> Message:
+    """Return a row of which the data file says the size; inside another's frame or not."""
+    size, source = _VALUE[quantity], f"data/hybrid/parameters.csv, {quantity}"
+    return Message(
+        name,
+        phase,
+        "multicast",
+        "UDP",
+        Payload(size, size, size, source),
+        unit,
+        per_unit,
+        schedule,
+        answers=answers,
+        frames=LEAST_PER_UNIT if inside else 1.0,
+    )
+
+
+_SETS = (
+    _row("Announce", "Sets", "header", HOST, inside=False),
+    _row("Process", "Sets", "process", PROCESS),
+)
+_REST = (
+    # Of all hosts that are about to show what they hold, the first does; the others hear it.
+    _row("Digest", "Digests", "header", FLEET, answers="Announce", inside=False),
+    _row("Listed", "Digests", "listed", HOST, answers="Announce"),
+    _row("Heartbeat", "Heartbeats", "header", HOST, schedule=_BEATS, inside=False),
+    _row("Claimed", "Heartbeats", "claimed", HOST_PAIR, schedule=_BEATS),
+)
+
+#: No two hosts run the same software.
+HYBRID = Protocol(
+    "hybrid",
+    (*_SETS, _row("Endpoint", "Sets", "endpoint", ENDPOINT), *_REST),
+    lease=_VALUE["lease"],
+)
+
+#: The hosts of a group run the same software: one tells its description, the others its hash.
+HYBRID_ALIKE = Protocol(
+    "hybrid, alike",
+    (
+        *_SETS,
+        _row("Software", "Sets", "software", HOST),
+        _row("Endpoint", "Sets", "endpoint", KIND_ENDPOINT),
+        *_REST,
+    ),
+    lease=_VALUE["lease"],
+)

@@ -1,0 +1,156 @@
+"""Simulate the hybrid discovery and store what it did: data/simulated/hybrid.csv, a row a run.
+
+Seeds 100 to 199 were used for nothing else: what was tuned was tuned with others.
+"""
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from joblib import Parallel, delayed
+from tqdm import tqdm
+
+import discostorm as ds
+from discostorm.simulation.hybrid import Death, Speakers, hybrid_run
+
+TABLE = Path(ds.__file__).parent / "data" / "simulated" / "hybrid.csv"
+COLUMNS = (
+    *("scenario", "seed", "converged_s", "airtime_s", "airtime_converged_s", "busiest_second_s"),
+    *("mistaken", "gone_s", "announces", "digests", "repairs", "pulls", "heartbeats"),
+    *("collisions", "dropped"),
+)
+FIRST_SEED = 100
+#: When the newcomer starts, and when hosts of a settled fleet die [s].
+LATER = 1.0
+
+
+def knows_most(speakers: Speakers, rng: np.random.Generator) -> Any:
+    """Those who hold the most sets."""
+    held = np.bitwise_count(speakers.held).sum(axis=1)
+    return np.argsort(-(held + rng.random(held.size)))[: held.size // 2]
+
+
+def speaks_most(speakers: Speakers, rng: np.random.Generator) -> Any:
+    """Those who have sent the most, askers and repairers among them."""
+    return np.argsort(-(speakers.sent + rng.random(speakers.hosts)))[: speakers.hosts // 2]
+
+
+def repairs_next(speakers: Speakers, rng: np.random.Generator) -> Any:
+    """Those who are about to repair or to ask."""
+    return np.argsort(speakers.due[1:3].min(axis=0))[: speakers.hosts // 2]
+
+
+ADVERSARIES = (knows_most, speaks_most, repairs_next)
+
+
+def scenarios() -> dict[str, dict[str, Any]]:
+    """Return what is run, by name: the arguments of `hybrid_run`, and how many hosts."""
+    settled = np.full(100, -100.0)
+    newcomer = settled.copy()
+    newcomer[99] = LATER
+    found: dict[str, dict[str, Any]] = {
+        "alike": {"alike": True, "until": 6, "enough": 1.5},
+        "unlike": {"until": 6, "enough": 1.5},
+        "newcomer, alike": {"alike": True, "start": newcomer, "until": 6, "enough": 1.5},
+        "newcomer": {"start": newcomer, "until": 6, "enough": 1.5},
+        "halves, alike": {"alike": True, "start": settled, "part": np.arange(100) % 2, "until": 6, "enough": 1.5},
+        "halves": {"start": settled, "part": np.arange(100) % 2, "until": 6, "enough": 1.5},
+    }
+    for adversary in ADVERSARIES:
+        for time in (0.5, 1.0, 1.5):
+            name = f"50 die at {time} s, {adversary.__name__}"
+            found[name] = {"death": Death(time, adversary), "until": 12, "enough": 1.5}
+    for count, first in ((1, 1), (50, 50)):
+        dead = np.arange(first)
+        found[f"{count} of a settled fleet die"] = {
+            "start": settled,
+            "death": Death(LATER, lambda speakers, rng, dead=dead: dead),
+            "until": 36,
+        }
+    found["steady for 1000 s"] = {"start": settled, "until": 1000}
+    found["1000, alike"] = {"hosts": 1000, "alike": True, "until": 60, "enough": 0.5}
+    found["1000"] = {"hosts": 1000, "until": 60, "enough": 0.5}
+    for fade in (0.1, 0.5):
+        found[f"unlike, fades of {fade} s"] = {"fade": fade, "until": 20, "enough": 1.5}
+    found["unlike, queues of 20"] = {"queue": (20, 0.5), "until": 8, "enough": 1.5}
+    return found
+
+
+def seeds_of(name: str) -> int:
+    """Return how many runs there are of a scenario: fewer of those that take long."""
+    few = {"1000": 1, "steady": 2, "50 die": 34, "1 of": 20, "50 of": 20, "unlike,": 30}
+    return next((many for start, many in few.items() if name.startswith(start)), 100)
+
+
+def row(name: str, seed: int) -> dict[str, Any]:
+    """Return what one run did."""
+    settings = dict(scenarios()[name])
+    fleet = ds.Fleet.swarm(settings.pop("hosts", 100), 2, 10)
+    found = hybrid_run(fleet, ds.PAPER, seed=seed, **settings)
+    frames = found.frames
+    return {
+        "scenario": name,
+        "seed": seed,
+        "converged_s": f"{found.convergence_time:.4f}",
+        "airtime_s": f"{found.airtime:.5f}",
+        "airtime_converged_s": f"{found.airtime_converged:.5f}",
+        "busiest_second_s": f"{found.busiest_second:.5f}",
+        "mistaken": found.mistaken,
+        "gone_s": f"{found.gone:.3f}",
+        "announces": frames.get("Announce", 0),
+        "digests": frames.get("Digest", 0),
+        "repairs": frames.get("Repair", 0),
+        "pulls": frames.get("Pull", 0) + frames.get("Data", 0),
+        "heartbeats": frames.get("Heartbeat", 0),
+        "collisions": found.collisions,
+        "dropped": found.dropped,
+    }
+
+
+def write(path: Path, rows: dict[tuple[str, int], dict[str, Any]], names: list[str]) -> None:
+    """Write all runs so far: who interrupts the program keeps them."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    fresh = path.with_suffix(".part")
+    with fresh.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        known = (key for key in rows if key[0] in names)
+        for key in sorted(known, key=lambda key: (names.index(key[0]), key[1])):
+            table.writerow(rows[key])
+    fresh.replace(path)
+
+
+def main() -> int:
+    """Run all that the table does not have yet, and write it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seeds", type=int, default=100, help="most runs of a scenario")
+    parser.add_argument("--jobs", type=int, default=-1, help="processes side by side")
+    parser.add_argument("--only", action="append", default=[], help="a scenario, by name")
+    parser.add_argument("--out", type=Path, default=TABLE)
+    given = parser.parse_args()
+    names = list(scenarios())
+    if unknown := set(given.only) - set(names):
+        parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(names)}")
+    rows: dict[tuple[str, int], dict[str, Any]] = {}
+    if given.out.exists():
+        with given.out.open(newline="", encoding="utf-8") as file:
+            rows = {(line["scenario"], int(line["seed"])): line for line in csv.DictReader(file)}
+    todo = [
+        (name, seed)
+        for name in given.only or names
+        for seed in range(FIRST_SEED, FIRST_SEED + min(given.seeds, seeds_of(name)))
+        if (name, seed) not in rows
+    ]
+    jobs = Parallel(n_jobs=given.jobs, return_as="generator_unordered")
+    for line in tqdm(jobs(delayed(row)(*one) for one in todo), total=len(todo), unit="run"):
+        rows[line["scenario"], int(line["seed"])] = line
+        write(given.out, rows, names)
+    write(given.out, rows, names)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
