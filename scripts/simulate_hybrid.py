@@ -14,7 +14,7 @@ from joblib import Parallel, delayed
 from tqdm import tqdm
 
 import discostorm as ds
-from discostorm.simulation.hybrid import Death, Speakers, hybrid_run
+from discostorm.simulation.hybrid import Choice, Death, Speakers, hybrid_run
 
 TABLE = Path(ds.__file__).parent / "data" / "simulated" / "hybrid.csv"
 COLUMNS = (
@@ -38,9 +38,14 @@ def speaks_most(speakers: Speakers, rng: np.random.Generator) -> Any:
     return np.argsort(-(speakers.sent + rng.random(speakers.hosts)))[: speakers.hosts // 2]
 
 
-def repairs_next(speakers: Speakers, rng: np.random.Generator) -> Any:
+def repairs_next(speakers: Speakers, _: np.random.Generator) -> Any:
     """Those who are about to repair or to ask."""
     return np.argsort(speakers.due[1:3].min(axis=0))[: speakers.hosts // 2]
+
+
+def first(many: int) -> Choice:
+    """Return a choice of the first hosts."""
+    return lambda *_: np.arange(many)
 
 
 ADVERSARIES = (knows_most, speaks_most, repairs_next)
@@ -48,26 +53,26 @@ ADVERSARIES = (knows_most, speaks_most, repairs_next)
 
 def scenarios() -> dict[str, dict[str, Any]]:
     """Return what is run, by name: the arguments of `hybrid_run`, and how many hosts."""
-    settled = np.full(100, -100.0)
+    settled, halves = np.full(100, -100.0), np.arange(100) % 2
+    ends = {"until": 6, "enough": 1.5}
     newcomer = settled.copy()
     newcomer[99] = LATER
     found: dict[str, dict[str, Any]] = {
-        "alike": {"alike": True, "until": 6, "enough": 1.5},
-        "unlike": {"until": 6, "enough": 1.5},
-        "newcomer, alike": {"alike": True, "start": newcomer, "until": 6, "enough": 1.5},
-        "newcomer": {"start": newcomer, "until": 6, "enough": 1.5},
-        "halves, alike": {"alike": True, "start": settled, "part": np.arange(100) % 2, "until": 6, "enough": 1.5},
-        "halves": {"start": settled, "part": np.arange(100) % 2, "until": 6, "enough": 1.5},
+        "alike": {"alike": True} | ends,
+        "unlike": ends,
+        "newcomer, alike": {"alike": True, "start": newcomer} | ends,
+        "newcomer": {"start": newcomer} | ends,
+        "halves, alike": {"alike": True, "start": settled, "part": halves} | ends,
+        "halves": {"start": settled, "part": halves} | ends,
     }
     for adversary in ADVERSARIES:
         for time in (0.5, 1.0, 1.5):
             name = f"50 die at {time} s, {adversary.__name__}"
             found[name] = {"death": Death(time, adversary), "until": 12, "enough": 1.5}
-    for count, first in ((1, 1), (50, 50)):
-        dead = np.arange(first)
+    for count in (1, 50):
         found[f"{count} of a settled fleet die"] = {
             "start": settled,
-            "death": Death(LATER, lambda speakers, rng, dead=dead: dead),
+            "death": Death(LATER, first(count)),
             "until": 36,
         }
     found["steady for 1000 s"] = {"start": settled, "until": 1000}

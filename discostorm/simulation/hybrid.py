@@ -370,6 +370,7 @@ class _Run:
     frames: Counter[str] = field(default_factory=Counter)
     mistaken: int = 0
     gone_at: float = 0.0
+    changed: float = 0.0
 
     def begin(self) -> None:
         speakers, hosts = self.speakers, self.speakers.hosts
@@ -410,7 +411,8 @@ class _Run:
             sending = channel.next_time()
             begun = starts[0] if starts else _NEVER
             time = min(timer, sending, death, begun)
-            if time > until or (time > self.changed + enough and not self.incomplete[self.there].any()):
+            settled = time > self.changed + enough and not self.incomplete[self.there].any()
+            if time > until or settled:
                 return
             self.now = time
             if time == begun:
