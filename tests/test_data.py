@@ -28,6 +28,7 @@ SOURCES = {
     "measured/misses.csv": "kind",
     "measured/reasons.csv": "reason",
     "vendors/products.csv": "product",
+    "simulated/hybrid.csv": "scenario",
 }
 
 

@@ -170,11 +170,13 @@ class Speakers:
             self.basis[some, word] = rows
             self.held[some, word] |= new
             self.known[some, word] |= new
-        return news
+        found: Bools = news
+        return found
 
     def lacks(self, who: Any) -> Bits:
         """Return which sets hosts lack that they know to exist."""
-        return self.known[who] & ~self.held[who] & ~self.gone[who]
+        found: Bits = self.known[who] & ~self.held[who] & ~self.gone[who]
+        return found
 
 
 def bits_of(hosts: NDArray[Any], words: int) -> Bits:
