@@ -13,7 +13,7 @@ from discostorm import _checks, notation as nt
 from discostorm._numeric import Value
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
-from discostorm.wifi import Cast, Model, downlink_airtime, uplink_airtime
+from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 
 #: Fewest messages for each unit [1].
 LEAST_PER_UNIT = 1e-9
@@ -291,7 +291,8 @@ class Message:
         the clock says so. Counts and airtime do not depend on it; what happens when does.
     frames : float, optional
         Its part of frames in the mean [1], from 1e-9 to 1e9: 1 if it has one of its own, less if
-        several messages share one. Headers and channel access count with this part.
+        several messages share one. Headers and channel access count with this part. 0 if it is
+        always inside the frame of another row, and costs the air its bits alone.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
 
@@ -321,7 +322,8 @@ class Message:
         for name in ("name", "phase", "kind"):
             _checks.instance(name, getattr(self, name), str)
         object.__setattr__(self, "kind", self.kind or self.name)
-        _checks.number("frames", self.frames, LEAST_PER_UNIT, _checks.MOST)
+        if self.frames != 0:
+            _checks.number("frames", self.frames, LEAST_PER_UNIT, _checks.MOST)
         _checks.choice("cast", self.cast, get_args(Cast))
         _checks.choice("transport", self.transport, get_args(Transport))
         _checks.instance("payload", self.payload, Payload)
@@ -343,13 +345,18 @@ class Message:
     def frame_symbolic(self) -> sp.Expr:
         """Its frame length [B] in symbols: payload and headers (paper, Sec. IV-A).
 
-        Of messages that share frames, the mean length of these.
+        Of messages that share frames, the mean length of these; of one inside the frame of
+        another row, its payload.
         """
+        if self.frames == 0:
+            return self.payload_symbol
         return self.payload_symbol / _plain(self.frames) + _HEADER_SYMBOLS[self.transport]
 
     @property
     def frame_bytes(self) -> float:
-        """Its nominal frame length [B]."""
+        """Its nominal frame length [B], as `frame_symbolic` has it."""
+        if self.frames == 0:
+            return self.payload.nominal
         return self.payload.nominal / self.frames + header_bytes()[self.transport]
 
     def load(self, fleet: Fleet = SWARM) -> Count:
@@ -359,10 +366,14 @@ class Message:
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame up to the access point [s]."""
+        if self.frames == 0:
+            return bits_airtime(self.frame_symbolic, "unicast")
         return _plain(self.frames) * uplink_airtime(self.frame_symbolic, model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame down from the access point [s]."""
+        if self.frames == 0:
+            return bits_airtime(self.frame_symbolic, self.cast)
         return _plain(self.frames) * downlink_airtime(self.frame_symbolic, self.cast, model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:

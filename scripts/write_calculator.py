@@ -21,7 +21,7 @@ from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
-from discostorm.wifi import Cast, Model, Wifi, downlink_airtime, uplink_airtime
+from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
 
@@ -305,16 +305,26 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
 
 
 def airtimes(known: Formulas) -> Code:
-    """Return the airtime of a frame of L bytes on each hop, by kind of channel and cast."""
+    """Return the airtime of a frame of L bytes on each hop, by kind of channel and cast.
+
+    And of L bytes inside the frame of another message, on any channel.
+    """
+    up, *down = (
+        known.name(bits_airtime(LENGTH, cast), f"inside_{cast}")
+        for cast in ("unicast", *get_args(Cast))
+    )
     return {
-        model: {
-            "up": known.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
-            **{
-                cast: known.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
-                for cast in get_args(Cast)
-            },
-        }
-        for model in get_args(Model)
+        "inside": {"up": up, **dict(zip(get_args(Cast), down, strict=True))},
+        **{
+            model: {
+                "up": known.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
+                **{
+                    cast: known.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
+                    for cast in get_args(Cast)
+                },
+            }
+            for model in get_args(Model)
+        },
     }
 
 

@@ -14,7 +14,6 @@ from discostorm.messages import (
     HOST,
     HOST_PAIR,
     KIND_ENDPOINT,
-    LEAST_PER_UNIT,
     ONCE,
     PROCESS,
     Message,
@@ -52,7 +51,7 @@ def _row(
         per_unit,
         schedule,
         answers=answers,
-        frames=LEAST_PER_UNIT if inside else 1.0,
+        frames=0.0 if inside else 1.0,
     )
 
 

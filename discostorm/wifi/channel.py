@@ -220,6 +220,14 @@ def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
     return BITS_PER_BYTE * frame_bytes / rate + overhead
 
 
+def bits_airtime(octets: sp.Expr, cast: Cast) -> sp.Expr:
+    """Return the airtime of some octets more in a frame that is sent anyway [s].
+
+    By the rate alone: where symbols are counted, in the mean over all lengths of a frame.
+    """
+    return airtime(octets, nt.R_UNI if cast == "unicast" else nt.R_MULTI, sp.Integer(0))
+
+
 def data_time(
     octets: sp.Expr, bits: sp.Expr, added: sp.Expr, per_grid: sp.Expr, grid: sp.Expr
 ) -> sp.Expr:

@@ -219,9 +219,9 @@
 
   function price(name, channel) {
     const protocol = MODEL.protocols[name];
-    const airtime = MODEL.airtime[channel.model];
     const rows = protocol.messages.map(({ hops, bytes, frames, cast }) => {
-      const of = (hop, formula) => (hops.includes(hop) ? frames * F[formula]({ ...channel.values, L: bytes }) : 0);
+      const airtime = MODEL.airtime[frames ? channel.model : "inside"];
+      const of = (hop, formula) => (hops.includes(hop) ? (frames || 1) * F[formula]({ ...channel.values, L: bytes }) : 0);
       return { up: of("up", airtime.up), down: of("down", airtime[cast]) };
     });
     const costs = {};
