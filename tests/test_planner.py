@@ -515,6 +515,8 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
 
 
 def words_of_time(seconds: float) -> str:
+    if seconds < 0.1:
+        return f"{seconds:.3f} s"
     return f"{seconds:.2f} s" if seconds < 10 else f"{seconds:.1f} s"
 
 

@@ -35,7 +35,6 @@ __all__ = [
     "aggregated_airtime",
     "airtime",
     "bits_airtime",
-    "bits_airtime",
     "data_time",
     "downlink_airtime",
     "uplink_airtime",
