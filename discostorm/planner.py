@@ -601,8 +601,13 @@ def _changes(
         if row is not None and row["works"] == "computed":
             what = f"splitting into {parts} domains"
             yield _Change("domains", what, pieces, protocol, wifi, wifi)
+    # On Wi-Fi nobody gets what a product sends where it takes the network for wired, and a
+    # proposal is no middleware to switch to.
+    wired = [table.wired for table in PROTOCOLS.values()]
     for table in PROTOCOLS.values():
-        if table != protocol and _alike(table, protocol):
+        if table == protocol or table in wired or family(table) is None:
+            continue
+        if _alike(table, protocol):
             what = f"switching to {table.name}"
             yield _Change("middleware", what, (fleet,), table, wifi, wifi)
 
