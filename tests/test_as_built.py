@@ -105,6 +105,10 @@ def test_units_by_hand() -> None:
         "endpoint, process on another host and third process": 10 * len(thirds),
         "matched writer and process on another host": 5 * len(pairs),
         "unmatched endpoint and process on another host": 0,
+        "host": 3,
+        "ordered pair of hosts": 6,
+        "endpoint of a kind of host": 20,
+        "fleet": 1,
     }
     assert {name: unit.count(MATCHING) for name, unit in UNITS.items()} == by_hand
     assert UNITS["unmatched endpoint and process on another host"].count(SWARM) == 10 * len(pairs)

@@ -117,16 +117,16 @@ class Channel:
     unicast_loss: float
     queue: tuple[float, float]
     rng: np.random.Generator
-    base: float = 0.0
-    idle: float = -1.0
-    waiting: dict[int, int] = field(default_factory=dict)
-    queues: list[deque[Frame]] = field(default_factory=list)
-    failures: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
-    dead: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
+    base: float = field(default=0.0, init=False)
+    idle: float = field(default=-1.0, init=False)
+    waiting: dict[int, int] = field(default_factory=dict, init=False)
+    queues: list[deque[Frame]] = field(init=False)
+    failures: NDArray[np.int64] = field(init=False)
+    dead: NDArray[np.bool_] = field(init=False)
     #: Start [s], airtime [s] and kind of each transmission.
-    log: list[tuple[float, float, str, int]] = field(default_factory=list)
-    collisions: int = 0
-    dropped: int = 0
+    log: list[tuple[float, float, str, int]] = field(default_factory=list, init=False)
+    collisions: int = field(default=0, init=False)
+    dropped: int = field(default=0, init=False)
 
     def __post_init__(self) -> None:
         self.queues = [deque() for _ in range(self.hosts + 1)]
