@@ -225,7 +225,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     (
         "import discostorm / import sympy",
         lambda: ratio(python("import discostorm"), python("import sympy"), rounds=7),
-        1.3,
+        1.4,
     ),
     ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),
     (
@@ -234,7 +234,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
         1.5,
     ),
     ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.9),
-    ("discostorm claims / --help", lambda: beside_help("claims"), 2.5),
+    ("discostorm claims / --help", lambda: beside_help("claims"), 3.6),
     ("discostorm figures / importing them", figures, 3.4),
 ]
 #: What a capture of 100 000 packets takes.
