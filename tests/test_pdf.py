@@ -43,9 +43,12 @@ def text(pdf: PdfReader) -> list[str]:
 
 
 def printed_equations() -> dict[tuple[str, str], tuple[str, str]]:
-    """Return number and printed page of each equation, by its page in the HTML and its label."""
+    """Return number and printed page of each equation, by its page in the HTML and its label.
+
+    One that carries the paper's number has it in braces, as amsmath writes a tag.
+    """
     lines = LABELS.read_text(encoding="utf-8")
-    return {(m[1], m[2]): (m[3], m[4]) for m in LABEL.finditer(lines)}
+    return {(m[1], m[2]): (m[3].strip("{}"), m[4]) for m in LABEL.finditer(lines)}
 
 
 def test_pages_are_a4_and_none_is_blank(pdf: PdfReader, text: list[str]) -> None:
