@@ -22,6 +22,11 @@ Value = float | NDArray[np.float64]
 _BLOCK = 32_768
 
 
+def plain(number: float) -> float:
+    """Return a number as int if it is whole, so that expressions show no floats without need."""
+    return int(number) if float(number).is_integer() else number
+
+
 def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
     """Return the expression with symbols for what it rounds, and what these stand for.
 

@@ -15,7 +15,7 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Polynomial
+from discostorm._numeric import Polynomial, plain
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them alike.
 Count = Any
@@ -300,11 +300,11 @@ class Fleet:
 
         Half of the endpoints are taken for writers.
         """
-        return self.endpoint_pairs() * _whole(self.matching / 2)
+        return self.endpoint_pairs() * plain(self.matching / 2)
 
     def unmatched(self) -> Count:
         """Return the number of pairs of an unmatched endpoint and a process on another host."""
-        return self.endpoint_pairs() * _whole(1 - self.matching)
+        return self.endpoint_pairs() * plain(1 - self.matching)
 
     def without(self, groups: range) -> "Fleet":
         """Return one fleet for each of some groups, which lacks its hosts: as arrays.
@@ -385,11 +385,6 @@ def is_symbolic(value: Any) -> bool:
 def symbolic_group(index: int) -> HostGroup:
     """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
-
-
-def _whole(factor: float) -> float:
-    """Return a factor as int if it is whole, so that expressions show no floats without need."""
-    return int(factor) if factor.is_integer() else factor
 
 
 def _comparable(count: Count) -> Any:

@@ -73,7 +73,8 @@ def _counts() -> dict[str, dict[Key, NDArray[np.float64]]]:
     return counts
 
 
-def points(name: str) -> list[Point]:
+@cache
+def points(name: str) -> tuple[Point, ...]:
     """Return the points of the grid that a table is held against, with at least two hosts.
 
     Parameters
@@ -83,7 +84,7 @@ def points(name: str) -> list[Point]:
 
     Returns
     -------
-    list of Point
+    tuple of Point
         In the order of the grid. For a table of a network that is taken for wired, those with
         three processes or more, as two send otherwise.
 
@@ -117,7 +118,7 @@ def points(name: str) -> list[Point]:
                 },
             )
         )
-    return found
+    return tuple(found)
 
 
 def payloads(name: str, kind: str) -> list[float]:

@@ -10,7 +10,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Value
+from discostorm._numeric import Value, plain
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
@@ -125,11 +125,6 @@ class Payload:
             object.__setattr__(self, name, value)
 
 
-def _plain(count: float) -> float:
-    """Return a count as int if it is whole, so that expressions show no floats without need."""
-    return int(count) if float(count).is_integer() else count
-
-
 def _window(window: sp.Expr | float) -> Any:
     """Return a window [s] in symbols, or as a number above zero."""
     if isinstance(window, sp.Expr) and window.free_symbols:
@@ -219,8 +214,8 @@ class Schedule:
         As an upper bound, see `extra`. The window may be a sympy expression [s].
         """
         if isinstance(window, sp.Expr):
-            return _plain(self.extra) / window + _plain(self.per_second)
-        return _plain(self.extra / window + self.per_second)
+            return plain(self.extra) / window + plain(self.per_second)
+        return plain(self.extra / window + self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
         """Return how many are sent from 0 up to and including a time.
@@ -350,7 +345,7 @@ class Message:
         """
         if self.frames == 0:
             return self.payload_symbol
-        return self.payload_symbol / _plain(self.frames) + _HEADER_SYMBOLS[self.transport]
+        return self.payload_symbol / plain(self.frames) + _HEADER_SYMBOLS[self.transport]
 
     @property
     def frame_bytes(self) -> float:
@@ -368,13 +363,13 @@ class Message:
         """Return the airtime of its part of a frame up to the access point [s]."""
         if self.frames == 0:
             return bits_airtime(self.frame_symbolic, "unicast")
-        return _plain(self.frames) * uplink_airtime(self.frame_symbolic, model)
+        return plain(self.frames) * uplink_airtime(self.frame_symbolic, model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame down from the access point [s]."""
         if self.frames == 0:
             return bits_airtime(self.frame_symbolic, self.cast)
-        return _plain(self.frames) * downlink_airtime(self.frame_symbolic, self.cast, model)
+        return plain(self.frames) * downlink_airtime(self.frame_symbolic, self.cast, model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame on all of its hops [s]."""
@@ -580,7 +575,7 @@ class Protocol:
         Messages that are only sent with their period are not in it. The parameters are
         those of `utilization`.
         """
-        return self._utilization(phase, fleet, model, lambda schedule: _plain(schedule.extra))
+        return self._utilization(phase, fleet, model, lambda schedule: plain(schedule.extra))
 
     def _utilization(
         self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]

@@ -129,13 +129,16 @@ ZENOH_PERIODS = Protocol(
 
 
 def by_product() -> dict[str, Protocol]:
-    """Return these tables by the name of their product, which they then bear.
+    """Return these tables by the name of their product's table, which they then bear.
 
     Examples
     --------
     >>> list(by_product())
     ['Cyclone DDS', 'Fast DDS', 'Zenoh peer']
     """
-    tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
-    names = (table.name.partition("periods of ")[2] for table in tables)
-    return {name: replace(table, name=name) for name, table in zip(names, tables, strict=True)}
+    tables = {
+        "Cyclone DDS": CYCLONE_DDS_PERIODS,
+        "Fast DDS": FAST_DDS_PERIODS,
+        "Zenoh peer": ZENOH_PERIODS,
+    }
+    return {name: replace(table, name=name) for name, table in tables.items()}
