@@ -618,6 +618,7 @@
   function draw(answer) {
     drawn = answer;
     const box = byId("plot");
+    const width = box.clientWidth; // before anything changes, or the page is laid out once more
     plot?.destroy();
     plot = null;
     const points = answer.drawn.map((one) => one.utilization);
@@ -654,7 +655,7 @@
     const order = answer.drawn.map((one, index) => index).reverse();
     plot = new uPlot(
       {
-        width: box.clientWidth,
+        width,
         height: 320,
         padding: [12, 16, 0, 0],
         cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
@@ -832,11 +833,11 @@
     byId("stale").hidden = settings !== null || drawn === null;
     if (settings !== null) {
       const answer = compute(settings);
+      draw(answer); // first: it reads the width, before the others make the page be laid out anew
       showAnswer(answer);
       showRemedies(answer);
       showAll(answer);
       showParts(answer);
-      draw(answer);
       showLegend(answer);
       byId("link").setAttribute("href", hash());
       if (address) writeHash();
