@@ -122,6 +122,7 @@ def jobs(
                         "command": command,
                         "env": env,
                         "servers": servers,
+                        "arranged": "arrangement" in point,
                         "hosts": hosts,
                         "processes": processes,
                         "endpoints": endpoints,
