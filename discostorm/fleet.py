@@ -307,7 +307,7 @@ class Fleet:
         return self.endpoint_pairs() * plain(1 - self.matching)
 
     def endpoint_processes(self) -> Count:
-        """Return the number of pairs of an endpoint and another process, on the same host or not."""
+        """Return the number of pairs of an endpoint and another process, on any host."""
         return self.endpoints() * (self.processes() - 1)
 
     def lists(self) -> Count:
@@ -362,9 +362,15 @@ class Fleet:
         """
         lacking = []
         for index, group in enumerate(self.groups):
-            hosts = np.where(np.arange(groups.start, groups.stop) == index, 0.0, group.hosts)
+            gone = np.arange(groups.start, groups.stop) == index
+            counts: dict[str, Any] = {"hosts": np.where(gone, 0.0, group.hosts)}
+            if index == 0 and len(self.groups) > 1:
+                # A server that was on one of its hosts is on one of the next group: see `away`.
+                following = self.groups[1]
+                counts["processes"] = np.where(gone, following.processes, group.processes)
+                counts["endpoints"] = np.where(gone, following.endpoints, group.endpoints)
             copy = object.__new__(HostGroup)
-            vars(copy).update(vars(group) | {"hosts": hosts})
+            vars(copy).update(vars(group) | counts)
             lacking.append(copy)
         return Fleet(tuple(lacking), self.matching)
 

@@ -101,16 +101,25 @@ def points(name: str) -> tuple[Point, ...]:
     """
     known = products() | arrangements()
     _checks.choice("name", name, list(known))
-    arranged, kind = known[name], "mitigation_" if name in arrangements() else ""
+    row, kind = known[name], "mitigation_" if name in arrangements() else ""
+    return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
+
+
+def points_of(
+    product: str, variant: str, least: int = 2, kind: str = "mitigation_"
+) -> tuple[Point, ...]:
+    """Return the points of a product and variant that have at least so many processes [1].
+
+    With the kind left out: of an arrangement of ``lab/mitigations.csv``, with a table or without.
+    """
     of_point: dict[tuple[str, ...], list[str]] = defaultdict(list)
     for run in read_data(f"measured/{kind}runs.csv"):
-        if (run["product"], run["variant"]) == (arranged["product"], arranged["variant"]):
+        if (run["product"], run["variant"]) == (product, variant):
             columns = ("hosts", "processes", "endpoints", "names", "use")
             of_point[tuple(run[column] for column in columns)].append(run["run"])
     found = []
     counts = _counts(kind)
     for (hosts, processes, endpoints, names, use), runs in of_point.items():
-        least = int(arranged["least_processes"])
         if int(hosts) < 2 or int(hosts) * int(processes) < least:
             continue
         host = HostGroup(int(hosts), int(processes), int(endpoints))
@@ -181,9 +190,8 @@ def held(protocol: Protocol) -> pd.DataFrame:
                 mine = protocol.of_phase(phase)
                 kinds = list(dict.fromkeys((m.kind, _only_hop(m)) for m in mine))
                 parts = [(f"{kind}, {hop}" if hop else kind, [(kind, hop)]) for kind, hop in kinds]
-                for hop in HOPS:
-                    if some := [(kind, only) for kind, only in kinds if only == hop]:
-                        parts.append((f"all, {hop}", some))
+                only = {hop: [one for one in kinds if one[1] == hop] for hop in HOPS}
+                parts.extend((f"all, {hop}", some) for hop, some in only.items() if some)
                 for name, members in [*parts, ("all", kinds)]:
                     row = _row(mine, point, window, members)
                     if row["measured"] or row["expected"]:

@@ -30,6 +30,8 @@ COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
+#: A host that is heard later than this after the start [s] had no network; its run is spoiled.
+SILENT = 1.5
 
 
 def natural(path: Path) -> list[int | str]:
