@@ -76,7 +76,7 @@ def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str
                 broken = {key: factor * value for key, value in row.items()}
                 assert off(seen, [*rows[:index], broken, *rows[index + 1 :]]) != found
                 tried += 1
-    assert tried >= 16
+    assert tried >= 14
 
 
 def test_what_is_off_has_a_reason() -> None:
