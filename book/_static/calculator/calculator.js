@@ -446,18 +446,21 @@
     };
     become(
       byId("all").tBodies[0],
-      ...answer.all.map((one) =>
-        make(
+      ...answer.all.flatMap((one, i, all) => {
+        const { group } = one.protocol;
+        const row = make(
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
-          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`, make("span", { class: "calc-hint" }, ` ${one.protocol.group.toLowerCase()}`)),
+          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
           make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),
           make("td", {}, cell(one, "ever")),
-        ),
-      ),
+        );
+        const head = make("tr", { class: "calc-group" }, make("th", { scope: "rowgroup", colspan: "6" }, group));
+        return group === all[i - 1]?.protocol.group ? [row] : [head, row];
+      }),
     );
   }
 
