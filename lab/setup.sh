@@ -18,5 +18,7 @@ fi
 idlc -t -W no-implicit-extensibility -o build/lab/idl lab/String_.idl
 cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/cyclone_dds lab/cyclone_dds.c \
     build/lab/idl/String_.c -lddsc
-c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/fast_dds lab/fast_dds.cpp -lfastrtps -lfastcdr
+for program in fast_dds fast_dds_load; do
+    c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/$program.cpp -lfastrtps -lfastcdr
+done
 touch build/lab/.ready
