@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
+#: Messages, frames and bytes where none was seen.
+NONE = (0.0, 0.0, 0.0)
+
 #: Window, kind, what it is about, and cast.
 Key = tuple[str, str, str, str]
 
@@ -61,15 +64,16 @@ def products() -> dict[str, dict[str, str]]:
 
 
 @cache
-def _counts() -> dict[str, dict[Key, NDArray[np.float64]]]:
-    counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(dict)
+def _counts() -> dict[str, dict[Key, tuple[float, ...]]]:
+    counts: dict[str, dict[Key, tuple[float, ...]]] = defaultdict(dict)
     for row in read_data("measured/counts.csv"):
-        numbers = np.array([float(row[name]) for name in ("messages", "frames", "bytes")])
+        messages, frames, octets = map(float, (row["messages"], row["frames"], row["bytes"]))
         cast = "multicast" if row["multicast"] == "1" else "unicast"
+        of_run = counts[row["run"]]
         for about in {row["about"], ""}:
             key = (row["window"], row["kind"], about, cast)
-            known = counts[row["run"]].get(key, np.zeros(3))
-            counts[row["run"]][key] = known + numbers
+            known = of_run.get(key, NONE)
+            of_run[key] = (known[0] + messages, known[1] + frames, known[2] + octets)
     return counts
 
 
@@ -113,7 +117,7 @@ def points(name: str) -> tuple[Point, ...]:
                 use,
                 Fleet((host,), matching=float(names == "matching")),
                 {
-                    key: np.array([counts[run].get(key, np.zeros(3)) for run in runs])
+                    key: np.array([counts[run].get(key, NONE) for run in runs])
                     for key in sorted({key for run in runs for key in counts[run]})
                 },
             )
