@@ -218,6 +218,10 @@ def test_what_is_better_than_simple_discovery_and_what_is_worse() -> None:
     assert start_of(robot, few, 1) > start_of(simple, few, 1)
     assert start_of(two, few, 1) > 1.2 * start_of(simple, few, 1)
     assert start_of(two, many, 1) < start_of(simple, many, 1)
+    assert 0.9 < start_of(one, rich, 1) / start_of(simple, rich, 1) < 1.1
+    assert min(start_of(name, rich, 1) for name in (robot, two)) > 1.3 * start_of(simple, rich, 1)
+    # One endpoint of a hundred that all share.
+    assert start_of(one, rich, 0.01) < 0.2 * start_of(simple, rich, 0.01)
     # Processes with many endpoints pay more for lists of them than for SEDP.
     assert start_of(static, rich, 0) > 2 * start_of(simple, rich, 0)
     later = [float(ds.utilization(ds.PROTOCOLS[n], *many, window=np.inf)) for n in (static, simple)]
