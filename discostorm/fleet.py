@@ -323,6 +323,43 @@ class Fleet:
         pairs = zip(self._pairs_from(), self.groups, strict=True)
         return reduce(add, (count * _listed(group) for count, group in pairs))
 
+    def unmatched_endpoints(self) -> Count:
+        """Return the number of endpoints that match none."""
+        return self.endpoints() * plain(1 - self.matching)
+
+    def writers_that_match(self) -> Count:
+        """Return the number of endpoints that match and write: half of those that match."""
+        return self.endpoints() * plain(self.matching / 2)
+
+    def process_hosts(self) -> Count:
+        """Return the number of pairs of a process and another host."""
+        return self.processes() * (self.hosts() - 1)
+
+    def endpoint_hosts(self) -> Count:
+        """Return the number of pairs of an endpoint and another host."""
+        return self.endpoints() * (self.hosts() - 1)
+
+    def unmatched_hosts(self) -> Count:
+        """Return the number of pairs of an unmatched endpoint and another host."""
+        return self.endpoint_hosts() * plain(1 - self.matching)
+
+    def matched_hosts(self) -> Count:
+        """Return the number of pairs of what matches on a host and another host.
+
+        What matches one in every other process is the same in all processes of a host, and
+        counts once.
+        """
+        names = reduce(add, (group.hosts * group.endpoints for group in self.groups))
+        return names * (self.hosts() - 1) * plain(self.matching)
+
+    def floods(self) -> Count:
+        """Return how often hosts that are all linked pass on what is new of a link.
+
+        That is: ends of links, times hosts that hear of one, times others that each tells.
+        """
+        others = self.hosts() - 1
+        return self.host_pairs() * others * (others - 1)
+
     def matched_process_pairs(self) -> Count:
         """Return the number of ordered pairs of processes that match, on the same host or not.
 

@@ -268,17 +268,21 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}
-                reason = _reason(row, count, row[f"least{end}"], row[f"most{end}"])
+                reason = _reason(protocol.name, row, count, row[f"least{end}"], row[f"most{end}"])
                 tail = {"quantity": quantity, "error": error, "reason": reason}
                 found.append({"protocol": protocol.name} | head | tail)
     return found
 
 
-def _reason(row: dict[Hashable, Any], count: float, least: float, most: float) -> str:
+def _reason(
+    protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
+) -> str:
     """Return why a table may be off: what the runs of a point and its size say."""
     hosts, processes, _ = row["point"].split("x")
     if least <= count <= most:
         return "scatter"
+    if row["phase"] == "TCP" and protocol in arrangements():
+        return "acknowledgements"
     if row["phase"] in ("Session", "KeepAlive", "TCP"):
         return "connections"
     everyone = int(hosts) * int(processes)

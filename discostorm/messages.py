@@ -75,6 +75,15 @@ LISTED = Unit("two endpoints of a process, or one twice", Fleet.lists)
 LISTED_PAIR = Unit(
     "two endpoints of a process, or one twice, and process on another host", Fleet.list_pairs
 )
+UNMATCHED_ENDPOINT = Unit("unmatched endpoint", Fleet.unmatched_endpoints)
+WRITER = Unit("matched writer", Fleet.writers_that_match)
+#: For what routers, one a host, tell each other of what is behind them.
+PROCESS_HOST = Unit("process and other host", Fleet.process_hosts)
+ENDPOINT_HOST = Unit("endpoint and other host", Fleet.endpoint_hosts)
+UNMATCHED_HOST = Unit("unmatched endpoint and other host", Fleet.unmatched_hosts)
+MATCHED_HOST = Unit("matched endpoint of a host and other host", Fleet.matched_hosts)
+#: For the news of a link that each router passes on to all others.
+FLOOD = Unit("end of a link, host that hears of it and other that it tells", Fleet.floods)
 #: For what a server passes on from one to another, wherever they run.
 MATCHED_PROCESS_PAIR = Unit("ordered pair of matched processes", Fleet.matched_process_pairs)
 MATCHED_PAIR = Unit("ordered pair of matched processes on different hosts", Fleet.matched_pairs)
@@ -109,6 +118,13 @@ UNITS = {
         ENDPOINT_PROCESS,
         LISTED,
         LISTED_PAIR,
+        UNMATCHED_ENDPOINT,
+        WRITER,
+        PROCESS_HOST,
+        ENDPOINT_HOST,
+        UNMATCHED_HOST,
+        MATCHED_HOST,
+        FLOOD,
         MATCHED_PROCESS_PAIR,
         MATCHED_PAIR,
         MATCHED_ENDPOINT,

@@ -33,6 +33,7 @@ assert _spec is not None
 assert _spec.loader is not None
 write_calculator = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(write_calculator)
+PROTOCOLS = write_calculator.offered()
 
 CHANNELS = {
     "paper": ds.PAPER,
@@ -94,7 +95,7 @@ WINDOWS: dict[str, Callable[[ds.Protocol], float]] = {
 }
 
 
-def expected(entries: dict[str, str], names: Iterable[str] = ds.PROTOCOLS) -> dict[str, float]:
+def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[str, float]:
     """Return the numbers that the page should show for these entries, but the remedies'.
 
     Of the middleware chosen, and how many hosts fit and how long a start takes with each of some.
@@ -104,7 +105,7 @@ def expected(entries: dict[str, str], names: Iterable[str] = ds.PROTOCOLS) -> di
     processes, endpoints = fleet.groups[0].counts()[1:]
     numbers: dict[str, float] = {}
     for name in names:
-        protocol = ds.PROTOCOLS[name]
+        protocol = PROTOCOLS[name]
         numbers[f"{name} drain"] = float(timeline.drain_time(protocol, fleet, wifi=wifi))
         if protocol.repeats:
             numbers[f"{name} steady"] = float(
@@ -123,7 +124,7 @@ def expected(entries: dict[str, str], names: Iterable[str] = ds.PROTOCOLS) -> di
                 )
             numbers[f"{name} saturation {window}"] = full
     front = entries["middleware"]
-    protocol = ds.PROTOCOLS[front]
+    protocol = PROTOCOLS[front]
     numbers[f"{front} utilization"] = float(ds.utilization(protocol, fleet, wifi=wifi))
     for message, row in ds.breakdown(protocol, fleet, wifi=wifi).iterrows():
         numbers[f"{front} {message} messages"] = row["uplink_messages"]
@@ -151,7 +152,7 @@ def random_settings(many: int) -> list[dict[str, str]]:
     return [
         {
             "robot": "own",
-            "middleware": chance.choice(list(ds.PROTOCOLS)),
+            "middleware": chance.choice(list(PROTOCOLS)),
             "hosts": some(1, 1e9 if number % 5 == 0 else 100, whole=True),
             "processes": some(1, 1e9 if number % 7 == 0 else 20, whole=True),
             "endpoints": some(0, 1e9 if number % 7 == 0 else 1000, zero=True),
@@ -300,7 +301,7 @@ def test_the_verdict_is_the_packages(
     answer = tab.locator("#calc-answer")
     expect(answer).to_contain_text(words)
     expect(answer).to_have_attribute("data-severity", severity)
-    protocol = ds.PROTOCOLS[entries["middleware"]]
+    protocol = PROTOCOLS[entries["middleware"]]
     time = timeline.drain_time(protocol, fleet_of(entries), wifi=channel(entries))
     told = [int(time > limit) for limit in (1, protocol.lease)] + [int(time == math.inf)]
     # More than one second is the worst that the paper's tables know.
@@ -339,13 +340,13 @@ def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> 
     groups = [ds.HostGroup(*g.counts(), nodes=n) for g, n in zip(fleet.groups, known, strict=False)]
     plan = ds.plan(
         ds.Fleet(tuple(groups), fleet.matching),
-        ds.PROTOCOLS[entries["middleware"]],
+        PROTOCOLS[entries["middleware"]],
         channel(entries),
     )
     best: dict[str, float] = {}
     alike = {
         name
-        for name, table in ds.PROTOCOLS.items()
+        for name, table in PROTOCOLS.items()
         if write_calculator.group(table) == write_calculator.group(plan.protocol)
         and (name in write_calculator.PRODUCTS or name not in MEASURED)
     }
@@ -583,7 +584,7 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
     rate = CHANNELS[wifi].unicast.rate
     assert {"N_H": 7, "N_H1": 1, "N_E": ROBOT.endpoints, "R_uni": rate}.items() <= inputs.items()
     fleet = fleet_of(entries)
-    for name, protocol in ds.PROTOCOLS.items():
+    for name, protocol in PROTOCOLS.items():
         own = [row for row in rows if row["protocol"] == name]
         table = ds.breakdown(protocol, fleet, wifi=CHANNELS[wifi])
         for quantity, column in {
@@ -603,7 +604,7 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
     assert max(hosts) > 7
     robot = ds.HostGroup(np.array(hosts), ROBOT.processes, ROBOT.endpoints)
     there = ds.utilization(
-        ds.PROTOCOLS["Fast DDS"], ds.Fleet((robot, fleet.groups[1])), wifi=CHANNELS[wifi]
+        PROTOCOLS["Fast DDS"], ds.Fleet((robot, fleet.groups[1])), wifi=CHANNELS[wifi]
     )
     assert [float(row["value"]) for row in curve] == pytest.approx(list(there), rel=1e-9)
 

@@ -68,7 +68,8 @@ def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str
     seen, rows = counted(name), parts(name)
     found = off(seen, rows)
     assert found == listed(name)
-    assert not [window for _, window, *_ in found if window == "steady"]
+    # In the steady state there is nothing to excuse but when TCP acknowledges.
+    assert {phase for _, window, phase, *_ in found if window == "steady"} <= {"TCP"}
     tried = 0
     for index, row in enumerate(rows):
         if any((row[key] > 0.25 * seen[key]).any() for key in row if key in seen):
@@ -89,7 +90,7 @@ def test_all_that_was_counted_has_a_row(name: str) -> None:
     ways = {(m.kind, m.cast, *m.hops) for m in TABLES[name].messages}
     for point in measured.points(name):
         for _, kind, about, cast, hop in point.runs:
-            if not about:
+            if not about and kind != "TCP retransmission":
                 assert (kind, cast, *([hop] if hop else ["up", "down"])) in ways
 
 
