@@ -3,7 +3,7 @@
 set -eu
 
 packages="cyclonedds-dev cyclonedds-tools ethtool g++ iproute2 libfastcdr-dev libfastrtps-dev"
-packages="$packages procps python3-venv tcpdump util-linux"
+packages="$packages nftables procps python3-venv tcpdump util-linux"
 if [ "${1-}" = --debian ]; then
     echo "$packages"
     exit

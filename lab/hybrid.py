@@ -11,6 +11,7 @@ import ctypes
 import json
 import os
 import shlex
+import shutil
 import signal
 import socket
 import struct
@@ -33,6 +34,7 @@ CAPACITY = 64  # addresses of a cell
 START = 3.0  # s from the last speaker's readiness to the start
 LATE = 0.1  # s; a clock that rings later spoils the run
 CLONE_NEWNET = 0x40000000
+PACKAGES = "ethtool iproute2 nftables procps tcpdump util-linux"
 #: As in the stored runs of the simulator: of the multicasts each host misses, and of all hops.
 LOSS = (0.2, 0.01)
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
@@ -359,8 +361,17 @@ def main() -> int:
     if given.play:
         play(json.loads(given.play))
         return 0
-    given.captures.mkdir(parents=True, exist_ok=True)
     todo = jobs(given.grid)
+    needed = ["ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare"]
+    needed += ["nft"] if any("loss" in job for job in todo) else []
+    if missing := [name for name in needed if not shutil.which(name)]:
+        print(f"discostorm: the lab is missing: {' '.join(missing)}", file=sys.stderr)
+        print(f"On Debian: apt-get install {PACKAGES}", file=sys.stderr)
+        return 1
+    if os.geteuid():
+        print("discostorm: the lab makes network namespaces: run it as root", file=sys.stderr)
+        return 1
+    given.captures.mkdir(parents=True, exist_ok=True)
     there = [job for job in todo if (given.captures / job["name"]).with_suffix(".json").exists()]
     if there:
         print(f"{len(there)} of {len(todo)} runs are in {given.captures} already", flush=True)

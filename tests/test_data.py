@@ -27,6 +27,7 @@ SOURCES = {
     "measured/as_built.csv": "message",
     "measured/misses.csv": "kind",
     "measured/reasons.csv": "reason",
+    "measured/hybrid.csv": "run",
     "vendors/products.csv": "product",
     "simulated/hybrid.csv": "scenario",
 }

@@ -8,6 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.data import read_data
+from discostorm.measured import held_hybrid
 from discostorm.messages import PROCESS
 from discostorm.simulation.channel import Channel, Frame, timing_of
 from discostorm.simulation.hybrid import hybrid_run
@@ -217,6 +218,26 @@ def test_sets_of_several_datagrams_reach_all():
     lossy = hybrid_run(fleet, ds.PAPER, until=20, enough=0.5)
     assert still.convergence_time < lossy.convergence_time < 20
     assert lossy.frames["Repair"] > 0
+
+
+@pytest.mark.parametrize("alike", [False, True])
+def test_speakers_in_the_lab_send_what_the_table_says(alike):
+    # Of 10 to 20 endpoints a host; fewer names deflate less well than that, more deflate better.
+    table = held_hybrid(alike)
+    swarm = table[(table["processes"] * table["endpoints"]).between(10, 20)]
+    assert set(swarm["window"]) == {"startup", "steady"}
+    assert swarm["runs"].min() >= 2
+    assert swarm[["error", "error_bytes"]].abs().max().max() <= 0.10
+
+
+def test_speakers_in_the_lab_find_each_other_under_losses_and_deaths():
+    runs = [row for row in read_data("measured/hybrid.csv") if row["scenario"] != "no losses"]
+    assert {row["losses"] for row in runs} == {"0.2/0.01"}
+    assert all(float(row["converged_s"]) < 5 for row in runs)
+    assert all(row["mistaken"] == "0" for row in runs)
+    settled = [row for row in runs if row["scenario"].endswith("when settled")]
+    assert {row["scenario"].split()[1] for row in settled} == {"killed", "unlinked"}
+    assert all(10 < float(row["gone_s"]) <= 30 for row in settled)
 
 
 def test_same_seed_same_run():
