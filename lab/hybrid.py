@@ -29,6 +29,8 @@ from hybrid_speaker import PORT
 from run import BUILD, STAGE, remove
 from stage import build_host, quiet, say, wait_for_tcpdump
 
+from discostorm.simulation.speaker import parameters
+
 LAB = Path(__file__).resolve().parent
 CAPACITY = 64  # addresses of a cell
 START = 3.0  # s from the last speaker's readiness to the start
@@ -216,10 +218,9 @@ def judged(job: dict[str, Any]) -> dict[str, Any]:
     held: dict[int, set[int]] = {host: set() for host in range(hosts)}
     converged, gone, mistaken = None, None, 0
     for when, host, now in known_over_time(job["told"]):
-        apart = ended if ends == "link" and job["at"] <= when < job["back"] else set()
-        lost = held[host] - now
-        # Those who are cut off give up the others, rightly, and those give up them.
-        mistaken += sum((one in living) and (one in apart) == (host in apart) for one in lost)
+        # Each whose link is down is alone: it gives up the others, rightly, and they it.
+        alone = ended if ends == "link" and job["at"] <= when < job["back"] else set()
+        mistaken += len((held[host] - now) & (living - alone)) if host not in alone else 0
         held[host] = now
         complete = all(living <= held[one] for one in living)
         converged = (when if converged is None else converged) if complete else None
@@ -228,10 +229,11 @@ def judged(job: dict[str, Any]) -> dict[str, Any]:
             without = not any(held[one] & ended for one in left)
             gone = (when if gone is None else gone) if without or gone is not None else None
     begin = job.get("back", later)
+    patient = bool(ended) and job["seconds"] > job["at"] + parameters()["lease"]
     return {
         "late_s": f"{latest(job['told']):.4f}",
         "converged_s": "inf" if converged is None else f"{max(0.0, converged - begin):.4f}",
-        "gone_s": "" if not ended else "inf" if gone is None else f"{gone - job['at']:.3f}",
+        "gone_s": f"{gone - job['at']:.3f}" if gone else "inf" if patient else "",
         "mistaken": mistaken,
     }
 

@@ -269,6 +269,8 @@ class Rules:
         Whether the last message of a host still waits for the channel.
     changed : callable
         Is told of hosts that hold more, or less.
+    now : float, optional
+        Time [s]; whoever lets them act or hear sets it before.
     """
 
     speakers: Speakers
