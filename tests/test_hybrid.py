@@ -48,7 +48,7 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
     for scenario in ("alike", "unlike", "newcomer", "newcomer, alike", "halves", "halves, alike"):
         assert len(seeds[scenario]) == 100
     assert sum(len(used) for name, used in seeds.items() if name.startswith("50 die")) > 300
-    assert all(len(seeds[name]) >= 5 for name in ("1000", "1000, alike", "steady for 1000 s"))
+    assert all(len(seeds[name]) >= 5 for name in ("1000", "steady for 1000 s"))
 
 
 @pytest.mark.parametrize(
@@ -230,7 +230,8 @@ def test_speakers_in_the_lab_send_what_the_table_says(alike):
     assert table["runs"].min() >= 2
     sent = table[table["phase"] != "Digests"]
     # Of the eight heartbeats of two hosts one that falls out of the window is more than that.
-    assert (sent["frames"] - sent["expected"]).abs()[sent["hosts"] == 2].max() <= 1
+    pair = sent[sent["hosts"] == 2]
+    assert (pair["frames"] - pair["expected"]).abs().le(1).all()
     sent = sent[sent["hosts"] > 2]
     assert sent[["error", "error_bytes"]].abs().max().max() <= 0.10
     # The table has the one digest that there is at least; of those about to show it at the same
