@@ -2527,13 +2527,13 @@ const DISCOSTORM = {
       "family": null,
       "about": "",
       "variant": false,
-      "lease": 24,
+      "lease": 23,
       "repeats": true,
       "outlooks": {
-        "until": [[1, "within a second at best"], [24, "slow at best"], [Infinity, "leases at risk"]],
+        "until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]],
         "never": "never catches up",
       },
-      "windows": {"second": 1, "lease": 24, "ever": Infinity},
+      "windows": {"second": 1, "lease": 23, "ever": Infinity},
       "units": [
         [
           {"count": "count9", "more": ["more22", "more23"]},
@@ -2564,7 +2564,7 @@ const DISCOSTORM = {
           "unit": 0,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Process",
@@ -2575,7 +2575,7 @@ const DISCOSTORM = {
           "unit": 1,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Endpoint",
@@ -2586,7 +2586,7 @@ const DISCOSTORM = {
           "unit": 2,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Digest",
@@ -2597,7 +2597,7 @@ const DISCOSTORM = {
           "unit": 3,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Listed",
@@ -2608,7 +2608,7 @@ const DISCOSTORM = {
           "unit": 0,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Heartbeat",
@@ -2649,13 +2649,13 @@ const DISCOSTORM = {
       "family": null,
       "about": "",
       "variant": false,
-      "lease": 24,
+      "lease": 23,
       "repeats": true,
       "outlooks": {
-        "until": [[1, "within a second at best"], [24, "slow at best"], [Infinity, "leases at risk"]],
+        "until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]],
         "never": "never catches up",
       },
-      "windows": {"second": 1, "lease": 24, "ever": Infinity},
+      "windows": {"second": 1, "lease": 23, "ever": Infinity},
       "units": [
         [
           {"count": "count9", "more": ["more22", "more23"]},
@@ -2683,7 +2683,7 @@ const DISCOSTORM = {
           "unit": 0,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Process",
@@ -2694,7 +2694,7 @@ const DISCOSTORM = {
           "unit": 1,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Software",
@@ -2705,7 +2705,7 @@ const DISCOSTORM = {
           "unit": 0,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Endpoint",
@@ -2716,7 +2716,7 @@ const DISCOSTORM = {
           "unit": 2,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Digest",
@@ -2727,7 +2727,7 @@ const DISCOSTORM = {
           "unit": 3,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Listed",
@@ -2738,7 +2738,7 @@ const DISCOSTORM = {
           "unit": 0,
           "per_unit": 1,
           "hops": ["up", "down"],
-          "sent": {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0},
+          "sent": {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0},
         },
         {
           "name": "Heartbeat",
