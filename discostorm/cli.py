@@ -14,7 +14,7 @@ import sys
 import textwrap
 import unicodedata
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -127,11 +127,16 @@ def _numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -
     return found[0] if len(found) == 1 else found
 
 
-def _list_wifi(context: click.Context, _: click.Parameter, value: str) -> str:
-    if value == "list":
-        click.echo("\n".join(("paper", *ds.WIFI)))
-        context.exit()
-    return value
+def _listing(names: Iterable[str]) -> Callable[[click.Context, click.Parameter, str], str]:
+    """Return what prints these names where ``list`` is given instead of one of them."""
+
+    def callback(context: click.Context, _: click.Parameter, value: str) -> str:
+        if value == "list":
+            click.echo("\n".join(names))
+            context.exit()
+        return value
+
+    return callback
 
 
 def _packed(
@@ -235,7 +240,7 @@ wifi_options = _packed(
         default="paper",
         show_default=True,
         metavar="NAME",
-        callback=_list_wifi,
+        callback=_listing(("paper", *ds.WIFI)),
         help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
         "'802.11n 20 MHz 2x2, A-MPDU 64'; 'list' lists some.",
     ),
@@ -257,25 +262,31 @@ def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
     return BOTH if protocol == "both" else (ds.PROTOCOLS[protocol],)
 
 
+def _protocol_option(
+    flag: str, default: str | None, told: str, others: tuple[str, ...] = ()
+) -> Callable[[Any], Any]:
+    names = (*ds.PROTOCOLS, *others)
+    return click.option(
+        flag,
+        type=click.Choice([*names, "list"], case_sensitive=False),
+        metavar="NAME",
+        default=default,
+        show_default=True,
+        callback=_listing(names),
+        help=f"{told}, in any case of letters; 'list' lists them.",
+    )
+
+
 protocol_option = _packed(
     "protocols",
     _protocols,
-    click.option(
-        "--protocol",
-        type=click.Choice([*ds.PROTOCOLS, "both"], case_sensitive=False),
-        default="both",
-        show_default=True,
-        help="The middleware; both are the paper's two. In any case of letters.",
-    ),
+    _protocol_option("--protocol", "both", "The middleware; both are the paper's two", ("both",)),
 )
 
-one_protocol_option = click.option(
-    "--protocol",
-    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
-    default=ds.DDS.name,
-    show_default=True,
-    callback=lambda _context, _parameter, name: ds.PROTOCOLS[name],
-    help="The middleware, in any case of letters.",
+one_protocol_option = _packed(
+    "protocol",
+    lambda protocol: ds.PROTOCOLS[protocol],
+    _protocol_option("--protocol", ds.DDS.name, "The middleware"),
 )
 
 hosts_option = click.option("--hosts", callback=_numbers, metavar="N", help="Hosts.")
@@ -866,10 +877,8 @@ def _not_written(out: str, error: OSError) -> NoReturn:
 
 @main.command(short_help="What a capture holds, against the model.")
 @click.argument("file", metavar="FILE")
-@click.option(
-    "--against",
-    type=click.Choice(list(ds.PROTOCOLS), case_sensitive=False),
-    help="Table to hold it against; if left out, the paper's of what is found.",
+@_protocol_option(
+    "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
 )
 @click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
 @click.option("--picture", metavar="FILE", help="Draw it, too: a file .svg, .pdf or .png.")

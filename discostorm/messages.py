@@ -114,6 +114,51 @@ def _once(hosts: Hosts) -> NDArray[Any]:
     return np.eye(1, hosts.every.size, dtype=np.int64).ravel()
 
 
+def _endpoint_processes(hosts: Hosts) -> NDArray[Any]:
+    return hosts.endpoints_of * (hosts.every.size - 1)
+
+
+def _listed(hosts: Hosts) -> NDArray[Any]:
+    return hosts.endpoints_of * (hosts.endpoints_of + 1) / 2
+
+
+def _if_matched(hosts: Hosts) -> NDArray[Any]:
+    return hosts.every * (hosts.matching > 0)
+
+
+def _matched_others(hosts: Hosts) -> NDArray[Any]:
+    return _others(hosts) * (hosts.matching > 0)
+
+
+def _matched_endpoints(hosts: Hosts) -> NDArray[Any]:
+    return _endpoint_processes(hosts) * hosts.matching
+
+
+def _server(hosts: Hosts) -> NDArray[Any]:
+    return _once(hosts)
+
+
+def _away(hosts: Hosts) -> NDArray[Any]:
+    away: NDArray[Any] = hosts.every * (hosts.host_of > 0)
+    return away
+
+
+def _endpoints_away(hosts: Hosts) -> NDArray[Any]:
+    away: NDArray[Any] = hosts.endpoints_of * (hosts.host_of > 0)
+    return away
+
+
+def _matched_others_away(hosts: Hosts) -> NDArray[Any]:
+    others: NDArray[Any] = _matched_others(hosts) * _away(hosts)
+    return others
+
+
+def _matched_endpoints_away(hosts: Hosts) -> NDArray[Any]:
+    others: NDArray[Any] = hosts.endpoints_of.sum() - hosts.endpoints_of
+    others = others * _away(hosts) * hosts.matching
+    return others
+
+
 PROCESS = Unit("process", Fleet.processes, _every)
 PAIR = Unit("ordered pair of processes on different hosts", Fleet.pairs, _every, _every)
 ENDPOINT_PAIR = Unit(
@@ -147,6 +192,43 @@ FLEET = Unit("fleet", Fleet.once, _once)
 UNMATCHED = Unit(
     "unmatched endpoint and process on another host", Fleet.unmatched, _unmatched, _every
 )
+ENDPOINT_PROCESS = Unit("endpoint and other process", Fleet.endpoint_processes, _endpoint_processes)
+#: For a list of the endpoints that are made so far, told each time that one is made.
+LISTED = Unit("two endpoints of a process, or one twice", Fleet.lists, _listed)
+LISTED_PAIR = Unit(
+    "two endpoints of a process, or one twice, and process on another host",
+    Fleet.list_pairs,
+    _listed,
+    _every,
+)
+#: For what a server passes on from one to another, wherever they run.
+MATCHED_PROCESS_PAIR = Unit(
+    "ordered pair of matched processes", Fleet.matched_process_pairs, _matched_others
+)
+MATCHED_PAIR = Unit(
+    "ordered pair of matched processes on different hosts", Fleet.matched_pairs, _if_matched, _every
+)
+MATCHED_ENDPOINT = Unit(
+    "matched endpoint and other process", Fleet.matched_endpoints, _matched_endpoints
+)
+#: Of a server on a host of the first group: what is on that host takes no air on its way to it.
+#: Who simulates these takes the first host, and has both ways sent by who is away.
+AWAY = Unit("process away from the server", Fleet.away, _away, _server)
+ENDPOINT_AWAY = Unit(
+    "endpoint away from the server", Fleet.endpoints_away, _endpoints_away, _server
+)
+MATCHED_PROCESS_PAIR_AWAY = Unit(
+    "ordered pair of matched processes, one away from the server",
+    Fleet.matched_process_pairs_away,
+    _matched_others_away,
+    _server,
+)
+MATCHED_ENDPOINT_AWAY = Unit(
+    "matched endpoint and other process away from the server",
+    Fleet.matched_endpoints_away,
+    _matched_endpoints_away,
+    _server,
+)
 
 #: All of them by name.
 UNITS = {
@@ -165,6 +247,16 @@ UNITS = {
         HOST_PAIR,
         KIND_ENDPOINT,
         FLEET,
+        ENDPOINT_PROCESS,
+        LISTED,
+        LISTED_PAIR,
+        MATCHED_PROCESS_PAIR,
+        MATCHED_PAIR,
+        MATCHED_ENDPOINT,
+        AWAY,
+        ENDPOINT_AWAY,
+        MATCHED_PROCESS_PAIR_AWAY,
+        MATCHED_ENDPOINT_AWAY,
     )
 }
 
@@ -584,6 +676,10 @@ class Protocol:
         """Return the airtime that each `unit` adds to an average second, up and down [s]."""
         span = _window(window)
         return self._cost(unit, phase, model, lambda schedule: schedule.mean(span))
+
+    def burst_cost(self, unit: Unit, phase: str | None = None, model: Model = "linear") -> sp.Expr:
+        """Return the airtime that each `unit` adds to the burst, up and down [s]."""
+        return self._cost(unit, phase, model, lambda schedule: plain(schedule.extra))
 
     def _cost(
         self, unit: Unit, phase: str | None, model: Model, times: Callable[[Schedule], Any]

@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from discostorm import _checks, words
+from discostorm import _checks, staggered, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
-from discostorm.protocols import DDS, MEASURED, PROTOCOLS, ZENOH
+from discostorm.protocols import ARRANGED, DDS, MEASURED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.scalability import message_costs, utilization, without_each
 from discostorm.wifi import PAPER, Radio, Wifi
@@ -607,6 +607,8 @@ def _changes(
     for table in PROTOCOLS.values():
         if table == protocol or table in wired or family(table) is None:
             continue
+        if table.name in ARRANGED:  # no middleware of its own
+            continue
         if _alike(table, protocol):
             what = f"switching to {table.name}"
             yield _Change("middleware", what, (fleet,), table, wifi, wifi)
@@ -614,7 +616,7 @@ def _changes(
 
 def _alike(one: Protocol, other: Protocol) -> bool:
     """Return whether two tables count alike: as the paper, with periods, or as products do."""
-    measured = (one.name in MEASURED, other.name in MEASURED)
+    measured = [table.name in MEASURED | ARRANGED for table in (one, other)]
     return one.repeats == other.repeats and measured[0] == measured[1]
 
 
@@ -630,7 +632,6 @@ def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
     own = family(protocol)
     row = _row("staggered start", own)
     assert row is not None
-    first, later = (float(utilization(protocol, fleet, wifi=wifi, window=w)) for w in (1, math.inf))
     gains = []
     for name in [own] if own else ["DDS", "Zenoh"]:
         found: dict[int, dict[str, dict[str, str]]] = {}
@@ -642,10 +643,10 @@ def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
                 float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
             )
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
-    robot = starts["rule"]
+    robot, window = starts["rule"], staggered.window(protocol, fleet, wifi=wifi)
     yield (
         f"{row['title']}: {row['why']}; the rule of thumb for this fleet is a window of "
-        f"{first - later:.2g} s; small robots ({robot['processes']} processes with "
+        f"{words.duration(window)}; small robots ({robot['processes']} processes with "
         f"{robot['endpoints']} endpoints, default queues, the paper's counts with recovery) all "
         f"know each other, {words.listed(gains)}; mind: {row['price']}"
     )
@@ -912,4 +913,4 @@ def _amount(utilization: float, window: float) -> str:
     """Return the airtime of the window in seconds, in the steady state the share of the time."""
     if math.isinf(window):
         return words.percent(utilization) + " of the time"
-    return words.seconds(utilization * window)
+    return words.duration(utilization * window)

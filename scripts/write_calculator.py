@@ -6,6 +6,7 @@ written beside them as data.
 """
 
 import json
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, get_args
@@ -13,14 +14,15 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, planner, timeline
+from discostorm import _checks, figures, notation as nt, planner, timeline, words
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
-from discostorm.protocols import MEASURED
+from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
+from discostorm.snippets import snippets
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
@@ -70,6 +72,7 @@ GROUPS = (
     "As the paper counts",
     "The paper's messages, a product's periods",
     "Other tables",
+    "Products arranged against the storm",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -167,7 +170,7 @@ def field(
 ) -> Code:
     """Return the data of an input field: what it asks for and which numbers are allowed."""
     low, high, above = allowed
-    words = _checks.wanted(low, high, above).replace(
+    range_ = _checks.wanted(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
     )
     return {
@@ -181,7 +184,7 @@ def field(
         "high": number(high),
         "above": data(above),
         "whole": data(whole),
-        "allowed": data(words.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
+        "allowed": data(range_.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
     }
 
 
@@ -279,6 +282,8 @@ def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
         return GROUPS[1]
+    if protocol.name in ARRANGED:
+        return GROUPS[4]
     papers = [message for table in PAPERS for message in table.messages]
     if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
         return GROUPS[3]
@@ -290,7 +295,6 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
     schedule = message.schedule
     return {
         "name": data(message.name),
-        "phase": data(message.phase),
         "cast": data(message.cast),
         "bytes": number(message.frame_bytes),
         "frames": number(message.frames),
@@ -330,10 +334,10 @@ def airtimes(known: Formulas) -> Code:
 
 def outlooks(protocol: Protocol) -> Code:
     """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
-    *words, never = timeline.OUTLOOKS
+    *told, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "until": [[number(limit), data(word)] for limit, word in zip(limits, words, strict=True)],
+        "until": [[number(limit), data(word)] for limit, word in zip(limits, told, strict=True)],
         "never": data(never),
     }
 
@@ -409,8 +413,11 @@ def remedies() -> Code:
             "of": {str(family): told(kind, family) for family in families},
             "paste": data(
                 {
-                    row["for"]: {"what": row["what"], "text": row["text"]}
-                    for row in read_data("vendors/remedy_configuration.csv")
+                    row["for"]: [
+                        {"where": piece.where, "version": piece.version, "text": piece.text}
+                        for piece in snippets(kind, row["for"])
+                    ]
+                    for row in read_data("vendors/snippets.csv")
                     if row["kind"] == kind
                 }
             ),
@@ -440,6 +447,7 @@ def model() -> Code:
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
         "limit": number(1.0),
+        "times": data(words.TIMES),
         "airtime": airtimes(known),
         "laptop_nodes": number(laptop().nodes or 0),
         "service_endpoints": number(planner.parameter_service_endpoints()),
@@ -463,14 +471,57 @@ def written(code: Code, indent: str = "") -> str:
     else:
         return code
     line = ", ".join(entries)
-    if len(line) + len(indent) < 100 and "\n" not in line:
+    if len(line) + len(indent) < 300 and "\n" not in line:
         return f"{braces[0]}{line}{braces[1]}"
     return "\n".join([braces[0], *(f"{inner}{entry}," for entry in entries), indent + braces[1]])
 
 
+def said_once(code: Code) -> tuple[dict[str, Code], Code]:
+    """Return what occurs more than once, by a name that stands for it, and the rest.
+
+    A later one may stand on earlier ones. Short ones stay where they are.
+    """
+    many = Counter[str]()
+
+    def count(part: Code) -> None:
+        many[written(part)] += 1
+        if many[written(part)] == 1 and not isinstance(part, str):
+            for inner in part.values() if isinstance(part, dict) else part:
+                count(inner)
+
+    names: dict[str, str] = {}
+    said: dict[str, Code] = {}
+
+    def named(part: Code) -> Code:
+        whole = written(part)
+        if whole in names:
+            return names[whole]
+        rest: Code = part
+        if isinstance(part, dict):
+            rest = {key: named(inner) for key, inner in part.items()}
+        elif isinstance(part, list):
+            rest = [named(inner) for inner in part]
+        if many[whole] == 1 or len(whole) < SHORT:
+            return rest
+        names[whole] = f"shared{len(names) + 1}"
+        said[names[whole]] = rest
+        return names[whole]
+
+    count(code)
+    rest = named(code)
+    return said, rest
+
+
+#: Characters from which on it is worth a name.
+SHORT = 40
+
+
 def javascript() -> str:
     """Return the text of model.js."""
-    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = {written(model())};\n"
+    said, rest = said_once(model())
+    lines = [f"  const {name} = {written(part, '  ')};" for name, part in said.items()]
+    body = "\n".join([*lines, f"  return {written(rest, '  ')};"])
+    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
 
 
 if __name__ == "__main__":

@@ -434,8 +434,17 @@ def test_help_says_where_several_hosts_are_allowed() -> None:
     assert "--hosts N " in run("breakdown", "--help").output
 
 
-def test_channels_are_listed_whatever_else_is_missing() -> None:
-    assert run("saturation", "--wifi|list").output.splitlines() == ["paper", *ds.WIFI]
+@pytest.mark.parametrize(
+    ("listing", "names"),
+    [
+        ("saturation|--wifi|list", ["paper", *ds.WIFI]),
+        ("saturation|--protocol|list", [*ds.PROTOCOLS, "both"]),
+        ("simulate|--protocol|list", [*ds.PROTOCOLS]),
+        ("capture|--against|list", [*ds.PROTOCOLS]),
+    ],
+)
+def test_names_are_listed_whatever_else_is_missing(listing: str, names: list[str]) -> None:
+    assert run(listing).output.splitlines() == names
 
 
 def test_help_describes_every_option() -> None:

@@ -18,7 +18,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.fleet import Hosts
-from discostorm.messages import PROCESS, UNITS, Hop
+from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
@@ -100,6 +100,13 @@ UNLIKE = ds.Fleet(
     (ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)), matching=0.25
 )
 QUEUES = ((500, 0.5), (20, 0.05), None)
+#: Tables of those who learn of each other without a server.
+BY_ONESELF = [
+    name
+    for name, table in ds.PROTOCOLS.items()
+    if any(m.phase in ("SPDP", "Scouting", "Sets") and m.hops == HOPS for m in table.messages)
+    and "Server" not in name
+]
 
 
 @pytest.mark.parametrize(
@@ -109,7 +116,7 @@ QUEUES = ((500, 0.5), (20, 0.05), None)
         *(
             (name, *rest)
             for name in ds.PROTOCOLS
-            for rest in ((1, None, 0), (1, (500, 0.5), 1), (64, (20, 0.05), 1))
+            for rest in ((1, None, 0), (64, (20, 0.05), int(name in BY_ONESELF)))
         ),
     ],
 )
@@ -240,6 +247,20 @@ def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) 
         table = ds.Protocol("own", (wired,))
         found = ds.simulate(fleet, table, RADIO.wifi(), queue=None, recovery=False)
         assert found.counts["arrived"] == 3 * 10
+
+
+def test_who_learns_from_a_server_does_not_recover() -> None:
+    with pytest.raises(ValueError, match=r"recovery must be False .* 'Fast DDS Discovery Server'"):
+        ds.simulate(SWARM, ds.PROTOCOLS["Fast DDS Discovery Server"], RADIO.wifi())
+
+
+def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
+    spdp, *others = ds.DDS.messages
+    again = ds.Schedule((0.0, 0.1), 3.0)
+    unicast = replace(spdp, cast="unicast", unit=PAIR, schedule=again)
+    table = ds.Protocol("peers", (unicast, *others))
+    found = ds.simulate(SWARM, table, RADIO.wifi(), loss=0.05, runs=2)
+    assert np.isfinite(found.convergence_time).all()
 
 
 def test_answers_in_a_circle_are_refused() -> None:
@@ -407,7 +428,8 @@ def test_nothing_is_lost_without_limits_and_collisions() -> None:
 
 
 def test_everybody_knows_everybody_in_the_end() -> None:
-    for name in ds.PROTOCOLS:
+    assert len(BY_ONESELF) > 10
+    for name in BY_ONESELF:
         found = ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi(), loss=0.05, runs=2)
         assert np.isfinite(found.convergence_time).all(), name
         assert found.pair_times.shape == (2, 10 * 8)

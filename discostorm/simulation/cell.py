@@ -140,12 +140,13 @@ EVENT = _record("time", "what")
 
 #: A row of the protocol's table; see `discostorm.simulation.traffic`. ``to_all``: it is counted by
 #: its sender, not by who receives it; ``set``: who receives it, a row of `Cell.before`; ``whole``:
-#: nobody sends a fraction of one; ``of_host``: a process sends it for all of its host. ``when``: of
+#: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
+#: ``of_host``: a process sends it for all of its host. ``when``: of
 #: what it answers only what comes from processes that are known, or are not.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
     *("role", "informs", "of_host", "trigger", "answers", "when", "tcp"),
-    *("gap_first", "gap_number"),
+    *("to_unknown", "gap_first", "gap_number"),
 )
 
 #: What a message is for: `role`; and when it is sent: `trigger`.

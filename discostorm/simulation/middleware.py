@@ -5,6 +5,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.messages import (
     ENDPOINT_PAIR,
+    HOPS,
     HOST,
     MATCHED_WRITER,
     PAIR,
@@ -38,9 +39,23 @@ def clock_only(protocol: Protocol) -> Protocol:
 
 
 def _announcements(protocol: Protocol) -> list[Message]:
-    """Return what is sent to all by the clock, in the first phase that has such messages."""
-    to_all = [m for m in protocol.messages if m.unit.receivers is None and m.answers is None]
-    return [m for m in to_all if m.phase == to_all[0].phase and m.frames]
+    """Return what the clock sends to all, in the first phase that has such messages.
+
+    If nothing is multicast, that is what goes to each, known or not.
+    """
+    by_clock = [m for m in protocol.messages if m.answers is None and m.frames]
+    found = [m for m in by_clock if m.cast == "multicast"]
+    found = found or [m for m in by_clock if m.unit == PAIR and m.hops == HOPS]
+    return [m for m in found if m.phase == found[0].phase]
+
+
+def check_announced(protocol: Protocol) -> None:
+    """Refuse to let those recover who do not announce themselves to each other."""
+    if not _announcements(protocol):
+        raise ValueError(
+            f"recovery must be False for the protocol {protocol.name!r}: its processes learn of "
+            "each other from a server, and when that knows what is not simulated"
+        )
 
 
 def _phases(protocol: Protocol) -> set[str]:
@@ -102,11 +117,13 @@ _CONTROL = ("Heartbeat", "ACKNACK", "ACK", "KeepAlive", "Frame")
 
 def _data(protocol: Protocol) -> list[Message]:
     """Return what tells of endpoints."""
+    phases = _phases(protocol)
     return [
         message
         for message in protocol.messages
         if message.unit in (ENDPOINT_PAIR, UNMATCHED, MATCHED_WRITER)
         and message.frames
+        and message.phase not in phases
         and not message.kind.endswith(_CONTROL)
     ]
 
@@ -126,8 +143,10 @@ def fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
     pair, data, informs = _heartbeat(protocol), _data(protocol), _informs(protocol)
+    announced = _announcements(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
         record["trigger"] = _trigger(protocol, message)
+        record["to_unknown"] = message in announced
         record["informs"] = message.name in informs
         record["of_host"] = message.unit == HOST
         record["tcp"] = message.transport == "TCP"

@@ -279,7 +279,7 @@ def send_by_clock(cell, host, batch, time):
                     offer_new(cell, compose(row, process, process, item) | flag, time)
                 continue
             for other in range(cell.processes.size):
-                if cell.pairs[process, other].known:
+                if cell.pairs[process, other].known or kind.to_unknown:
                     send_items(cell, row, process, other, time, flag)
 
 

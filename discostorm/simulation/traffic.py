@@ -9,6 +9,8 @@ messages that share frames the frames are sent: x is that of their parts.
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -177,25 +179,20 @@ def _where(protocol: Protocol, message: Message) -> str:
 def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
     """Return the octets in each frame of a message that rows without frames put inside it.
 
-    They are in frames of the same phase, of the row before them if there are several, and alike
-    in each.
+    They are in frames of the same phase, of the row that is most like theirs, alike in each.
     """
     shares = shares_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
-    for row, message in enumerate(protocol.messages):
+    for message in protocol.messages:
         if message.frames:
             continue
-        outer = [
-            place
-            for place, other in enumerate(protocol.messages)
-            if other.frames and other.phase == message.phase
-        ]
+        outer = [m for m in protocol.messages if m.frames and m.phase == message.phase]
         if not outer:
             raise ValueError(
                 f"{_where(protocol, message)}: frames must be above 0 for one message of the phase "
                 f"{message.phase!r} to be simulated; got none"
             )
-        carrier = max((place for place in outer if place < row), default=outer[0])
+        carrier = protocol.messages.index(max(outer, key=partial(_alike, message)))
         alone = Protocol("inside", (replace(message, frames=1.0),))
         counts = [
             _sent(shares_of(alone, hosts), hosts, 0),
@@ -203,6 +200,17 @@ def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
         ]
         octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
     return octets
+
+
+def _alike(one: Message, other: Message) -> tuple[int, ...]:
+    """Return how much two rows have in common: by what, and how much of their names' ends."""
+    same = (
+        one.cast == other.cast,
+        one.answers == other.answers,
+        one.schedule.period == other.schedule.period,
+    )
+    ends = zip(reversed(one.name), reversed(other.name), strict=False)
+    return (*same, len(list(takewhile(lambda pair: pair[0] == pair[1], ends))))
 
 
 def _sent(shares: Shares, hosts: Hosts, row: int) -> float:

@@ -264,6 +264,7 @@ def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
     return (nt.O_AGG + data_time(octets, *UNICAST)) / frames
 
 
+@cache
 def _unicast_airtime(frame_bytes: sp.Expr, model: Model) -> sp.Expr:
     _checks.choice("model", model, get_args(Model))
     if model == "aggregated":
@@ -273,7 +274,6 @@ def _unicast_airtime(frame_bytes: sp.Expr, model: Model) -> sp.Expr:
     return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
 
 
-@cache
 def uplink_airtime(frame_bytes: sp.Expr, model: Model = "linear") -> sp.Expr:
     """Return the airtime from a host to the access point: always unicast."""
     return _unicast_airtime(frame_bytes, model)
