@@ -154,9 +154,9 @@ def _matched_others_away(hosts: Hosts) -> NDArray[Any]:
 
 
 def _matched_endpoints_away(hosts: Hosts) -> NDArray[Any]:
-    others: NDArray[Any] = hosts.endpoints_of.sum() - hosts.endpoints_of
-    others = others * _away(hosts) * hosts.matching
-    return others
+    others = hosts.endpoints_of.sum() - hosts.endpoints_of
+    passed: NDArray[Any] = others * _away(hosts) * hosts.matching
+    return passed
 
 
 PROCESS = Unit("process", Fleet.processes, _every)

@@ -141,18 +141,18 @@ EVENT = _record("time", "what")
 #: A row of the protocol's table; see `discostorm.simulation.traffic`. ``to_all``: it is counted by
 #: its sender, not by who receives it; ``set``: who receives it, a row of `Cell.before`; ``whole``:
 #: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
-#: ``of_host``: a process sends it for all of its host. ``when``: of
-#: what it answers only what comes from processes that are known, or are not.
+#: ``of_host``: a process sends it for all of its host. ``when``: of what
+#: it answers all, only what comes later than ``since`` after the other's start, or only before.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
-    *("role", "informs", "of_host", "trigger", "answers", "when", "tcp"),
+    *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
     *("to_unknown", "gap_first", "gap_number"),
 )
 
 #: What a message is for: `role`; and when it is sent: `trigger`.
 OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
 CLOCK, ANSWER, DISCOVERY = range(3)
-ALWAYS, FROM_KNOWN, FROM_UNKNOWN = range(3)
+ALWAYS, LATER, FIRST = range(3)
 
 #: How the middleware repairs, in ticks; see `discostorm.simulation.recovery`.
 REPAIRS = _record(

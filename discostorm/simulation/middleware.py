@@ -92,7 +92,7 @@ def _when(protocol: Protocol, message: Message) -> int:
     own, other = message.schedule, protocol.message(message.answers).schedule
     if message.phase not in _phases(protocol) or own == other:
         return _cell.ALWAYS
-    return _cell.FROM_KNOWN if own.starts[0] > other.starts[0] else _cell.FROM_UNKNOWN
+    return _cell.LATER if own.starts[0] > other.starts[0] else _cell.FIRST
 
 
 def _informs(protocol: Protocol) -> set[str]:
@@ -154,6 +154,10 @@ def fill_kinds(protocol: Protocol, kinds: Records) -> None:
         if message.answers is not None and message.answers in names:
             record["answers"] = names.index(message.answers)
             record["when"] = _when(protocol, message)
+            answered = protocol.message(message.answers).schedule
+            # Half-way to the second time, as queues delay what is sent at first.
+            second = (*answered.starts, answered.starts[-1] + answered.period)[1]
+            record["since"] = ticks((answered.starts[0] + second) / 2)
             starts = message.schedule.starts
             if record["trigger"] == _cell.DISCOVERY and len(starts) > 1:
                 record["gap_number"] = len(starts) - 1

@@ -21,10 +21,10 @@ from discostorm.simulation.cell import (
     DATA,
     DISCOVERY,
     EXPIRE,
-    FROM_KNOWN,
-    FROM_UNKNOWN,
+    FIRST,
     HEARTBEAT,
     ITEMS,
+    LATER,
     OTHER,
     PROCESS_BITS,
     REPAIR,
@@ -317,14 +317,15 @@ def answers(cell, row, process, source):
 
 
 @shared
-def answer(cell, frame, process, known, time):
+def answer(cell, frame, process, time):
     """Send what answers a message each time."""
     row, source = kind_of(frame), source_of(frame)
     for other in range(cell.now[0].kinds):
         kind = cell.kinds[other]
         if kind.trigger != ANSWER or kind.answers != row or kind.role == ACKNACK:
             continue
-        if kind.when == (FROM_UNKNOWN if known else FROM_KNOWN):
+        early = time < cell.processes[source].start + kind.since
+        if kind.when == (LATER if early else FIRST):
             continue
         for item in range(answers(cell, other, process, source)):
             reply = compose(other, process, source, item)
@@ -400,13 +401,12 @@ def arrive(cell, frame, process, time):
     its = cell.processes[process]
     if time < its.start or cell.processes[source].host == its.host:
         return
-    known = cell.pairs[process, source].known
     hear(cell, frame, process, time)
     # What is not matched yet is not taken.
     if kind.role != OTHER and not cell.pairs[process, source].known:
         return
     if not frame & REPAIR:
-        answer(cell, frame, process, known, time)
+        answer(cell, frame, process, time)
     if kind.role == DATA:
         take_item(cell, frame, process, time)
     elif kind.role == HEARTBEAT:
