@@ -30,7 +30,7 @@ COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
-#: A host that is heard later than this after the start [s] had no network; its run is spoiled.
+#: A host that is first heard later than this after the start [s] had no network at the start.
 SILENT = 1.5
 
 
@@ -73,6 +73,9 @@ def counted(
     sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
     messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
     time = messages["time"] + (found.start - told["start"])
+    first = time[time >= 0].groupby(messages["sender"]).min().max()
+    if first > SILENT:
+        raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
     for window, (begin, end) in WINDOWS.items():
         if told["seconds"] < end:
             continue

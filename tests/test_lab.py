@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import uuid
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +63,19 @@ def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
         runs = sum(int(row["runs"]) for row in csv.DictReader(file))
     assert len(names) == len(set(names)) == runs * len(lab.PRODUCTS)
     assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)  # with_suffix needs no dot
+
+
+def test_every_arrangement_has_six_points_and_three_runs_of_each() -> None:
+    versions = dict.fromkeys(lab.PACKAGES, "1")
+    jobs = lab.jobs(LAB / "mitigations.csv", [], False, versions)
+    names = [job["name"] for job in jobs]
+    assert len(names) == len(set(names))
+    assert {(job["product"], job["variant"]) for job in jobs} == set(lab.ARRANGEMENTS)
+    for key in lab.ARRANGEMENTS:
+        mine = [job for job in jobs if (job["product"], job["variant"]) == key]
+        runs = Counter(job["name"].rpartition("-")[0] for job in mine)
+        assert len(runs) >= 6
+        assert min(runs.values()) >= 3
 
 
 def test_the_lock_of_the_lab_has_a_hash_for_each_version() -> None:
@@ -168,6 +182,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
     job = {"command": [str(broken)], "hosts": 2, "processes": 1, "endpoints": 2, "names": "unique"}
     job |= {"variant": "default", "seconds": 5.0, "env": {}, "out": str(tmp_path / "out")}
+    job |= {"servers": []}
     made = subprocess.run(
         [*lab.STAGE, json.dumps(job)],
         capture_output=True,
