@@ -159,6 +159,15 @@ def _matched_endpoints_away(hosts: Hosts) -> NDArray[Any]:
     return passed
 
 
+def _matched_behind(hosts: Hosts) -> NDArray[Any]:
+    return hosts.speakers * hosts.endpoints_of * hosts.matching
+
+
+def _floods(hosts: Hosts) -> NDArray[Any]:
+    others = hosts.processes.size - 1
+    return hosts.speakers * (others * (others - 1))
+
+
 PROCESS = Unit("process", Fleet.processes, _every)
 PAIR = Unit("ordered pair of processes on different hosts", Fleet.pairs, _every, _every)
 ENDPOINT_PAIR = Unit(
@@ -201,15 +210,21 @@ LISTED_PAIR = Unit(
     _listed,
     _every,
 )
-UNMATCHED_ENDPOINT = Unit("unmatched endpoint", Fleet.unmatched_endpoints)
-WRITER = Unit("matched writer", Fleet.writers_that_match)
+UNMATCHED_ENDPOINT = Unit("unmatched endpoint", Fleet.unmatched_endpoints, _unmatched)
+WRITER = Unit("matched writer", Fleet.writers_that_match, _matched)
 #: For what routers, one a host, tell each other of what is behind them.
-PROCESS_HOST = Unit("process and other host", Fleet.process_hosts)
-ENDPOINT_HOST = Unit("endpoint and other host", Fleet.endpoint_hosts)
-UNMATCHED_HOST = Unit("unmatched endpoint and other host", Fleet.unmatched_hosts)
-MATCHED_HOST = Unit("matched endpoint of a host and other host", Fleet.matched_hosts)
+PROCESS_HOST = Unit("process and other host", Fleet.process_hosts, _every, _speakers)
+ENDPOINT_HOST = Unit("endpoint and other host", Fleet.endpoint_hosts, _endpoints, _speakers)
+UNMATCHED_HOST = Unit(
+    "unmatched endpoint and other host", Fleet.unmatched_hosts, _unmatched, _speakers
+)
+MATCHED_HOST = Unit(
+    "matched endpoint of a host and other host", Fleet.matched_hosts, _matched_behind, _speakers
+)
 #: For the news of a link that each router passes on to all others.
-FLOOD = Unit("end of a link, host that hears of it and other that it tells", Fleet.floods)
+FLOOD = Unit(
+    "end of a link, host that hears of it and other that it tells", Fleet.floods, _floods, _speakers
+)
 #: For what a server passes on from one to another, wherever they run.
 MATCHED_PROCESS_PAIR = Unit(
     "ordered pair of matched processes", Fleet.matched_process_pairs, _matched_others
