@@ -599,9 +599,16 @@
       ctx.font = `${13 * scale}px sans-serif`;
       // Where the curves are not.
       const { log } = view(answer);
-      ctx.textAlign = log ? "right" : "left";
       ctx.textBaseline = "bottom";
-      ctx.fillText("1 s: the channel is full", bbox.left + (log ? bbox.width - 6 * scale : 6 * scale), limit - 3 * scale);
+      // On a plate of its own, as a curve may run below.
+      const words = "1 s: the channel is full";
+      const { width } = ctx.measureText(words);
+      const left = bbox.left + (log ? bbox.width - width - 6 * scale : 6 * scale);
+      ctx.textAlign = "left";
+      ctx.fillStyle = background;
+      ctx.fillRect(left - 2 * scale, limit - 19 * scale, width + 4 * scale, 17 * scale);
+      ctx.fillStyle = text;
+      ctx.fillText(words, left, limit - 3 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);
