@@ -308,3 +308,82 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
         for message in protocol.messages
         if message.phase in counted
     )
+
+
+@cache
+def _seconds() -> dict[tuple[str, ...], list[dict[str, str]]]:
+    found: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
+    for row in read_data("measured/deaths.csv"):
+        key = ("arrangement", "event", "phase", "who", "quantity")
+        found[tuple(row[name] for name in key)].append(row)
+    return dict(found)
+
+
+def death_times(
+    arrangement: str, event: str, phase: str, who: str, quantity: str
+) -> NDArray[np.float64]:
+    """Return how long something took in each run after a server, router or robot had died [s].
+
+    Parameters
+    ----------
+    arrangement : str
+        Of ``data/measured/arrangements.csv``, such as "Zenoh router".
+    event, phase, who, quantity : str
+        What died, when it was looked at, whom it is about and what was measured, as
+        ``data/measured/README.md`` has them.
+
+    Returns
+    -------
+    numpy.ndarray
+        A time a run [s]; infinite if it did not happen while it was watched.
+
+    Raises
+    ------
+    ValueError
+        If that was not measured.
+    """
+    key = (arrangement, event, phase, who, quantity)
+    if key not in _seconds():
+        for position, name in enumerate(("arrangement", "event", "phase", "who", "quantity")):
+            known = {other[position] for other in _seconds() if other[:position] == key[:position]}
+            _checks.choice(name, key[position], sorted(known))
+    return np.array([float(row["seconds"]) for row in _seconds()[key]])
+
+
+def deaths() -> pd.DataFrame:
+    """Return what the lab saw when servers, routers and robots died, all runs taken together.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each ``arrangement``, ``event``, ``phase``, ``who`` and ``quantity``: how long
+        after the death the phase begins, ``since_s``, and how long it was watched, ``watched_s``
+        [s]; the number of ``runs`` and of those in which it ``happened`` [1]; ``median_s``,
+        ``least_s`` and ``most_s`` of all runs [s], infinite where it did not happen.
+
+    Notes
+    -----
+    What each quantity is, says ``data/measured/README.md``.
+    """
+    import pandas as pd
+
+    rows = []
+    for (arrangement, event, phase, who, quantity), runs in _seconds().items():
+        seconds = np.array([float(row["seconds"]) for row in runs])
+        rows.append(
+            {
+                "arrangement": arrangement,
+                "event": event,
+                "phase": phase,
+                "who": who,
+                "quantity": quantity,
+                "since_s": float(runs[0]["since_s"]),
+                "watched_s": float(runs[0]["watched_s"]),
+                "runs": len(runs),
+                "happened": int(np.isfinite(seconds).sum()),
+                "median_s": float(np.median(seconds)),
+                "least_s": float(seconds.min()),
+                "most_s": float(seconds.max()),
+            }
+        )
+    return pd.DataFrame(rows)

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from discostorm import _checks, words
+from discostorm import _checks, staggered, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
@@ -630,7 +630,6 @@ def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
     own = family(protocol)
     row = _row("staggered start", own)
     assert row is not None
-    first, later = (float(utilization(protocol, fleet, wifi=wifi, window=w)) for w in (1, math.inf))
     gains = []
     for name in [own] if own else ["DDS", "Zenoh"]:
         found: dict[int, dict[str, dict[str, str]]] = {}
@@ -642,10 +641,10 @@ def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
                 float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
             )
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
-    robot = starts["rule"]
+    robot, window = starts["rule"], staggered.window(protocol, fleet, wifi=wifi)
     yield (
         f"{row['title']}: {row['why']}; the rule of thumb for this fleet is a window of "
-        f"{first - later:.2g} s; small robots ({robot['processes']} processes with "
+        f"{words.duration(window)}; small robots ({robot['processes']} processes with "
         f"{robot['endpoints']} endpoints, default queues, the paper's counts with recovery) all "
         f"know each other, {words.listed(gains)}; mind: {row['price']}"
     )
@@ -912,4 +911,4 @@ def _amount(utilization: float, window: float) -> str:
     """Return the airtime of the window in seconds, in the steady state the share of the time."""
     if math.isinf(window):
         return words.percent(utilization) + " of the time"
-    return words.seconds(utilization * window)
+    return words.duration(utilization * window)

@@ -41,11 +41,6 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-@cache
-def _burst(protocol: Protocol, model: Model) -> sp.Expr:
-    return protocol.burst(model=model)
-
-
 def _seconds(window: ArrayLike) -> Value:
     """Return the window [s] as float64, of which infinity is the longest."""
     span = np.asarray(window)
@@ -70,8 +65,16 @@ def _costs(protocol: Protocol, phase: str | None, wifi: Wifi, window: Value) -> 
 
 
 @lru_cache(maxsize=1024)
-def _prices(protocol: Protocol, phase: str | None, wifi: Wifi, window: float) -> tuple[float, ...]:
-    costs = [protocol.cost(unit, phase, wifi.model, window) for unit in protocol.units(phase)]
+def _prices(
+    protocol: Protocol, phase: str | None, wifi: Wifi, window: float | None
+) -> tuple[float, ...]:
+    """Return what each unit adds to an average second of the window, or to the burst [s]."""
+    costs = [
+        protocol.burst_cost(unit, phase, wifi.model)
+        if window is None
+        else protocol.cost(unit, phase, wifi.model, window)
+        for unit in protocol.units(phase)
+    ]
     with np.errstate(divide="ignore"):
         prices = evaluate_each(costs, protocol.values() | wifi.values())
     if wifi.aggregation is not None and math.inf in prices:
@@ -242,9 +245,9 @@ def utilization_at(
 
 def burst(
     protocol: Protocol,
-    hosts: ArrayLike,
-    processes: ArrayLike,
-    endpoints: ArrayLike,
+    hosts: ArrayLike | Fleet,
+    processes: ArrayLike | None = None,
+    endpoints: ArrayLike | None = None,
     wifi: Wifi = PAPER,
 ) -> Value:
     """Return the airtime of what the start sends beyond the steady state.
@@ -252,7 +255,7 @@ def burst(
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `utilization`, but a swarm.
+        As for `utilization`: a swarm, or a `Fleet` of unlike hosts.
 
     Returns
     -------
@@ -276,12 +279,14 @@ def burst(
     >>> from discostorm.scalability import burst
     >>> burst(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
     True
+    >>> burst(ds.DDS, ds.Fleet.swarm(7, 2, 10)) == burst(ds.DDS, 7, 2, 10)
+    True
     """
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
     fleet = as_fleet(hosts, processes, endpoints)
-    counts = dict(zip(SWARM.counts(), fleet.counts(), strict=True))
-    return evaluate(_burst(protocol, wifi.model), counts | protocol.values() | wifi.values())
+    costs: Costs = dict(zip(protocol.units(), _prices(protocol, None, wifi, None), strict=True))
+    return _of_fleet(costs, fleet, _checks.shape(**fleet.arrays()))
 
 
 def solve_hosts(utilization: sp.Expr) -> sp.Expr:

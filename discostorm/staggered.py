@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
+from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.scalability import burst
 from discostorm.wifi import PAPER, Wifi
@@ -18,14 +19,18 @@ Floats = NDArray[np.float64]
 
 
 def window(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
+    protocol: Protocol,
+    hosts: float | Fleet,
+    processes: float | None = None,
+    endpoints: float | None = None,
+    wifi: Wifi = PAPER,
 ) -> float:
     """Return the rule of thumb's window: as long as the airtime of the whole start.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`, one number each.
+        As for `discostorm.utilization`: one number each, or a fleet of numbers.
 
     Returns
     -------
@@ -45,6 +50,13 @@ def window(
     >>> from discostorm import staggered
     >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
     2.0
+
+    Of ten Nav2 robots and a laptop it is half a minute:
+
+    >>> from discostorm.data import data_path
+    >>> nav2 = ds.Fleet.from_toml(data_path("fleets/nav2_laptop.toml"))
+    >>> round(staggered.window(ds.DDS, nav2))
+    28
     """
     return float(burst(protocol, hosts, processes, endpoints, wifi))
 

@@ -42,19 +42,39 @@ def part(share: float) -> str:
     return "nearly all" if 0.995 <= share < 1 else percent(share)
 
 
-def seconds(time: float) -> str:
-    """Return a time to two digits or three, below a hundredth of a second in milliseconds.
+#: From how many seconds on a time is told in which unit, and how long that is [s].
+TIMES = (
+    (0.0, 1e-6, "µs"),
+    (1e-3, 1e-3, "ms"),
+    (0.1, 1.0, "s"),
+    (100.0, 60.0, "minutes"),
+    (6000.0, 3600.0, "hours"),
+    (48 * 3600.0, 86_400.0, "days"),
+    (700 * 86_400.0, 31_557_600.0, "years"),
+)
+
+
+def duration(time: float) -> str:
+    """Return a time as people tell it, to two digits or three.
 
     Examples
     --------
-    >>> seconds(0.00123), seconds(0.0456), seconds(1.375), seconds(28.44)
-    ('1.23 ms', '0.046 s', '1.38 s', '28.4 s')
+    >>> duration(0.00123), duration(0.0456), duration(1.375), duration(28.44)
+    ('1.23 ms', '45.6 ms', '1.38 s', '28.4 s')
+    >>> duration(2907.1), duration(349_491), duration(0), duration(math.inf)
+    ('48 minutes', '4.0 days', 'no time', 'for ever')
     """
-    if time < 0.01:
-        return f"{1e3 * time:.3g} ms"
-    if time < 10:
-        return f"{time:.2f} s" if time >= 0.1 else f"{time:.3f} s"
-    return f"{time:,.1f} s" if time < HUGE else f"{time:.3g} s"
+    if time == 0 or time == math.inf:
+        return "for ever" if time else "no time"
+    _, length, unit = next(row for row in reversed(TIMES) if abs(time) >= row[0])
+    value = time / length
+    if value >= HUGE:
+        return f"{value:.0e} {unit}"
+    if length < 1:
+        return f"{value:.3g} {unit}"
+    if length == 1:
+        return f"{value:.2f} {unit}" if abs(value) < 10 else f"{value:.1f} {unit}"
+    return f"{value:.1f} {unit}" if abs(value) < 10 else f"{float(f'{value:.3g}'):,.0f} {unit}"
 
 
 def many(count: float, noun: str, plural: str = "s") -> str:
@@ -90,5 +110,5 @@ def wrapped(line: str, width: int = 79) -> str:
     What follows in an item of a list is indented.
     """
     indent = " " * 4 * bool(re.match(r"- | |\d+\. ", line))
-    glued = re.sub(r"(?<=\d) (?=m?s\b|µs\b|Mbit/s)", "\u00a0", line)
+    glued = re.sub(r"(?<=\d) (?=m?s\b|µs\b|Mbit/s|minutes|hours|days|years)", "\u00a0", line)
     return textwrap.fill(glued, width, subsequent_indent=indent).replace("\u00a0", " ")

@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -44,8 +45,9 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("zenoh_peer", "default"): (ZENOH, {}),
     ("zenoh_peer", "tokens"): (ZENOH, {}),
 }
-STAGE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
-STAGE += ["--mount-proc", "--net", sys.executable, str(LAB / "stage.py")]
+ALONE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
+ALONE += ["--mount-proc", "--net", sys.executable]
+STAGE = [*ALONE, str(LAB / "stage.py")]
 
 SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
 CROWD = 40  # processes at a time, over all runs
@@ -126,7 +128,14 @@ def remove(out: Path) -> None:
         path.unlink()
 
 
-def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) -> int:
+def run(
+    todo: list[dict[str, Any]],
+    folder: Path,
+    crowd: int,
+    spacing: float,
+    stage_of: list[str] = STAGE,
+    finish: Callable[[Path], str] = finish,
+) -> int:
     """Run all jobs, some side by side; how many failed for good."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
     waiting, failed, done, total = list(todo), 0, 0, len(todo)
@@ -158,7 +167,7 @@ def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) ->
                     job["tries"] = job.get("tries", 0) + 1
                     told = json.dumps(job | {"out": str(folder / job["name"])})
                     stage = subprocess.Popen(
-                        [*STAGE, told], stderr=subprocess.PIPE, text=True, start_new_session=True
+                        [*stage_of, told], stderr=subprocess.PIPE, text=True, start_new_session=True
                     )
                     running[stage] = job
                     next_start = time.monotonic() + spacing

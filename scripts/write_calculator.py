@@ -14,7 +14,7 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, planner, timeline
+from discostorm import _checks, figures, notation as nt, planner, timeline, words
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
@@ -22,6 +22,7 @@ from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
+from discostorm.snippets import snippets
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
@@ -168,7 +169,7 @@ def field(
 ) -> Code:
     """Return the data of an input field: what it asks for and which numbers are allowed."""
     low, high, above = allowed
-    words = _checks.wanted(low, high, above).replace(
+    range_ = _checks.wanted(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
     )
     return {
@@ -182,7 +183,7 @@ def field(
         "high": number(high),
         "above": data(above),
         "whole": data(whole),
-        "allowed": data(words.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
+        "allowed": data(range_.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
     }
 
 
@@ -330,10 +331,10 @@ def airtimes(known: Formulas) -> Code:
 
 def outlooks(protocol: Protocol) -> Code:
     """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
-    *words, never = timeline.OUTLOOKS
+    *told, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "until": [[number(limit), data(word)] for limit, word in zip(limits, words, strict=True)],
+        "until": [[number(limit), data(word)] for limit, word in zip(limits, told, strict=True)],
         "never": data(never),
     }
 
@@ -409,8 +410,11 @@ def remedies() -> Code:
             "of": {str(family): told(kind, family) for family in families},
             "paste": data(
                 {
-                    row["for"]: {"what": row["what"], "text": row["text"]}
-                    for row in read_data("vendors/remedy_configuration.csv")
+                    row["for"]: [
+                        {"where": piece.where, "version": piece.version, "text": piece.text}
+                        for piece in snippets(kind, row["for"])
+                    ]
+                    for row in read_data("vendors/snippets.csv")
                     if row["kind"] == kind
                 }
             ),
@@ -440,6 +444,7 @@ def model() -> Code:
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
         "limit": number(1.0),
+        "times": data(words.TIMES),
         "airtime": airtimes(known),
         "laptop_nodes": number(laptop().nodes or 0),
         "service_endpoints": number(planner.parameter_service_endpoints()),

@@ -13,6 +13,7 @@ import pytest
 import discostorm as ds
 from discostorm import staggered
 from discostorm.data import read_data
+from discostorm.scalability import burst
 from discostorm.simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[1]
@@ -91,6 +92,21 @@ def test_a_window_is_the_airtime_of_the_burst() -> None:
         starts = staggered.at_random(window)(np.random.default_rng(0), 1000)
         assert 0 <= starts.min() < 0.05 * window
         assert 0.95 * window < starts.max() <= window
+
+
+def test_the_burst_of_unlike_hosts_is_what_utilization_has_beyond_the_steady_state() -> None:
+    groups = (ds.HostGroup(3, 2, 40), ds.HostGroup(1, 1, 90), ds.HostGroup(2, 5, 0))
+    for table in ds.PROTOCOLS.values():
+        for matching in (0.0, 0.3):
+            fleet = ds.Fleet(groups, matching)
+            first, later = (ds.utilization(table, fleet, window=w) for w in (1.0, np.inf))
+            # The difference of two sums of some ten terms.
+            assert burst(table, fleet) == pytest.approx(first - later, rel=1e-9)
+            assert staggered.window(table, fleet) == burst(table, fleet)
+    grown = burst(ds.DDS, ds.Fleet((ds.HostGroup([1, 2], 2, 10), groups[1])))
+    assert np.shape(grown) == (2,)
+    with pytest.raises(TypeError, match="processes must be left out when hosts is a Fleet"):
+        staggered.window(ds.DDS, ds.Fleet(groups), 2, 10)
 
 
 def test_in_turn_everybody_waits_for_those_before() -> None:

@@ -8,21 +8,28 @@ from discostorm import words
 @pytest.mark.parametrize(
     ("seconds", "said"),
     [
+        (0, "no time"),
+        (5e-7, "0.5 µs"),
         (0.00123, "1.23 ms"),
-        (0.00999, "9.99 ms"),
-        (0.01, "0.010 s"),
-        (0.0456, "0.046 s"),
+        (0.0999, "99.9 ms"),
         (0.1, "0.10 s"),
         (9.5, "9.50 s"),
-        (10, "10.0 s"),
         (10.5, "10.5 s"),
-        (1234.5, "1,234.5 s"),
-        (1e6, "1e+06 s"),
-        (3.7028e15, "3.7e+15 s"),
+        (99.9, "99.9 s"),
+        (100, "1.7 minutes"),
+        (2907.1, "48 minutes"),
+        (5999, "100 minutes"),
+        (6000, "1.7 hours"),
+        (86_400, "24 hours"),
+        (48 * 3600, "2.0 days"),
+        (1e9, "32 years"),
+        (1e12, "31,700 years"),
+        (1e15, "3e+07 years"),
+        (float("inf"), "for ever"),
     ],
 )
 def test_times_in_words(seconds: float, said: str) -> None:
-    assert words.seconds(seconds) == said
+    assert words.duration(seconds) == said
 
 
 @pytest.mark.parametrize(

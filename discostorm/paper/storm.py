@@ -113,7 +113,7 @@ def picture(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> F
             bar = figure.add_subplot(grid[1, column])
             _bar(bar, protocol, float(used[last]))
             bar.set_xlabel(
-                f"{last + 1:,} messages\n{words.seconds(used[last])} of airtime", fontsize=8
+                f"{last + 1:,} messages\n{words.duration(used[last])} of airtime", fontsize=8
             )
     return figure
 
@@ -139,7 +139,7 @@ def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
         _draw(figure.add_axes((0.55, 0.2, 0.42, 0.76)), protocol, sent, last, hosts, scale=2.4)
         _bar(figure.add_axes((0.06, 0.1, 0.88, 0.06)), protocol, float(used[last]))
         figure.text(
-            0.06, 0.22, f"{hosts} robots, {words.seconds(used[last])} of one second", fontsize=18
+            0.06, 0.22, f"{hosts} robots, {words.duration(used[last])} of one second", fontsize=18
         )
     return figure
 

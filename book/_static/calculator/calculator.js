@@ -72,18 +72,12 @@
     return share < 1 && text === number(100) ? "just below 100%" : `${text}%`;
   }
 
-  // Each unit from its length on; the last but for powers of ten.
-  const [MINUTE, HOUR, DAY, YEAR] = [60, 3600, 86_400, 31_557_600];
-  const UNITS = [
-    [1e-6, "µs"], [1e-3, "ms"], [1, "s"], [MINUTE, "minutes"], [HOUR, "hours"], [DAY, "days"], [YEAR, "years"],
-  ];
+  const [, , , MINUTE, HOUR, DAY, YEAR] = MODEL.times.map(([, length]) => length);
   /** A time as people tell it: 0.45 s, 58 minutes, 3 years. */
   function duration(seconds) {
     if (seconds === Infinity) return "for ever";
     if (seconds === 0) return "no time";
-    const from = [0, 1e-3, 0.1, 100, 100 * MINUTE, 48 * HOUR, 700 * DAY];
-    const index = from.findLastIndex((least) => seconds >= least);
-    const [length, unit] = UNITS[index];
+    const [, length, unit] = MODEL.times.findLast(([least]) => seconds >= least);
     const value = seconds / length;
     if (value >= 1e6) return `${power(value)}${SPACE}${unit}`;
     return `${value < 10 ? two.format(value) : whole.format(Number(value.toPrecision(3)))}${SPACE}${unit}`;
@@ -337,7 +331,12 @@
       .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), ...(MODEL.remedies[one.kind].of[family] ?? MODEL.remedies[one.kind].of.None), paste: pasted(one) }));
   }
 
-  const pasted = ({ kind, name }) => MODEL.remedies[kind].paste[kind === "middleware" ? name : "any"];
+  /** What to paste is for any, for a middleware or one of its family, or for a radio. */
+  function pasted({ kind, name, air }) {
+    const { paste } = MODEL.remedies[kind];
+    const named = (key) => key === name || key === MODEL.protocols[name].family || air.name.startsWith(key);
+    return Object.keys(paste).filter((key) => key === "any" || named(key)).flatMap((key) => paste[key]);
+  }
 
   function compute(settings) {
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
@@ -427,10 +426,10 @@
           then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
           make("span", { class: "calc-hint" }, `Mind: ${price}.`),
         );
-        if (paste) {
+        for (const { where, version, text } of paste) {
           const copy = make("button", { type: "button" }, "Copy");
-          copy.addEventListener("click", () => copied(copy, paste.text));
-          item.append(make("div", { class: "calc-paste" }, make("span", {}, `${capitalized(paste.what)}:`), make("code", {}, paste.text), copy));
+          copy.addEventListener("click", () => copied(copy, text));
+          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `What to paste: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
         }
         return item;
       }),

@@ -467,6 +467,7 @@ const DISCOSTORM = (() => {
       },
     ],
     "limit": 1,
+    "times": [[0.0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1.0, "s"], [100.0, 60.0, "minutes"], [6000.0, 3600.0, "hours"], [172800.0, 86400.0, "days"], [60480000.0, 31557600.0, "years"]],
     "airtime": {
       "inside": {"up": "inside_unicast", "multicast": "inside_multicast", "unicast": "inside_unicast"},
       "linear": {"up": "linear_unicast", "multicast": "linear_multicast", "unicast": "linear_unicast"},
@@ -476,18 +477,30 @@ const DISCOSTORM = (() => {
     "laptop_nodes": 2,
     "service_endpoints": 12,
     "remedies": {
-      "processes": {"of": {"DDS": shared40, "Zenoh": shared40, "None": shared40}, "paste": {"any": {"what": "where Nav2 is started", "text": "ros2 launch nav2_bringup bringup_launch.py use_composition:=True"}}},
-      "endpoints": {"of": {"DDS": shared41, "Zenoh": shared41, "None": shared41}, "paste": {"any": {"what": "in each node of your own (C++)", "text": "rclcpp::NodeOptions().start_parameter_services(false)"}}},
-      "multicast rate": {"of": {"DDS": shared42, "Zenoh": shared42, "None": shared42}, "paste": {}},
-      "radio": {"of": {"DDS": shared43, "Zenoh": shared43, "None": shared43}, "paste": {}},
-      "aggregation": {"of": {"DDS": shared44, "Zenoh": shared44, "None": shared44}, "paste": {}},
+      "processes": {
+        "of": {"DDS": shared40, "Zenoh": shared40, "None": shared40},
+        "paste": {"any": [{"where": "where Nav2 is started", "version": "ROS 2 Humble", "text": "# ROS 2 Humble: where Nav2 is started\nros2 launch nav2_bringup bringup_launch.py use_composition:=True\n"}, {"where": "a launch file for nodes of your own that are built as components", "version": "ROS 2 Humble", "text": "# ROS 2 Humble: a launch file for nodes of your own that are built as components\nfrom launch import LaunchDescription\nfrom launch_ros.actions import ComposableNodeContainer\nfrom launch_ros.descriptions import ComposableNode\n\n\ndef generate_launch_description():\n    nodes = [\n        ComposableNode(package=\"composition\", plugin=\"composition::Talker\", name=\"talker\"),\n        ComposableNode(package=\"composition\", plugin=\"composition::Listener\", name=\"listener\"),\n    ]\n    container = ComposableNodeContainer(\n        name=\"robot\",\n        namespace=\"\",\n        package=\"rclcpp_components\",\n        executable=\"component_container\",\n        composable_node_descriptions=nodes,\n    )\n    return LaunchDescription([container])\n"}]},
+      },
+      "endpoints": {
+        "of": {"DDS": shared41, "Zenoh": shared41, "None": shared41},
+        "paste": {"any": [{"where": "where a node of your own is made (C++)", "version": "ROS 2 Humble", "text": "// ROS 2 Humble: where a node of your own is made (C++)\nauto options = rclcpp::NodeOptions().start_parameter_services(false);\nauto node = std::make_shared<rclcpp::Node>(\"name\", options);\n"}]},
+      },
+      "multicast rate": {
+        "of": {"DDS": shared42, "Zenoh": shared42, "None": shared42},
+        "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Frames to a group go out at the lowest basic rate, here 24 Mbit/s (in units of 100 kbit/s).\nsupported_rates=240 360 480 540\nbasic_rates=240\n"}]},
+      },
+      "radio": {
+        "of": {"DDS": shared43, "Zenoh": shared43, "None": shared43},
+        "paste": {"802.11n 40 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\n"}], "802.11ac 80 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\n"}], "802.11ax 160 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n"}]},
+      },
+      "aggregation": {"of": {"DDS": shared44, "Zenoh": shared44, "None": shared44}, "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nieee80211n=1\nwmm_enabled=1\n"}]}},
       "middleware": {
         "of": {
           "DDS": shared45,
           "Zenoh": {"price": "all hosts must change together; this is the count of peers that scout by multicast, while rmw_zenoh by default has a router on each host and no multicast, and nothing crosses hosts until routers are told of each other", "whole": true, "why": "other messages of other sizes"},
           "None": shared45,
         },
-        "paste": {"Fast DDS": {"what": "on every computer", "text": "export RMW_IMPLEMENTATION=rmw_fastrtps_cpp"}, "Cyclone DDS": {"what": "on every computer", "text": "export RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"}},
+        "paste": {"Fast DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n"}], "Cyclone DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}], "Zenoh": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\nros2 run rmw_zenoh_cpp rmw_zenohd &\n"}]},
       },
     },
     "largest": "largest",

@@ -1,0 +1,1 @@
+ros2 launch nav2_bringup bringup_launch.py use_composition:=True

@@ -1,0 +1,2 @@
+auto options = rclcpp::NodeOptions().start_parameter_services(false);
+auto node = std::make_shared<rclcpp::Node>("name", options);

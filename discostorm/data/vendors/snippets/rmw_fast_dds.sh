@@ -1,0 +1,1 @@
+export RMW_IMPLEMENTATION=rmw_fastrtps_cpp

@@ -1,0 +1,1 @@
+export ROS_DOMAIN_ID=1

@@ -1,0 +1,336 @@
+"""What is to be pasted: the product itself loads each piece, in a namespace of its own."""
+
+import ast
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import missing
+from test_lab import lab, ready
+
+from discostorm.data import data_path, read_data
+from discostorm.protocols import PROTOCOLS
+from discostorm.snippets import Snippet, snippets
+
+pytestmark = pytest.mark.book
+
+ROWS = read_data("vendors/snippets.csv")
+FILES = sorted({row["file"] for row in ROWS})
+BIN = lab.BUILD / "bin"
+
+#: A host without a way out: eth0 has the addresses that are pasted.
+HOST = """
+sysctl -q -w net.ipv6.conf.all.disable_ipv6=1
+ip link set lo up
+ip link add eth0 type veth peer name eth1
+for last in 10 11 21; do ip address add 192.168.1.$last/24 dev eth0; done
+ip link set eth0 up && ip link set eth1 up && ip route add default dev eth0
+mount -t tmpfs shm /dev/shm
+exec "$@"
+"""
+ALONE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--net", "--mount", "--fork", "--pid"]
+ALONE += ["--kill-child", "--mount-proc", "sh", "-euc", HOST, "host"]
+
+
+def of(file: str) -> Snippet:
+    (piece, *_) = (s for row in ROWS for s in snippets(row["kind"], row["for"]) if s.file == file)
+    return piece
+
+
+def alone(*command: str | Path, env: dict[str, str] | None = None, given: str = "") -> str:
+    """Run a program in a namespace; return all that it says. It must end well."""
+    done = subprocess.run(
+        [*ALONE, *map(str, command)],
+        input=given,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PATH": os.environ["PATH"]} | (env or {}),
+        timeout=60,
+    )
+    said = done.stdout + done.stderr
+    assert done.returncode == 0, said
+    return said
+
+
+def fast_dds(path: Path) -> dict[str, str]:
+    """Return what Fast DDS makes of a file of profiles, or of static endpoints."""
+    text = path.read_text()
+    profile = re.search(r'participant profile_name="(\w+)"', text)
+    said = alone(BIN / "fast_dds_load", path, profile[1] if profile else "static")
+    assert "Error" not in said, said
+    return dict(line.partition(" ")[::2] for line in said.splitlines())
+
+
+def cyclone_dds(path: Path) -> dict[str, str]:
+    """Have both versions make a participant with this configuration."""
+    for program in (lab.CYCLONE_DDS, lab.CYCLONE_DDS_11):
+        words = [*program, "0", "1", "1", "0", "unique", "default"]
+        said = alone(*words, env={"CYCLONEDDS_URI": f"file://{path}"}, given="0\n")
+        assert "\nparticipant " in said, said
+        assert "config:" not in said, said
+    return {}
+
+
+ZENOH = """
+import json, sys, zenoh
+config = zenoh.Config.from_file(sys.argv[1])
+keys = ["mode", "connect/endpoints", "listen/endpoints", "scouting/multicast/enabled"]
+print(json.dumps({key: config.get_json(key) for key in keys}))
+"""
+
+
+def zenoh(path: Path) -> dict[str, str]:
+    """Return what Zenoh reads in a file."""
+    found: dict[str, str] = json.loads(alone(lab.PYTHON, "-c", ZENOH, path))
+    return found
+
+
+def hostapd(path: Path) -> dict[str, str]:
+    """Have hostapd begin with these lines, beside those that it always needs, without a radio."""
+    program = shutil.which("hostapd")
+    if program is None:
+        missing("hostapd is not installed: apt-get install hostapd")
+    lines = path.read_text()
+    whole = path.with_suffix(".whole")
+    needed = {"interface": "wlan0", "driver": "none", "ssid": "robots", "hw_mode": "a"}
+    needed |= {"channel": "36"}
+    given = "".join(f"{k}={v}\n" for k, v in needed.items() if f"{k}=" not in lines)
+    whole.write_text(given + lines)
+    with subprocess.Popen(
+        [*ALONE, program, str(whole)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    ) as running:
+        assert running.stdout is not None
+        said = ""
+        for line in running.stdout:
+            said += line
+            if "AP-ENABLED" in line:
+                break
+        running.kill()
+    assert "AP-ENABLED" in said, said
+    return {}
+
+
+LOADED: dict[str, Callable[[Path], dict[str, str]]] = {
+    "fast_dds": fast_dds,
+    "cyclone_dds": cyclone_dds,
+    "zenoh": zenoh,
+    "hostapd": hostapd,
+}
+
+
+def loader(file: str) -> Callable[[Path], dict[str, str]] | None:
+    """Return what loads a file: none for the lines of a shell and for code."""
+    if Path(file).suffix not in (".xml", ".json5", ".conf"):
+        return None
+    return next(load for product, load in LOADED.items() if file.startswith(product))
+
+
+#: What must have come of it: as its product says, not as the file does.
+EFFECTS = {
+    "fast_dds_server.xml": {"protocol": "4", "ports": "11811"},
+    "fast_dds_client.xml": {"protocol": "3", "servers": "1"},
+    "fast_dds_static.xml": {"protocol": "1", "simple": "0", "static": "1"},
+    "fast_dds_announcements.xml": {"announcements": "1", "period": "15", "lease": "100"},
+    "zenoh_router.json5": {"mode": '"router"', "scouting/multicast/enabled": "false"},
+    "zenoh_client.json5": {"mode": '"client"', "connect/endpoints": '["tcp/192.168.1.10:7447"]'},
+    "zenoh_peers.json5": {"mode": '"peer"', "scouting/multicast/enabled": "false"},
+    "zenoh_router_of_host.json5": {"mode": '"router"', "scouting/multicast/enabled": "false"},
+    "zenoh_session_of_host.json5": {"mode": '"peer"', "listen/endpoints": '["tcp/localhost:0"]'},
+}
+
+
+def placed(file: str, folder: Path) -> Path:
+    """Write what is to be pasted, as a user would; what it refers to lies beside it."""
+    path = folder / file
+    path.write_text(of(file).text.replace("/etc/", f"{folder}/"))
+    return path
+
+
+@pytest.mark.parametrize("file", [file for file in FILES if loader(file)])
+def test_the_product_loads_it(file: str, tmp_path: Path) -> None:
+    ready()
+    load = loader(file)
+    assert load is not None
+    placed("fast_dds_static_endpoints.xml", tmp_path)
+    found = load(placed(file, tmp_path))
+    assert EFFECTS.get(file, {}).items() <= found.items()
+
+
+@pytest.mark.parametrize(
+    ("file", "word", "wrong"),
+    [
+        ("fast_dds_announcements.xml", "leaseDuration>", "leaseDur>"),
+        ("fast_dds_static_endpoints.xml", "<userId>2", "<userId>1"),
+        ("cyclone_dds_peers.xml", "MaxAutoParticipantIndex", "MaxParticipantIndex"),
+        ("zenoh_client.json5", "multicast", "multicats"),
+        ("hostapd_multicast_rate.conf", "basic_rates", "basic_rate"),
+    ],
+)
+def test_the_product_would_refuse_a_mistake(
+    file: str, word: str, wrong: str, tmp_path: Path
+) -> None:
+    ready()
+    path = placed(file, tmp_path)
+    text = path.read_text()
+    assert word in text
+    path.write_text(text.replace(word, wrong))
+    load = loader(file)
+    assert load is not None
+    with pytest.raises(AssertionError):
+        load(path)
+
+
+#: Another host, at the end of the first one's cable.
+OTHER = """
+unshare --net --mount sleep 60 &
+other=$!
+sleep 0.2
+ip link set eth1 netns $other
+inside() { nsenter --target=$other --net --mount "$@"; }
+inside sh -euc '
+mount -t tmpfs shm /dev/shm
+ip link set lo up
+ip address add 192.168.1.22/24 dev eth1
+ip link set eth1 up && ip route add default dev eth1'
+tcpdump -n -i eth0 -l udp 2>/dev/null &
+sleep 0.5
+"""
+
+
+def talk(server: str, client: str) -> str:
+    """Start a server on one host, then a client on another; return what tcpdump shows of it."""
+    begin = next(line for line in of(server).text.splitlines() if line.startswith("fastdds "))
+    script = [
+        OTHER,
+        f"{begin} >/dev/null &",
+        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
+        of(client).text,
+        f"date +%s | inside {BIN}/fast_dds 2 1 1 0 unique udp >/dev/null",
+        "kill $(jobs -p)",
+    ]
+    return alone("bash", "-c", "\n".join(script))
+
+
+@pytest.mark.parametrize(
+    ("server", "client", "hosts"),
+    [
+        ("fast_dds_server.sh", "fast_dds_client.sh", (10,)),
+        # The second server does not run here, as if it were down.
+        ("fast_dds_two_servers.sh", "fast_dds_client_of_two.sh", (10, 11)),
+    ],
+)
+def test_a_client_talks_to_its_servers_and_to_no_group(
+    server: str, client: str, hosts: tuple[int, ...]
+) -> None:
+    ready()
+    served = talk(server, client)
+    assert "> 239.255.0.1.7400" not in served
+    for host in hosts:
+        assert f"> 192.168.1.{host}.11811:" in served
+    assert re.search(r" 192\.168\.1\.10\.\d+ > 192\.168\.1\.22\.", served)
+
+
+#: What a shell's lines may set and start, each looked up in the source that the table names.
+NAMES = {
+    "ROS_DISCOVERY_SERVER",
+    "ROS_AUTOMATIC_DISCOVERY_RANGE",
+    "ROS_STATIC_PEERS",
+    "ROS_DOMAIN_ID",
+    "RMW_IMPLEMENTATION",
+    "WINDOW",
+}
+
+
+@pytest.mark.parametrize("file", [file for file in FILES if file.endswith(".sh")])
+def test_lines_for_a_shell_are_lines_of_a_shell(file: str) -> None:
+    text = of(file).text
+    subprocess.run(["bash", "-n"], input=text, text=True, check=True)
+    assert set(re.findall(r"^(?:export )?(\w+)=", text, re.MULTILINE)) <= NAMES
+
+
+def test_a_staggered_start_waits_for_no_longer_than_its_window() -> None:
+    text = of("staggered_start.sh").text.replace("sleep", "echo")
+    said = {
+        int(subprocess.run(["bash", "-c", text], capture_output=True, check=True).stdout)
+        for _ in range(20)
+    }
+    assert len(said) > 1
+    assert all(0 <= seconds <= 60 for seconds in said)
+
+
+def test_the_launch_file_uses_what_launch_has() -> None:
+    """The names of launch and launch_ros, branch humble, and their keywords."""
+    tree = ast.parse(of("composition.launch").text)
+    imported = {
+        (node.module, name.name)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for name in node.names
+    }
+    assert imported == {
+        ("launch", "LaunchDescription"),
+        ("launch_ros.actions", "ComposableNodeContainer"),
+        ("launch_ros.descriptions", "ComposableNode"),
+    }
+    keywords = {
+        node.func.id: {keyword.arg for keyword in node.keywords}
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    }
+    assert keywords == {
+        "LaunchDescription": set(),
+        "ComposableNode": {"package", "plugin", "name"},
+        "ComposableNodeContainer": {
+            "name",
+            "namespace",
+            "package",
+            "executable",
+            "composable_node_descriptions",
+        },
+    }
+    assert [node.name for node in tree.body if isinstance(node, ast.FunctionDef)] == [
+        "generate_launch_description"
+    ]
+
+
+def test_every_file_is_for_a_remedy_and_every_piece_says_for_what() -> None:
+    there = {path.name for path in data_path("vendors/snippets").iterdir()}
+    assert there == set(FILES)
+    families = {row["family"] for row in read_data("vendors/families.csv")}
+    products = {"any", *PROTOCOLS, *families}
+    for row in ROWS:
+        if row["kind"] != "radio":
+            assert row["for"] in products, row
+        assert re.search(r" \d+(\.\d+)+| Humble$| Jazzy$", row["version"]), row
+    for file in FILES:
+        piece = of(file)
+        head = piece.text.splitlines()[0]
+        assert piece.version in head
+        assert piece.where in head
+        assert max(map(len, piece.text.splitlines())) <= 100
+
+
+def test_versions_are_those_that_load_it() -> None:
+    """What is installed for the lab is what the pieces say."""
+    ready()
+    installed = {
+        product: lab.version(product).split("-")[0].split("+")[0] for product in lab.PACKAGES
+    }
+    known = {
+        "Fast DDS": [installed["fast_dds"]],
+        "Cyclone DDS": [installed["cyclone_dds_0.10"], installed["cyclone_dds_11"]],
+        "Zenoh": [installed["zenoh_peer"]],
+    }
+    for product, versions in known.items():
+        told = {row["version"] for row in ROWS if row["version"].startswith(product)}
+        assert told == {f"{product} {' and '.join(versions)}"}
