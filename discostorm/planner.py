@@ -17,7 +17,7 @@ from discostorm import _checks, staggered, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
-from discostorm.protocols import DDS, MEASURED, PROTOCOLS, ZENOH
+from discostorm.protocols import ARRANGED, DDS, MEASURED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.scalability import message_costs, utilization, without_each
 from discostorm.wifi import PAPER, Radio, Wifi
@@ -607,6 +607,8 @@ def _changes(
     for table in PROTOCOLS.values():
         if table == protocol or table in wired or family(table) is None:
             continue
+        if table.name in ARRANGED:  # no middleware of its own
+            continue
         if _alike(table, protocol):
             what = f"switching to {table.name}"
             yield _Change("middleware", what, (fleet,), table, wifi, wifi)
@@ -614,7 +616,7 @@ def _changes(
 
 def _alike(one: Protocol, other: Protocol) -> bool:
     """Return whether two tables count alike: as the paper, with periods, or as products do."""
-    measured = (one.name in MEASURED, other.name in MEASURED)
+    measured = [table.name in MEASURED | ARRANGED for table in (one, other)]
     return one.repeats == other.repeats and measured[0] == measured[1]
 
 

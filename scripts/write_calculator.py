@@ -19,7 +19,7 @@ from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
-from discostorm.protocols import MEASURED
+from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
 from discostorm.snippets import snippets
@@ -72,6 +72,7 @@ GROUPS = (
     "As the paper counts",
     "The paper's messages, a product's periods",
     "Other tables",
+    "Products arranged against the storm",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -281,6 +282,8 @@ def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
         return GROUPS[1]
+    if protocol.name in ARRANGED:
+        return GROUPS[4]
     papers = [message for table in PAPERS for message in table.messages]
     if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
         return GROUPS[3]

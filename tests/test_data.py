@@ -28,7 +28,12 @@ SOURCES = {
     "measured/arrangements.csv": "version",
     "measured/as_built.csv": "message",
     "measured/misses.csv": "kind",
+    "measured/mitigation_counts.csv": "run",
+    "measured/mitigation_misses.csv": "kind",
+    "measured/mitigation_runs.csv": "sha256",
+    "measured/mitigations.csv": "message",
     "measured/reasons.csv": "reason",
+    "vendors/arrangements.csv": "product",
     "vendors/products.csv": "product",
     "simulated/hybrid.csv": "scenario",
 }

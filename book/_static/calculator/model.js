@@ -64,56 +64,72 @@ const DISCOSTORM = (() => {
   const shared54 = {"until": [[1, "within a second at best"], [10, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
   const shared55 = {"second": 1, "lease": 10, "ever": Infinity};
   const shared56 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
-  const shared57 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
-  const shared58 = [shared57, shared57];
-  const shared59 = [{"count": "count6", "more": []}, {"count": "count7", "more": ["more17", "more18", "more19"]}];
-  const shared60 = [shared48, shared52, shared50, [shared56, shared56], shared58, shared59];
-  const shared61 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
-  const shared62 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
-  const shared63 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
-  const shared64 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
-  const shared65 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
-  const shared66 = {"name": "Liveliness", "cast": "unicast", "bytes": 179.99005799502902, "frames": 0.7242, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65};
-  const shared67 = {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 180.02610587382162, "frames": 0.2758, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65};
-  const shared68 = {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 128, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65};
-  const shared69 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared70 = {"second": 1, "lease": 20, "ever": Infinity};
-  const shared71 = {"count": "count8", "more": ["more20", "more21", "more8"]};
-  const shared72 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
-  const shared73 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-  const shared74 = {"until": [[1, "within a second at best"], [24, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared75 = {"second": 1, "lease": 24, "ever": Infinity};
-  const shared76 = {"count": "count9", "more": ["more22", "more23"]};
-  const shared77 = [shared76, shared76];
-  const shared78 = {"count": "count10", "more": ["more24", "more25"]};
-  const shared79 = [{"count": "more23", "more": ["more23"]}, {"count": "more23", "more": ["more23"]}];
-  const shared80 = {"count": "count11", "more": ["more26", "more27", "more23"]};
-  const shared81 = [shared80, shared80];
-  const shared82 = {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0};
-  const shared83 = {"name": "Announce", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared82};
-  const shared84 = {"name": "Process", "cast": "multicast", "bytes": 24, "frames": 0, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared82};
-  const shared85 = {"name": "Endpoint", "cast": "multicast", "bytes": 20, "frames": 0, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared82};
-  const shared86 = {"name": "Digest", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared82};
-  const shared87 = {"name": "Listed", "cast": "multicast", "bytes": 1, "frames": 0, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared82};
-  const shared88 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
-  const shared89 = {"name": "Heartbeat", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared88};
-  const shared90 = {"name": "Claimed", "cast": "multicast", "bytes": 0.125, "frames": 0, "unit": 4, "per_unit": 1, "hops": ["up", "down"], "sent": shared88};
-  const shared91 = {"count": "count12", "more": ["count12"]};
-  const shared92 = "The paper's messages, a product's periods";
-  const shared93 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-  const shared94 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-  const shared95 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-  const shared96 = [shared48, shared52, shared58, shared50, [shared49, {"count": "count6", "more": []}], shared59];
-  const shared97 = {"name": "Scout", "cast": "multicast", "bytes": 67, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared94};
-  const shared98 = {"name": "Hello", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}};
-  const shared99 = {"name": "InitAck", "cast": "unicast", "bytes": 153, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64};
-  const shared100 = {"name": "OpenSyn", "cast": "unicast", "bytes": 134, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64};
-  const shared101 = {"name": "OpenAck", "cast": "unicast", "bytes": 84, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64};
-  const shared102 = {"name": "KeepAlive", "cast": "unicast", "bytes": 79, "frames": 1, "unit": 1, "per_unit": 1.333, "hops": ["up", "down"], "sent": shared95};
-  const shared103 = {"name": "TCP control", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 1.333, "hops": ["up", "down"], "sent": shared64};
+  const shared57 = [shared56, shared56];
+  const shared58 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
+  const shared59 = [shared58, shared58];
+  const shared60 = [{"count": "count6", "more": []}, {"count": "count7", "more": ["more17", "more18", "more19"]}];
+  const shared61 = [shared48, shared52, shared50, shared57, shared59, shared60];
+  const shared62 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
+  const shared63 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
+  const shared64 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
+  const shared65 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
+  const shared66 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
+  const shared67 = {"name": "Liveliness", "cast": "unicast", "bytes": 179.99005799502902, "frames": 0.7242, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared66};
+  const shared68 = {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 180.02610587382162, "frames": 0.2758, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared66};
+  const shared69 = {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 128, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared66};
+  const shared70 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared71 = {"second": 1, "lease": 20, "ever": Infinity};
+  const shared72 = {"count": "count9", "more": ["more23", "more24"]};
+  const shared73 = [shared72, shared72];
+  const shared74 = {"count": "count10", "more": ["more25", "more26", "more5"]};
+  const shared75 = [{"count": "count6", "more": []}, {"count": "count11", "more": ["more27", "more28", "more22"]}];
+  const shared76 = [shared48, [{"count": "count6", "more": []}, {"count": "count8", "more": ["more20", "more21", "more22"]}], shared73, [{"count": "count6", "more": []}, shared74], shared75, shared60];
+  const shared77 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
+  const shared78 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": 0.3333333333333333};
+  const shared79 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+  const shared80 = {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 4, "per_unit": 1.292, "hops": ["up", "down"], "sent": shared79};
+  const shared81 = {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 4, "per_unit": 1.292, "hops": ["up", "down"], "sent": shared79};
+  const shared82 = {"name": "User Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 5, "per_unit": 1.021, "hops": ["up", "down"], "sent": shared79};
+  const shared83 = {"name": "User ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 5, "per_unit": 1.021, "hops": ["up", "down"], "sent": shared79};
+  const shared84 = {"count": "count12", "more": ["more29", "more2"]};
+  const shared85 = {"count": "count14", "more": ["more32", "more24"]};
+  const shared86 = {"count": "count16", "more": ["more35", "more36", "more8"]};
+  const shared87 = [shared86, shared86];
+  const shared88 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333};
+  const shared89 = {"until": [[1, "within a second at best"], [24, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared90 = {"second": 1, "lease": 24, "ever": Infinity};
+  const shared91 = {"count": "count17", "more": ["more37", "more38"]};
+  const shared92 = [shared91, shared91];
+  const shared93 = [{"count": "more38", "more": ["more38"]}, {"count": "more38", "more": ["more38"]}];
+  const shared94 = {"count": "count18", "more": ["more39", "more40", "more38"]};
+  const shared95 = [shared94, shared94];
+  const shared96 = {"burst": 1, "second": 1, "lease": 0.041666666666666664, "ever": 0};
+  const shared97 = {"name": "Announce", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared96};
+  const shared98 = {"name": "Process", "cast": "multicast", "bytes": 24, "frames": 0, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared96};
+  const shared99 = {"name": "Endpoint", "cast": "multicast", "bytes": 20, "frames": 0, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared96};
+  const shared100 = {"name": "Digest", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared96};
+  const shared101 = {"name": "Listed", "cast": "multicast", "bytes": 1, "frames": 0, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared96};
+  const shared102 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
+  const shared103 = {"name": "Heartbeat", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared102};
+  const shared104 = {"name": "Claimed", "cast": "multicast", "bytes": 0.125, "frames": 0, "unit": 4, "per_unit": 1, "hops": ["up", "down"], "sent": shared102};
+  const shared105 = {"count": "count19", "more": ["count19"]};
+  const shared106 = "The paper's messages, a product's periods";
+  const shared107 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+  const shared108 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+  const shared109 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+  const shared110 = {"count": "count20", "more": ["more41", "more42"]};
+  const shared111 = {"count": "count21", "more": ["more43", "more44", "more45"]};
+  const shared112 = [shared48, shared52, shared59, shared50, [shared49, {"count": "count6", "more": []}], shared60];
+  const shared113 = {"name": "Scout", "cast": "multicast", "bytes": 67, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared108};
+  const shared114 = {"name": "Hello", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}};
+  const shared115 = {"name": "InitAck", "cast": "unicast", "bytes": 153, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65};
+  const shared116 = {"name": "OpenSyn", "cast": "unicast", "bytes": 134, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65};
+  const shared117 = {"name": "OpenAck", "cast": "unicast", "bytes": 84, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65};
+  const shared118 = {"name": "KeepAlive", "cast": "unicast", "bytes": 79, "frames": 1, "unit": 1, "per_unit": 1.333, "hops": ["up", "down"], "sent": shared109};
+  const shared119 = {"name": "TCP control", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 1.333, "hops": ["up", "down"], "sent": shared65};
   return {
     "start": {"robot": "Nav2 in one process", "middleware": "Fast DDS"},
-    "groups": ["Products as built", "As the paper counts", "The paper's messages, a product's periods", "Other tables"],
+    "groups": ["Products as built", "As the paper counts", "The paper's messages, a product's periods", "Other tables", "Products arranged against the storm"],
     "palette": ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"],
     "fields": {
       "swarm": [
@@ -533,19 +549,46 @@ const DISCOSTORM = (() => {
       "more17": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = 0.5*N_H1*N_P1; return N_E*N_P*x0 + N_E1*x0*(N_P + N_P1*(N_H1 - 1)); },
       "more18": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = 0.5*N_E; const x1 = N_H1*N_P*N_P1; return 0.5*N_E1*x1 + Math.pow(N_P, 2)*x0 + x0*x1; },
       "more19": ({ N_E, N_P }) => { return 0.5*N_E*Math.pow(N_P, 2); },
-      "count8": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return x0*(x0 - 1); },
-      "more20": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return x0*(x0 - 1); },
-      "more21": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return N_P*x0 + N_P*(x0 - 1); },
-      "count9": ({ N_H, N_H1 }) => { return N_H + N_H1; },
-      "more22": ({ N_H1 }) => { return N_H1 + 1; },
-      "more23": ({  }) => { return 1; },
-      "count10": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { return N_E*N_H*N_P + N_E1*N_H1*N_P1; },
-      "more24": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_H1*N_P1; },
-      "more25": ({ N_E, N_P }) => { return N_E*N_P; },
-      "count11": ({ N_H, N_H1 }) => { const x0 = N_H + N_H1; return x0*(x0 - 1); },
-      "more26": ({ N_H1 }) => { return N_H1*(N_H1 + 1); },
-      "more27": ({ N_H1 }) => { return 2*N_H1 + 1; },
-      "count12": ({ N_E, N_E1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_P1; },
+      "count8": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return 1.0*x0*(x0 - 1); },
+      "more20": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return 1.0*x0*(x0 - 1); },
+      "more21": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; const x1 = 1.0*N_P; return x0*x1 + x1*(x0 - 1); },
+      "more22": ({ N_P }) => { return 1.0*Math.pow(N_P, 2); },
+      "count9": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { return N_E*N_H*N_P + N_E1*N_H1*N_P1; },
+      "more23": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_H1*N_P1; },
+      "more24": ({ N_E, N_P }) => { return N_E*N_P; },
+      "count10": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P; const x1 = N_H1*N_P1; return (N_E*x0 + N_E1*x1)*(x0 + x1 - 1); },
+      "more25": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; return (N_E*N_P + N_E1*x0)*(N_P + x0 - 1); },
+      "more26": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; const x1 = N_E*N_P; return N_P*(N_E1*x0 + x1) + x1*(N_P + x0 - 1); },
+      "count11": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; const x1 = N_H*N_P; return 1.0*x0*(N_P1*(N_H1 - 1) + x1) + 1.0*x1*(N_P*(N_H - 1) + x0); },
+      "more27": ({ N_H1, N_P, N_P1 }) => { const x0 = 1.0*N_H1*N_P1; return N_P*x0 + x0*(N_P + N_P1*(N_H1 - 1)); },
+      "more28": ({ N_H1, N_P, N_P1 }) => { return 2.0*N_H1*N_P*N_P1 + 1.0*Math.pow(N_P, 2); },
+      "count12": ({ N_H, N_H1, N_P, N_P1 }) => { return N_H*N_P + N_H1*N_P1 - N_P; },
+      "more29": ({ N_H1, N_P1 }) => { return N_H1*N_P1; },
+      "count13": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return 1.0*(-N_P + x0)*(x0 - 1); },
+      "more30": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; return 1.0*x0*(N_P + x0 - 1); },
+      "more31": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; const x1 = 1.0*N_P; return x0*x1 + x1*(N_P + x0 - 1); },
+      "count14": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { const x0 = N_E*N_P; return N_E1*N_H1*N_P1 + N_H*x0 - x0; },
+      "more32": ({ N_E1, N_H1, N_P1 }) => { return N_E1*N_H1*N_P1; },
+      "count15": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; const x1 = N_E*N_H*N_P + N_E1*x0; return N_E*N_P + x1*(N_H*N_P - N_P + x0) - x1; },
+      "more33": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = N_E1*N_H1*N_P1; return N_H1*N_P1*(N_E*N_P + x0) - x0; },
+      "more34": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = N_E*N_P; const x1 = N_H1*N_P1; return N_P*(N_E1*x1 + x0) + x0*x1 - x0; },
+      "count16": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return x0*(x0 - 1); },
+      "more35": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return x0*(x0 - 1); },
+      "more36": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return N_P*x0 + N_P*(x0 - 1); },
+      "count17": ({ N_H, N_H1 }) => { return N_H + N_H1; },
+      "more37": ({ N_H1 }) => { return N_H1 + 1; },
+      "more38": ({  }) => { return 1; },
+      "count18": ({ N_H, N_H1 }) => { const x0 = N_H + N_H1; return x0*(x0 - 1); },
+      "more39": ({ N_H1 }) => { return N_H1*(N_H1 + 1); },
+      "more40": ({ N_H1 }) => { return 2*N_H1 + 1; },
+      "count19": ({ N_E, N_E1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_P1; },
+      "count20": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { return (1/2)*N_E*N_H*N_P*(N_E + 1) + (1/2)*N_E1*N_H1*N_P1*(N_E1 + 1); },
+      "more41": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { return (1/2)*N_E*N_P*(N_E + 1) + (1/2)*N_E1*N_H1*N_P1*(N_E1 + 1); },
+      "more42": ({ N_E, N_P }) => { return (1/2)*N_E*N_P*(N_E + 1); },
+      "count21": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1; const x1 = N_H*N_P; return (1/2)*N_E*x1*(N_E + 1)*(N_P*(N_H - 1) + x0) + (1/2)*N_E1*x0*(N_E1 + 1)*(N_P1*(N_H1 - 1) + x1); },
+      "more43": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = (1/2)*N_H1*N_P1; return N_E*N_P*x0*(N_E + 1) + N_E1*x0*(N_E1 + 1)*(N_P + N_P1*(N_H1 - 1)); },
+      "more44": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = (1/2)*N_E*(N_E + 1); const x1 = N_H1*N_P*N_P1; return (1/2)*N_E1*x1*(N_E1 + 1) + Math.pow(N_P, 2)*x0 + x0*x1; },
+      "more45": ({ N_E, N_P }) => { return (1/2)*N_E*Math.pow(N_P, 2)*(N_E + 1); },
       "saturation": ({ U_limit, b, c }) => { return 1 + (1/2)*(2*U_limit - 2*c)/b; },
       "saturation2": ({ U_limit, a, b, c }) => { return (2*U_limit - 2*c)/(b + Math.sqrt(4*a*(U_limit - c) + Math.pow(b, 2))) + 1; },
       "saturation3": ({ U_limit, a, b, c, third }) => { const rounded_0 = Math.min(1, ((1/6)*a*b*(U_limit - c) + (1/27)*Math.pow(b, 3) + (1/2)*third*Math.pow(U_limit - c, 2))/Math.pow((1/3)*a*(U_limit - c) + (1/9)*Math.pow(b, 2), 3/2)); const rounded_1 = Math.max(1, ((1/6)*a*b*(U_limit - c) + (1/27)*Math.pow(b, 3) + (1/2)*third*Math.pow(U_limit - c, 2))/Math.pow((1/3)*a*(U_limit - c) + (1/9)*Math.pow(b, 2), 3/2)); const x0 = U_limit - c; return x0/((1/3)*b + 2*Math.sqrt((1/3)*a*x0 + (1/9)*Math.pow(b, 2))*Math.cos((1/3)*Math.acos(rounded_0))*Math.cosh((1/3)*Math.acosh(rounded_1))) + 1; },
@@ -610,31 +653,31 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared54,
         "windows": shared55,
-        "units": shared60,
+        "units": shared61,
         "degree": 3,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 420, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared61},
-          {"name": "SPDP unicast", "cast": "unicast", "bytes": 420, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
-          {"name": "SPDP directed", "cast": "unicast", "bytes": 436, "frames": 1, "unit": 1, "per_unit": 0.75, "hops": ["up", "down"], "sent": shared63},
-          {"name": "SEDP", "cast": "unicast", "bytes": 1011.3931423203381, "frames": 0.2129, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "SEDP again", "cast": "unicast", "bytes": 1011.3931423203381, "frames": 0.2129, "unit": 3, "per_unit": 0.08438, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 153.6732788798133, "frames": 0.5142, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 153.6732788798133, "frames": 0.5142, "unit": 1, "per_unit": 2.375, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 187.56178089044522, "frames": 0.3998, "unit": 1, "per_unit": 4.635, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 187.56178089044522, "frames": 0.3998, "unit": 4, "per_unit": 0.09896, "hops": ["up", "down"], "sent": shared64},
-          shared66,
-          {"name": "Liveliness at start", "cast": "unicast", "bytes": 209.73193560464244, "frames": 0.5342, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness for others", "cast": "unicast", "bytes": 209.73193560464244, "frames": 0.5342, "unit": 4, "per_unit": 0.09375, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SPDP", "cast": "multicast", "bytes": 420, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
+          {"name": "SPDP unicast", "cast": "unicast", "bytes": 420, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared63},
+          {"name": "SPDP directed", "cast": "unicast", "bytes": 436, "frames": 1, "unit": 1, "per_unit": 0.75, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SEDP", "cast": "unicast", "bytes": 1011.3931423203381, "frames": 0.2129, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "SEDP again", "cast": "unicast", "bytes": 1011.3931423203381, "frames": 0.2129, "unit": 3, "per_unit": 0.08438, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 153.6732788798133, "frames": 0.5142, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 153.6732788798133, "frames": 0.5142, "unit": 1, "per_unit": 2.375, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 187.56178089044522, "frames": 0.3998, "unit": 1, "per_unit": 4.635, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 187.56178089044522, "frames": 0.3998, "unit": 4, "per_unit": 0.09896, "hops": ["up", "down"], "sent": shared65},
           shared67,
-          {"name": "Liveliness Heartbeat at start", "cast": "unicast", "bytes": 157.8841449342257, "frames": 0.4333, "unit": 1, "per_unit": 2.208, "hops": ["up", "down"], "sent": shared64},
+          {"name": "Liveliness at start", "cast": "unicast", "bytes": 209.73193560464244, "frames": 0.5342, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness for others", "cast": "unicast", "bytes": 209.73193560464244, "frames": 0.5342, "unit": 4, "per_unit": 0.09375, "hops": ["up", "down"], "sent": shared65},
           shared68,
-          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 193.64569775849603, "frames": 0.2766, "unit": 1, "per_unit": 2.275, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 193.64569775849603, "frames": 0.2766, "unit": 4, "per_unit": 0.05833, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup Heartbeat", "cast": "unicast", "bytes": 127.15414230714387, "frames": 0.7013, "unit": 1, "per_unit": 2.188, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 197.64779874213835, "frames": 0.2544, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 197.64779874213835, "frames": 0.2544, "unit": 4, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User Heartbeat", "cast": "unicast", "bytes": 141.09310113864703, "frames": 0.5972, "unit": 5, "per_unit": 1.15, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User ACKNACK", "cast": "unicast", "bytes": 184.34918723660445, "frames": 0.3322, "unit": 5, "per_unit": 1.6, "hops": ["up", "down"], "sent": shared64},
+          {"name": "Liveliness Heartbeat at start", "cast": "unicast", "bytes": 157.8841449342257, "frames": 0.4333, "unit": 1, "per_unit": 2.208, "hops": ["up", "down"], "sent": shared65},
+          shared69,
+          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 193.64569775849603, "frames": 0.2766, "unit": 1, "per_unit": 2.275, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 193.64569775849603, "frames": 0.2766, "unit": 4, "per_unit": 0.05833, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup Heartbeat", "cast": "unicast", "bytes": 127.15414230714387, "frames": 0.7013, "unit": 1, "per_unit": 2.188, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 197.64779874213835, "frames": 0.2544, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 197.64779874213835, "frames": 0.2544, "unit": 4, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 141.09310113864703, "frames": 0.5972, "unit": 5, "per_unit": 1.15, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 184.34918723660445, "frames": 0.3322, "unit": 5, "per_unit": 1.6, "hops": ["up", "down"], "sent": shared65},
         ],
       },
       "Cyclone DDS, wired": {
@@ -646,33 +689,33 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared54,
         "windows": shared55,
-        "units": [shared48, shared52, shared50, shared58, shared59],
+        "units": [shared48, shared52, shared50, shared59, shared60],
         "degree": 3,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 476, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared61},
-          {"name": "SPDP directed", "cast": "unicast", "bytes": 493.08762420957544, "frames": 0.9963, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared63},
-          {"name": "SEDP", "cast": "unicast", "bytes": 1167.7479630635523, "frames": 0.1841, "unit": 2, "per_unit": 0.5833, "hops": ["up", "down"], "sent": shared64},
-          {"name": "SEDP multicast", "cast": "multicast", "bytes": 961.6660682226212, "frames": 0.2228, "unit": 2, "per_unit": 0.1667, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat multicast", "cast": "multicast", "bytes": 232, "frames": 0.25, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 201.42013994523882, "frames": 0.3287, "unit": 1, "per_unit": 3, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 199.39703903095557, "frames": 0.3715, "unit": 1, "per_unit": 4.05, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 199.39703903095557, "frames": 0.3715, "unit": 3, "per_unit": 0.2833, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness", "cast": "multicast", "bytes": 179.99005799502902, "frames": 0.7242, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
-          {"name": "Liveliness at start", "cast": "multicast", "bytes": 150.79816322270926, "frames": 0.9582, "unit": 0, "per_unit": 0.3333, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness unicast", "cast": "unicast", "bytes": 429, "frames": 0.2, "unit": 1, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness Heartbeat", "cast": "multicast", "bytes": 180.02610587382162, "frames": 0.2758, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
-          {"name": "Liveliness Heartbeat at start", "cast": "multicast", "bytes": 245.09790605546124, "frames": 0.1767, "unit": 0, "per_unit": 0.875, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness Heartbeat unicast", "cast": "unicast", "bytes": 234.05196032120926, "frames": 0.2117, "unit": 1, "per_unit": 1.625, "hops": ["up", "down"], "sent": shared64},
-          shared68,
-          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 187.1920199501247, "frames": 0.2807, "unit": 1, "per_unit": 2.344, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 187.1920199501247, "frames": 0.2807, "unit": 3, "per_unit": 0.07812, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup Heartbeat", "cast": "multicast", "bytes": 224.96579476861166, "frames": 0.1988, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup Heartbeat unicast", "cast": "unicast", "bytes": 230.92749087115283, "frames": 0.1917, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 211.5, "frames": 0.2, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 211.5, "frames": 0.2, "unit": 3, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User Heartbeat", "cast": "unicast", "bytes": 230.46065100947672, "frames": 0.2427, "unit": 4, "per_unit": 0.75, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User Heartbeat multicast", "cast": "multicast", "bytes": 232.6802973977695, "frames": 0.2152, "unit": 4, "per_unit": 0.25, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User ACKNACK", "cast": "unicast", "bytes": 226.06745510293473, "frames": 0.2283, "unit": 4, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SPDP", "cast": "multicast", "bytes": 476, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
+          {"name": "SPDP directed", "cast": "unicast", "bytes": 493.08762420957544, "frames": 0.9963, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SEDP", "cast": "unicast", "bytes": 1167.7479630635523, "frames": 0.1841, "unit": 2, "per_unit": 0.5833, "hops": ["up", "down"], "sent": shared65},
+          {"name": "SEDP multicast", "cast": "multicast", "bytes": 961.6660682226212, "frames": 0.2228, "unit": 2, "per_unit": 0.1667, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat multicast", "cast": "multicast", "bytes": 232, "frames": 0.25, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 201.42013994523882, "frames": 0.3287, "unit": 1, "per_unit": 3, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 199.39703903095557, "frames": 0.3715, "unit": 1, "per_unit": 4.05, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 199.39703903095557, "frames": 0.3715, "unit": 3, "per_unit": 0.2833, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness", "cast": "multicast", "bytes": 179.99005799502902, "frames": 0.7242, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared66},
+          {"name": "Liveliness at start", "cast": "multicast", "bytes": 150.79816322270926, "frames": 0.9582, "unit": 0, "per_unit": 0.3333, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness unicast", "cast": "unicast", "bytes": 429, "frames": 0.2, "unit": 1, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness Heartbeat", "cast": "multicast", "bytes": 180.02610587382162, "frames": 0.2758, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared66},
+          {"name": "Liveliness Heartbeat at start", "cast": "multicast", "bytes": 245.09790605546124, "frames": 0.1767, "unit": 0, "per_unit": 0.875, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness Heartbeat unicast", "cast": "unicast", "bytes": 234.05196032120926, "frames": 0.2117, "unit": 1, "per_unit": 1.625, "hops": ["up", "down"], "sent": shared65},
+          shared69,
+          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 187.1920199501247, "frames": 0.2807, "unit": 1, "per_unit": 2.344, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 187.1920199501247, "frames": 0.2807, "unit": 3, "per_unit": 0.07812, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup Heartbeat", "cast": "multicast", "bytes": 224.96579476861166, "frames": 0.1988, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup Heartbeat unicast", "cast": "unicast", "bytes": 230.92749087115283, "frames": 0.1917, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 211.5, "frames": 0.2, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 211.5, "frames": 0.2, "unit": 3, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 230.46065100947672, "frames": 0.2427, "unit": 4, "per_unit": 0.75, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User Heartbeat multicast", "cast": "multicast", "bytes": 232.6802973977695, "frames": 0.2152, "unit": 4, "per_unit": 0.25, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 226.06745510293473, "frames": 0.2283, "unit": 4, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
         ],
       },
       "Cyclone DDS, version 11": {
@@ -684,31 +727,157 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared54,
         "windows": shared55,
-        "units": shared60,
+        "units": shared61,
         "degree": 3,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 432, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared61},
-          {"name": "SPDP unicast", "cast": "unicast", "bytes": 432, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
-          {"name": "SPDP directed", "cast": "unicast", "bytes": 432, "frames": 1, "unit": 1, "per_unit": 0.5625, "hops": ["up", "down"], "sent": shared63},
-          {"name": "SEDP", "cast": "unicast", "bytes": 733.5900021925016, "frames": 0.4561, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "SEDP again", "cast": "unicast", "bytes": 733.5900021925016, "frames": 0.4561, "unit": 3, "per_unit": 0.04792, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 152.88683431952666, "frames": 0.5408, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 152.88683431952666, "frames": 0.5408, "unit": 1, "per_unit": 2.833, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 187.3409033560434, "frames": 0.3963, "unit": 1, "per_unit": 5.167, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 187.3409033560434, "frames": 0.3963, "unit": 4, "per_unit": 0.125, "hops": ["up", "down"], "sent": shared64},
-          shared66,
-          {"name": "Liveliness at start", "cast": "unicast", "bytes": 193.85449071751128, "frames": 0.5979, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness for others", "cast": "unicast", "bytes": 193.85449071751128, "frames": 0.5979, "unit": 4, "per_unit": 0.04167, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SPDP", "cast": "multicast", "bytes": 432, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
+          {"name": "SPDP unicast", "cast": "unicast", "bytes": 432, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared63},
+          {"name": "SPDP directed", "cast": "unicast", "bytes": 432, "frames": 1, "unit": 1, "per_unit": 0.5625, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SEDP", "cast": "unicast", "bytes": 733.5900021925016, "frames": 0.4561, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "SEDP again", "cast": "unicast", "bytes": 733.5900021925016, "frames": 0.4561, "unit": 3, "per_unit": 0.04792, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 152.88683431952666, "frames": 0.5408, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 152.88683431952666, "frames": 0.5408, "unit": 1, "per_unit": 2.833, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 187.3409033560434, "frames": 0.3963, "unit": 1, "per_unit": 5.167, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK for others", "cast": "unicast", "bytes": 187.3409033560434, "frames": 0.3963, "unit": 4, "per_unit": 0.125, "hops": ["up", "down"], "sent": shared65},
           shared67,
-          {"name": "Liveliness Heartbeat at start", "cast": "unicast", "bytes": 156.73844753016164, "frames": 0.4393, "unit": 1, "per_unit": 2.188, "hops": ["up", "down"], "sent": shared64},
+          {"name": "Liveliness at start", "cast": "unicast", "bytes": 193.85449071751128, "frames": 0.5979, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness for others", "cast": "unicast", "bytes": 193.85449071751128, "frames": 0.5979, "unit": 4, "per_unit": 0.04167, "hops": ["up", "down"], "sent": shared65},
           shared68,
-          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 188.55516014234874, "frames": 0.281, "unit": 1, "per_unit": 2.385, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 188.55516014234874, "frames": 0.281, "unit": 4, "per_unit": 0.05729, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup Heartbeat", "cast": "unicast", "bytes": 134.83743842364532, "frames": 0.609, "unit": 1, "per_unit": 2.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 212.09610154125116, "frames": 0.2206, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 212.09610154125116, "frames": 0.2206, "unit": 4, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User Heartbeat", "cast": "unicast", "bytes": 134.96727272727273, "frames": 0.6875, "unit": 5, "per_unit": 1.2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "User ACKNACK", "cast": "unicast", "bytes": 175.87453323375652, "frames": 0.4017, "unit": 5, "per_unit": 1.75, "hops": ["up", "down"], "sent": shared64},
+          {"name": "Liveliness Heartbeat at start", "cast": "unicast", "bytes": 156.73844753016164, "frames": 0.4393, "unit": 1, "per_unit": 2.188, "hops": ["up", "down"], "sent": shared65},
+          shared69,
+          {"name": "Liveliness ACKNACK at start", "cast": "unicast", "bytes": 188.55516014234874, "frames": 0.281, "unit": 1, "per_unit": 2.385, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness ACKNACK for others", "cast": "unicast", "bytes": 188.55516014234874, "frames": 0.281, "unit": 4, "per_unit": 0.05729, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup Heartbeat", "cast": "unicast", "bytes": 134.83743842364532, "frames": 0.609, "unit": 1, "per_unit": 2.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK", "cast": "unicast", "bytes": 212.09610154125116, "frames": 0.2206, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Type lookup ACKNACK for others", "cast": "unicast", "bytes": 212.09610154125116, "frames": 0.2206, "unit": 4, "per_unit": 0.3125, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 134.96727272727273, "frames": 0.6875, "unit": 5, "per_unit": 1.2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 175.87453323375652, "frames": 0.4017, "unit": 5, "per_unit": 1.75, "hops": ["up", "down"], "sent": shared65},
+        ],
+      },
+      "Fast DDS Discovery Server": {
+        "group": "Products arranged against the storm",
+        "family": null,
+        "about": "",
+        "variant": false,
+        "lease": 20,
+        "repeats": true,
+        "outlooks": shared70,
+        "windows": shared71,
+        "units": shared76,
+        "degree": 2,
+        "messages": [
+          {"name": "SPDP to server", "cast": "unicast", "bytes": 652, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up"], "sent": shared77},
+          {"name": "SPDP of server", "cast": "unicast", "bytes": 700, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["down"], "sent": shared78},
+          {"name": "SPDP of server at discovery", "cast": "unicast", "bytes": 748.3930635838151, "frames": 0.865, "unit": 0, "per_unit": 1, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP of others", "cast": "unicast", "bytes": 683.9365973934484, "frames": 0.8517, "unit": 1, "per_unit": 1.967, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP Heartbeat of server", "cast": "unicast", "bytes": 250.29586195342605, "frames": 0.5969, "unit": 0, "per_unit": 2.167, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Heartbeat of others", "cast": "unicast", "bytes": 354.98051539912007, "frames": 0.3182, "unit": 1, "per_unit": 2.908, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP ACKNACK", "cast": "unicast", "bytes": 189.9, "frames": 1, "unit": 0, "per_unit": 2.167, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP ACKNACK of others", "cast": "unicast", "bytes": 190.2, "frames": 1, "unit": 1, "per_unit": 0.5083, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Gap", "cast": "unicast", "bytes": 204.14209591474247, "frames": 0.6193, "unit": 1, "per_unit": 1.6, "hops": ["down"], "sent": shared79},
+          {"name": "SEDP to server", "cast": "unicast", "bytes": 1152, "frames": 0.45, "unit": 2, "per_unit": 1, "hops": ["up"], "sent": shared79},
+          {"name": "SEDP of others", "cast": "unicast", "bytes": 655.9962112242481, "frames": 0.8446, "unit": 3, "per_unit": 1.237, "hops": ["down"], "sent": shared79},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up"], "sent": shared79},
+          {"name": "Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["down"], "sent": shared79},
+          {"name": "Heartbeat of others", "cast": "unicast", "bytes": 451.4893977947413, "frames": 0.2358, "unit": 3, "per_unit": 1.892, "hops": ["down"], "sent": shared79},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up"], "sent": shared79},
+          {"name": "ACKNACK of others", "cast": "unicast", "bytes": 191.3, "frames": 1, "unit": 3, "per_unit": 0.45, "hops": ["up"], "sent": shared79},
+          {"name": "ACKNACK of server", "cast": "unicast", "bytes": 188.5, "frames": 1, "unit": 0, "per_unit": 15.6, "hops": ["down"], "sent": shared79},
+          {"name": "Gap", "cast": "unicast", "bytes": 205.97133664814274, "frames": 0.6838, "unit": 3, "per_unit": 0.645, "hops": ["down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat to server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up"], "sent": shared79},
+          {"name": "Liveliness Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["down"], "sent": shared79},
+          shared80,
+          {"name": "Liveliness ACKNACK to server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up"], "sent": shared79},
+          {"name": "Liveliness ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["down"], "sent": shared79},
+          shared81,
+          shared82,
+          shared83,
+        ],
+      },
+      "Fast DDS Discovery Server, two": {
+        "group": "Products arranged against the storm",
+        "family": null,
+        "about": "",
+        "variant": false,
+        "lease": 20,
+        "repeats": true,
+        "outlooks": shared70,
+        "windows": shared71,
+        "units": shared76,
+        "degree": 2,
+        "messages": [
+          {"name": "SPDP to server", "cast": "unicast", "bytes": 636, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up"], "sent": shared77},
+          {"name": "SPDP of server", "cast": "unicast", "bytes": 700, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["down"], "sent": shared78},
+          {"name": "SPDP of server at discovery", "cast": "unicast", "bytes": 747.8396673212429, "frames": 0.8657, "unit": 0, "per_unit": 2, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP of others", "cast": "unicast", "bytes": 684.0093940817285, "frames": 0.8516, "unit": 1, "per_unit": 3.9, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP Heartbeat of server", "cast": "unicast", "bytes": 244.85106382978725, "frames": 0.6204, "unit": 0, "per_unit": 4.625, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Heartbeat of others", "cast": "unicast", "bytes": 402.48973607038124, "frames": 0.2728, "unit": 1, "per_unit": 5.942, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP ACKNACK", "cast": "unicast", "bytes": 189.8, "frames": 1, "unit": 0, "per_unit": 4.625, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP ACKNACK of others", "cast": "unicast", "bytes": 190.5, "frames": 1, "unit": 1, "per_unit": 0.9417, "hops": ["up"], "sent": shared79},
+          {"name": "SPDP ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["down"], "sent": shared79},
+          {"name": "SPDP Gap", "cast": "unicast", "bytes": 199.09006997171358, "frames": 0.6717, "unit": 1, "per_unit": 3.333, "hops": ["down"], "sent": shared79},
+          {"name": "SEDP to server", "cast": "unicast", "bytes": 1257.7301004163605, "frames": 0.4083, "unit": 2, "per_unit": 2, "hops": ["up"], "sent": shared79},
+          {"name": "SEDP of others", "cast": "unicast", "bytes": 655.9962112242481, "frames": 0.8446, "unit": 3, "per_unit": 2.45, "hops": ["down"], "sent": shared79},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 184, "frames": 1, "unit": 0, "per_unit": 8, "hops": ["up"], "sent": shared79},
+          {"name": "Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 8, "hops": ["down"], "sent": shared79},
+          {"name": "Heartbeat of others", "cast": "unicast", "bytes": 432.5140562248996, "frames": 0.249, "unit": 3, "per_unit": 3.242, "hops": ["down"], "sent": shared79},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 8, "hops": ["up"], "sent": shared79},
+          {"name": "ACKNACK of others", "cast": "unicast", "bytes": 190.8, "frames": 1, "unit": 3, "per_unit": 0.85, "hops": ["up"], "sent": shared79},
+          {"name": "ACKNACK of server", "cast": "unicast", "bytes": 188.5, "frames": 1, "unit": 0, "per_unit": 31.6, "hops": ["down"], "sent": shared79},
+          {"name": "Gap", "cast": "unicast", "bytes": 207.54580397181294, "frames": 0.6244, "unit": 3, "per_unit": 1.03, "hops": ["down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat to server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up"], "sent": shared79},
+          {"name": "Liveliness Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 4, "per_unit": 1.208, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness ACKNACK to server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up"], "sent": shared79},
+          {"name": "Liveliness ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["down"], "sent": shared79},
+          {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 4, "per_unit": 1.208, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 5, "per_unit": 1.08, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 5, "per_unit": 1.179, "hops": ["up", "down"], "sent": shared79},
+        ],
+      },
+      "Fast DDS Discovery Server, on a robot": {
+        "group": "Products arranged against the storm",
+        "family": null,
+        "about": "",
+        "variant": false,
+        "lease": 20,
+        "repeats": true,
+        "outlooks": shared70,
+        "windows": shared71,
+        "units": [[shared84, shared84], [{"count": "count6", "more": []}, {"count": "count13", "more": ["more30", "more31", "more22"]}], [shared85, shared85], [{"count": "count6", "more": []}, {"count": "count15", "more": ["more33", "more34", "more5"]}], shared75, shared60],
+        "degree": 2,
+        "messages": [
+          {"name": "SPDP to server", "cast": "unicast", "bytes": 652, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared77},
+          {"name": "SPDP of server", "cast": "unicast", "bytes": 700, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared78},
+          {"name": "SPDP of server at discovery", "cast": "unicast", "bytes": 748.3930635838151, "frames": 0.865, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP of others", "cast": "unicast", "bytes": 683.9365973934484, "frames": 0.8517, "unit": 1, "per_unit": 1.967, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP Heartbeat of server", "cast": "unicast", "bytes": 250.29586195342605, "frames": 0.5969, "unit": 0, "per_unit": 2.167, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP Heartbeat of others", "cast": "unicast", "bytes": 354.98051539912007, "frames": 0.3182, "unit": 1, "per_unit": 2.908, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP ACKNACK", "cast": "unicast", "bytes": 189.9, "frames": 1, "unit": 0, "per_unit": 2.167, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP ACKNACK of others", "cast": "unicast", "bytes": 190.2, "frames": 1, "unit": 1, "per_unit": 0.5083, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP Gap", "cast": "unicast", "bytes": 204.14209591474247, "frames": 0.6193, "unit": 1, "per_unit": 1.6, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SEDP to server", "cast": "unicast", "bytes": 1152, "frames": 0.45, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SEDP of others", "cast": "unicast", "bytes": 655.9962112242481, "frames": 0.8446, "unit": 3, "per_unit": 1.237, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat of others", "cast": "unicast", "bytes": 451.4893977947413, "frames": 0.2358, "unit": 3, "per_unit": 1.892, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 4, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK of others", "cast": "unicast", "bytes": 191.3, "frames": 1, "unit": 3, "per_unit": 0.45, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK of server", "cast": "unicast", "bytes": 188.5, "frames": 1, "unit": 0, "per_unit": 15.6, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Gap", "cast": "unicast", "bytes": 205.97133664814274, "frames": 0.6838, "unit": 3, "per_unit": 0.645, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat to server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat of server", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          shared80,
+          {"name": "Liveliness ACKNACK to server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness ACKNACK of server", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 0, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          shared81,
+          shared82,
+          shared83,
         ],
       },
       "Fast DDS": {
@@ -718,26 +887,26 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared69,
-        "windows": shared70,
-        "units": [shared48, [shared71, shared71], shared52, shared58, shared50, shared59],
+        "outlooks": shared70,
+        "windows": shared71,
+        "units": [shared48, shared87, shared52, shared59, shared50, shared60],
         "degree": 3,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 580, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared72},
-          {"name": "SPDP at discovery", "cast": "multicast", "bytes": 580, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared73},
-          {"name": "SPDP unicast", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333}},
-          {"name": "SPDP unicast at discovery", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared73},
-          {"name": "SPDP unicast for others", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared73},
-          {"name": "SEDP", "cast": "unicast", "bytes": 821.0093457943925, "frames": 0.6313, "unit": 4, "per_unit": 1, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 2, "per_unit": 2, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 2, "per_unit": 1.893, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Heartbeat of endpoints", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 4, "per_unit": 0.02679, "hops": ["up", "down"], "sent": shared73},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 189.6, "frames": 1, "unit": 2, "per_unit": 2, "hops": ["up", "down"], "sent": shared73},
-          {"name": "ACKNACK of data", "cast": "unicast", "bytes": 189.6, "frames": 1, "unit": 2, "per_unit": 2.583, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 2, "per_unit": 1.25, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 2, "per_unit": 1.25, "hops": ["up", "down"], "sent": shared73},
-          {"name": "User Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 5, "per_unit": 1.4, "hops": ["up", "down"], "sent": shared73},
-          {"name": "User ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 5, "per_unit": 1.425, "hops": ["up", "down"], "sent": shared73},
+          {"name": "SPDP", "cast": "multicast", "bytes": 580, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared77},
+          {"name": "SPDP at discovery", "cast": "multicast", "bytes": 580, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP unicast", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared88},
+          {"name": "SPDP unicast at discovery", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP unicast for others", "cast": "unicast", "bytes": 580, "frames": 1, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SEDP", "cast": "unicast", "bytes": 821.0093457943925, "frames": 0.6313, "unit": 4, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 2, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat of data", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 2, "per_unit": 1.893, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat of endpoints", "cast": "unicast", "bytes": 184.9, "frames": 1, "unit": 4, "per_unit": 0.02679, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 189.6, "frames": 1, "unit": 2, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK of data", "cast": "unicast", "bytes": 189.6, "frames": 1, "unit": 2, "per_unit": 2.583, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 2, "per_unit": 1.25, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 2, "per_unit": 1.25, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 5, "per_unit": 1.4, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 5, "per_unit": 1.425, "hops": ["up", "down"], "sent": shared79},
         ],
       },
       "hybrid": {
@@ -747,11 +916,11 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 24,
         "repeats": true,
-        "outlooks": shared74,
-        "windows": shared75,
-        "units": [shared77, shared48, [shared78, shared78], shared79, shared81],
+        "outlooks": shared89,
+        "windows": shared90,
+        "units": [shared92, shared48, shared73, shared93, shared95],
         "degree": 2,
-        "messages": [shared83, shared84, shared85, shared86, shared87, shared89, shared90],
+        "messages": [shared97, shared98, shared99, shared100, shared101, shared103, shared104],
       },
       "hybrid, alike": {
         "group": "Other tables",
@@ -760,33 +929,33 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 24,
         "repeats": true,
-        "outlooks": shared74,
-        "windows": shared75,
-        "units": [shared77, shared48, [shared91, shared91], shared79, shared81],
+        "outlooks": shared89,
+        "windows": shared90,
+        "units": [shared92, shared48, [shared105, shared105], shared93, shared95],
         "degree": 2,
-        "messages": [shared83, shared84, {"name": "Software", "cast": "multicast", "bytes": 8, "frames": 0, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared82}, shared85, shared86, shared87, shared89, shared90],
+        "messages": [shared97, shared98, {"name": "Software", "cast": "multicast", "bytes": 8, "frames": 0, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared96}, shared99, shared100, shared101, shared103, shared104],
       },
       "DDS, periods of Fast DDS": {
-        "group": shared92,
+        "group": shared106,
         "family": "DDS",
         "about": "",
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared69,
-        "windows": shared70,
+        "outlooks": shared70,
+        "windows": shared71,
         "units": shared53,
         "degree": 2,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 414, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared72},
-          {"name": "UnicastSPDP", "cast": "unicast", "bytes": 414, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared72},
-          {"name": "SEDP", "cast": "unicast", "bytes": 464, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared73},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 116, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared73},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared73},
+          {"name": "SPDP", "cast": "multicast", "bytes": 414, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared77},
+          {"name": "UnicastSPDP", "cast": "unicast", "bytes": 414, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared77},
+          {"name": "SEDP", "cast": "unicast", "bytes": 464, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 116, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared79},
         ],
       },
       "DDS, periods of Cyclone DDS": {
-        "group": shared92,
+        "group": shared106,
         "family": "DDS",
         "about": "",
         "variant": false,
@@ -797,17 +966,17 @@ const DISCOSTORM = (() => {
         "units": shared53,
         "degree": 2,
         "messages": [
-          {"name": "SPDP", "cast": "multicast", "bytes": 414, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared61},
-          {"name": "DirectedSPDP", "cast": "unicast", "bytes": 414, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared63},
-          {"name": "SEDP", "cast": "unicast", "bytes": 464, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Heartbeat", "cast": "unicast", "bytes": 116, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "ACKNACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Liveliness", "cast": "unicast", "bytes": 180, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared93},
-          {"name": "LivelinessACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared93},
+          {"name": "SPDP", "cast": "multicast", "bytes": 414, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared62},
+          {"name": "DirectedSPDP", "cast": "unicast", "bytes": 414, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
+          {"name": "SEDP", "cast": "unicast", "bytes": 464, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Heartbeat", "cast": "unicast", "bytes": 116, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "ACKNACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Liveliness", "cast": "unicast", "bytes": 180, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared107},
+          {"name": "LivelinessACK", "cast": "unicast", "bytes": 114, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared107},
         ],
       },
       "Zenoh, periods of Zenoh peer": {
-        "group": shared92,
+        "group": shared106,
         "family": "Zenoh",
         "about": "",
         "variant": false,
@@ -818,10 +987,42 @@ const DISCOSTORM = (() => {
         "units": shared53,
         "degree": 2,
         "messages": [
-          {"name": "Scout", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared94},
-          {"name": "Hello", "cast": "unicast", "bytes": 144, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared94},
-          {"name": "Declare", "cast": "unicast", "bytes": 176, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "KeepAlive", "cast": "unicast", "bytes": 84, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared95},
+          {"name": "Scout", "cast": "multicast", "bytes": 80, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared108},
+          {"name": "Hello", "cast": "unicast", "bytes": 144, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared108},
+          {"name": "Declare", "cast": "unicast", "bytes": 176, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "KeepAlive", "cast": "unicast", "bytes": 84, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared109},
+        ],
+      },
+      "static endpoints": {
+        "group": "Products arranged against the storm",
+        "family": "DDS",
+        "about": "",
+        "variant": false,
+        "lease": 20,
+        "repeats": true,
+        "outlooks": shared70,
+        "windows": shared71,
+        "units": [shared48, shared87, shared73, shared52, shared59, shared50, [shared74, shared74], [shared110, shared110], shared57, [shared111, shared111], shared60],
+        "degree": 3,
+        "messages": [
+          {"name": "SPDP", "cast": "multicast", "bytes": 609.2, "frames": 1, "unit": 0, "per_unit": 1, "hops": ["up", "down"], "sent": shared77},
+          {"name": "SPDP at discovery", "cast": "multicast", "bytes": 609.2, "frames": 1, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP of endpoints", "cast": "multicast", "bytes": 609.2, "frames": 1, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP unicast", "cast": "unicast", "bytes": 609.2, "frames": 1, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared88},
+          {"name": "SPDP unicast at discovery", "cast": "unicast", "bytes": 609.2, "frames": 1, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP unicast for others", "cast": "unicast", "bytes": 609.2, "frames": 1, "unit": 4, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared79},
+          {"name": "SPDP unicast of endpoints", "cast": "unicast", "bytes": 609.2, "frames": 1, "unit": 5, "per_unit": 0.505, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Listed", "cast": "multicast", "bytes": 56.36, "frames": 0, "unit": 2, "per_unit": 1, "hops": ["up", "down"], "sent": shared88},
+          {"name": "Listed at discovery", "cast": "multicast", "bytes": 56.36, "frames": 0, "unit": 6, "per_unit": 0.7288, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Listed of endpoints", "cast": "multicast", "bytes": 56.36, "frames": 0, "unit": 7, "per_unit": 0.7288, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Listed unicast", "cast": "unicast", "bytes": 56.36, "frames": 0, "unit": 5, "per_unit": 1, "hops": ["up", "down"], "sent": shared88},
+          {"name": "Listed unicast at discovery", "cast": "unicast", "bytes": 56.36, "frames": 0, "unit": 5, "per_unit": 0.8369, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Listed unicast for others", "cast": "unicast", "bytes": 56.36, "frames": 0, "unit": 8, "per_unit": 0.4184, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Listed unicast of endpoints", "cast": "unicast", "bytes": 56.36, "frames": 0, "unit": 9, "per_unit": 0.4226, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 3, "per_unit": 1.167, "hops": ["up", "down"], "sent": shared79},
+          {"name": "Liveliness ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 3, "per_unit": 1.167, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User Heartbeat", "cast": "unicast", "bytes": 192, "frames": 1, "unit": 10, "per_unit": 1.33, "hops": ["up", "down"], "sent": shared79},
+          {"name": "User ACKNACK", "cast": "unicast", "bytes": 188, "frames": 1, "unit": 10, "per_unit": 1.33, "hops": ["up", "down"], "sent": shared79},
         ],
       },
       "Zenoh peer": {
@@ -833,29 +1034,29 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared54,
         "windows": shared55,
-        "units": shared96,
+        "units": shared112,
         "degree": 3,
         "messages": [
-          shared97,
-          shared98,
-          {"name": "Hello first", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 0.5833, "hops": ["up", "down"], "sent": shared64},
-          {"name": "InitSyn", "cast": "unicast", "bytes": 110, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64},
-          shared99,
-          shared100,
-          shared101,
-          {"name": "OAM", "cast": "unicast", "bytes": 163.4251497005988, "frames": 0.835, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "OAM for others", "cast": "unicast", "bytes": 163.4251497005988, "frames": 0.835, "unit": 2, "per_unit": 0.625, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare", "cast": "unicast", "bytes": 106.65917220235053, "frames": 0.1957, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare key expression", "cast": "unicast", "bytes": 229.04217991787982, "frames": 0.8037, "unit": 4, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare key expression of matching", "cast": "unicast", "bytes": 229.04217991787982, "frames": 0.8037, "unit": 5, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare final", "cast": "unicast", "bytes": 176, "frames": 0.05, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Frame", "cast": "unicast", "bytes": 112.31961259079904, "frames": 0.2478, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Frame of endpoints", "cast": "unicast", "bytes": 112.31961259079904, "frames": 0.2478, "unit": 3, "per_unit": 0.6083, "hops": ["up", "down"], "sent": shared64},
-          shared102,
-          shared103,
-          {"name": "TCP ACK", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 0.8708, "hops": ["up", "down"], "sent": shared95},
-          {"name": "TCP ACK at start", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 2.496, "hops": ["up", "down"], "sent": shared64},
-          {"name": "TCP ACK of endpoints", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 3, "per_unit": 0.2188, "hops": ["up", "down"], "sent": shared64},
+          shared113,
+          shared114,
+          {"name": "Hello first", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 0.5833, "hops": ["up", "down"], "sent": shared65},
+          {"name": "InitSyn", "cast": "unicast", "bytes": 110, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65},
+          shared115,
+          shared116,
+          shared117,
+          {"name": "OAM", "cast": "unicast", "bytes": 163.4251497005988, "frames": 0.835, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "OAM for others", "cast": "unicast", "bytes": 163.4251497005988, "frames": 0.835, "unit": 2, "per_unit": 0.625, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare", "cast": "unicast", "bytes": 106.65917220235053, "frames": 0.1957, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare key expression", "cast": "unicast", "bytes": 229.04217991787982, "frames": 0.8037, "unit": 4, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare key expression of matching", "cast": "unicast", "bytes": 229.04217991787982, "frames": 0.8037, "unit": 5, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare final", "cast": "unicast", "bytes": 176, "frames": 0.05, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Frame", "cast": "unicast", "bytes": 112.31961259079904, "frames": 0.2478, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Frame of endpoints", "cast": "unicast", "bytes": 112.31961259079904, "frames": 0.2478, "unit": 3, "per_unit": 0.6083, "hops": ["up", "down"], "sent": shared65},
+          shared118,
+          shared119,
+          {"name": "TCP ACK", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 0.8708, "hops": ["up", "down"], "sent": shared109},
+          {"name": "TCP ACK at start", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 2.496, "hops": ["up", "down"], "sent": shared65},
+          {"name": "TCP ACK of endpoints", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 3, "per_unit": 0.2188, "hops": ["up", "down"], "sent": shared65},
         ],
       },
       "Zenoh peer, tokens": {
@@ -867,32 +1068,32 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared54,
         "windows": shared55,
-        "units": shared96,
+        "units": shared112,
         "degree": 3,
         "messages": [
-          shared97,
-          shared98,
-          {"name": "Hello first", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "InitSyn", "cast": "unicast", "bytes": 109.86, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared64},
-          shared99,
-          shared100,
-          shared101,
-          {"name": "OAM", "cast": "unicast", "bytes": 179.4287333522244, "frames": 0.7058, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "OAM for others", "cast": "unicast", "bytes": 179.4287333522244, "frames": 0.7058, "unit": 2, "per_unit": 0.6493, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare", "cast": "unicast", "bytes": 167.6030534351145, "frames": 0.0655, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare token", "cast": "unicast", "bytes": 175.50248756218906, "frames": 0.0603, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare token of node", "cast": "unicast", "bytes": 175.50248756218906, "frames": 0.0603, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare key expression", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 4, "per_unit": 1.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare key expression of matching", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 5, "per_unit": 2.5, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare key expression of node", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Declare final", "cast": "unicast", "bytes": 159.33333333333334, "frames": 0.06, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Frame", "cast": "unicast", "bytes": 142.56804733727813, "frames": 0.1352, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared64},
-          {"name": "Frame of endpoints", "cast": "unicast", "bytes": 142.56804733727813, "frames": 0.1352, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared64},
-          shared102,
-          shared103,
-          {"name": "TCP ACK", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 0.7208, "hops": ["up", "down"], "sent": shared95},
-          {"name": "TCP ACK at start", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 3.325, "hops": ["up", "down"], "sent": shared64},
-          {"name": "TCP ACK of endpoints", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 3, "per_unit": 0.4208, "hops": ["up", "down"], "sent": shared64},
+          shared113,
+          shared114,
+          {"name": "Hello first", "cast": "unicast", "bytes": 104, "frames": 1, "unit": 1, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "InitSyn", "cast": "unicast", "bytes": 109.86, "frames": 1, "unit": 1, "per_unit": 0.6667, "hops": ["up", "down"], "sent": shared65},
+          shared115,
+          shared116,
+          shared117,
+          {"name": "OAM", "cast": "unicast", "bytes": 179.4287333522244, "frames": 0.7058, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "OAM for others", "cast": "unicast", "bytes": 179.4287333522244, "frames": 0.7058, "unit": 2, "per_unit": 0.6493, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare", "cast": "unicast", "bytes": 167.6030534351145, "frames": 0.0655, "unit": 3, "per_unit": 0.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare token", "cast": "unicast", "bytes": 175.50248756218906, "frames": 0.0603, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare token of node", "cast": "unicast", "bytes": 175.50248756218906, "frames": 0.0603, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare key expression", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 4, "per_unit": 1.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare key expression of matching", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 5, "per_unit": 2.5, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare key expression of node", "cast": "unicast", "bytes": 362.8385800401876, "frames": 0.5972, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Declare final", "cast": "unicast", "bytes": 159.33333333333334, "frames": 0.06, "unit": 1, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Frame", "cast": "unicast", "bytes": 142.56804733727813, "frames": 0.1352, "unit": 1, "per_unit": 2, "hops": ["up", "down"], "sent": shared65},
+          {"name": "Frame of endpoints", "cast": "unicast", "bytes": 142.56804733727813, "frames": 0.1352, "unit": 3, "per_unit": 1, "hops": ["up", "down"], "sent": shared65},
+          shared118,
+          shared119,
+          {"name": "TCP ACK", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 0.7208, "hops": ["up", "down"], "sent": shared109},
+          {"name": "TCP ACK at start", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 1, "per_unit": 3.325, "hops": ["up", "down"], "sent": shared65},
+          {"name": "TCP ACK of endpoints", "cast": "unicast", "bytes": 76, "frames": 1, "unit": 3, "per_unit": 0.4208, "hops": ["up", "down"], "sent": shared65},
         ],
       },
     },
