@@ -290,7 +290,7 @@ def group(protocol: Protocol) -> str:
     return GROUPS[0] if protocol.name in MEASURED else GROUPS[2]
 
 
-def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
+def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Code]:
     """Return what the calculator knows of a message."""
     schedule = message.schedule
     return {
@@ -300,7 +300,7 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
         "frames": number(message.frames),
         "unit": data(units.index(message.unit)),
         "per_unit": number(message.per_unit),
-        "hops": data(message.hops),
+        "hops": data(" ".join(message.hops)),
         "sent": {
             "burst": number(schedule.extra),
             **{name: number(schedule.mean(window)) for name, window in windows.items()},
@@ -392,7 +392,7 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "degree": number(
             max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS)
         ),
-        "messages": [row(message, windows, units) for message in protocol.messages],
+        "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
     }
 
 
@@ -456,6 +456,8 @@ def model() -> Code:
         "saturation": full,
         "drain": drain,
         "formulas": known.code(),
+        # What the rows of messages hold, in order.
+        "columns": data(list(row(ds.DDS.messages[0], {}, list(ds.DDS.units())))),
         "protocols": protocols,
     }
 

@@ -5,6 +5,8 @@
 (() => {
   const MODEL = DISCOSTORM;
   const F = MODEL.formulas;
+  for (const protocol of Object.values(MODEL.protocols))
+    protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
   const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
   const NAMES = Object.keys(MODEL.protocols).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
