@@ -69,10 +69,10 @@ ABOUT = {
 #: Headings of the middlewares, in order.
 GROUPS = (
     "Products as built",
+    "Products arranged against the storm",
     "As the paper counts",
     "The paper's messages, a product's periods",
     "Other tables",
-    "Products arranged against the storm",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -281,13 +281,13 @@ def ready_made() -> Code:
 def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
-        return GROUPS[1]
+        return GROUPS[2]
     if protocol.name in ARRANGED:
-        return GROUPS[4]
+        return GROUPS[1]
     papers = [message for table in PAPERS for message in table.messages]
     if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
-        return GROUPS[3]
-    return GROUPS[0] if protocol.name in MEASURED else GROUPS[2]
+        return GROUPS[4]
+    return GROUPS[0] if protocol.name in MEASURED else GROUPS[3]
 
 
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Code]:

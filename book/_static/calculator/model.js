@@ -129,7 +129,7 @@ const DISCOSTORM = (() => {
   const shared119 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared65];
   return {
     "start": {"robot": "Nav2 in one process", "middleware": "Fast DDS"},
-    "groups": ["Products as built", "As the paper counts", "The paper's messages, a product's periods", "Other tables", "Products arranged against the storm"],
+    "groups": ["Products as built", "Products arranged against the storm", "As the paper counts", "The paper's messages, a product's periods", "Other tables"],
     "palette": ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"],
     "fields": {
       "swarm": [
