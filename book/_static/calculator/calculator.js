@@ -742,7 +742,7 @@
       rows.push([one.name, "drain time", "", hosts, one.drain, "s"]);
       rows.push([one.name, "steady utilization", "", hosts, one.steady, "1"]);
       for (const message of one.messages) {
-        rows.push([one.name, "uplink messages", message.name, hosts, message.load, "1"]);
+        rows.push([one.name, "uplink messages", message.name, hosts, message.hops.includes("up") ? message.load : 0, "1"]);
         rows.push([one.name, "uplink airtime", message.name, hosts, message.up, "s"]);
         rows.push([one.name, "downlink airtime", message.name, hosts, message.down, "s"]);
       }
