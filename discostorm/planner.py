@@ -339,7 +339,7 @@ class Plan:
         if self.wifi.aggregation is not None:
             exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
         yield (f"Counted with nothing lost, no collisions and each unicast message in {exchanges}.")
-        if self.protocol.name in MEASURED:
+        if self.protocol.name in MEASURED | ARRANGED:
             yield (
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
                 "in small swarms that began all at once; of the endpoints "

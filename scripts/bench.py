@@ -207,6 +207,27 @@ def read_beside_tshark(name: str) -> float:
         )
 
 
+def storm_beside_numpy() -> float:
+    """Compare the storm of 300 hosts with NumPy's drawing of as many back-offs, ten times each.
+
+    A tenth of a draw is the least that a transmission could cost; see `LIMIT_OF_STORM`.
+    """
+    from discostorm.simulation.run import one_run, plan_runs
+
+    infinite = float("inf")
+    wifi = ds.Radio("802.11n", streams=2, aifsn=3).wifi()
+    swarm = ds.Fleet.swarm(300, 2, 10)
+    plan = plan_runs(swarm, ds.DDS, wifi, (infinite, infinite), 0.0, 0.0, False, 1.0, False)
+    sent = one_run(plan, np.random.SeedSequence(0)).counts["ppdus"]
+    rng = np.random.default_rng(0)
+
+    def draw() -> None:
+        for _ in range(10):
+            rng.integers(1024, size=sent)
+
+    return ratio(lambda: one_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
+
+
 SWARM = ("--hosts", "7", "--processes", "2", "--endpoints", "10")
 
 #: What is compared, how, and the limit.
