@@ -86,10 +86,10 @@ def offered() -> dict[str, Protocol]:
 #: Headings of the middlewares, in order.
 GROUPS = (
     "Products as built",
+    "Products arranged against the storm",
     "As the paper counts",
     "The paper's messages, a product's periods",
     "Other tables",
-    "Products arranged against the storm",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -298,16 +298,16 @@ def ready_made() -> Code:
 def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
-        return GROUPS[1]
+        return GROUPS[2]
     if protocol.name in ARRANGED:
-        return GROUPS[4]
+        return GROUPS[1]
     papers = [message for table in PAPERS for message in table.messages]
     if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
-        return GROUPS[3]
-    return GROUPS[0] if protocol.name in MEASURED else GROUPS[2]
+        return GROUPS[4]
+    return GROUPS[0] if protocol.name in MEASURED else GROUPS[3]
 
 
-def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
+def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Code]:
     """Return what the calculator knows of a message."""
     schedule = message.schedule
     return {
@@ -317,7 +317,7 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
         "frames": number(message.frames),
         "unit": data(units.index(message.unit)),
         "per_unit": number(message.per_unit),
-        "hops": data(message.hops),
+        "hops": data(" ".join(message.hops)),
         "sent": {
             "burst": number(schedule.extra),
             **{name: number(schedule.mean(window)) for name, window in windows.items()},
@@ -404,7 +404,7 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "degree": number(
             max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS)
         ),
-        "messages": [row(message, windows, units) for message in protocol.messages],
+        "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
     }
 
 
@@ -468,6 +468,8 @@ def model() -> Code:
         "saturation": full,
         "drain": drain,
         "formulas": known.code(),
+        # What the rows of messages hold, in order.
+        "columns": data(list(row(ds.DDS.messages[0], {}, list(ds.DDS.units())))),
         "protocols": protocols,
     }
 

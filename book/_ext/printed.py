@@ -16,7 +16,7 @@ _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
 _SOLUTION = "Show the solution"
-_MORE = "In the HTML edition tables sort, code unfolds, and what can be tried is tried"
+_MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
 
 
 def _latex(text: str) -> nodes.raw:
@@ -73,7 +73,7 @@ def _link(app: Sphinx, name: str, text: str = _MORE) -> nodes.raw:
     return _latex(
         rf"{{\footnotesize\noindent\begin{{minipage}}{{1.9cm}}\qrcode[height=1.6cm]{{{url}}}"
         rf"\end{{minipage}}\begin{{minipage}}{{\dimexpr\linewidth-2cm}}\raggedright {text}:\\"
-        rf"\url{{{url}}}\end{{minipage}}\par}}" + "\n\n"
+        rf"\url{{{url}}}\end{{minipage}}\par\medskip}}" + "\n\n"
     )
 
 
@@ -165,6 +165,22 @@ def _fit(table: nodes.table) -> None:
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
 
+def _leave_out_what_pages_carry(tree: nodes.document) -> None:
+    """Take out what only a page can carry: links to a figure's data, and what its scripts read."""
+    for cell in _cells(tree):
+        outputs = list(cell.findall(nodes.literal_block))
+        carried = [
+            output
+            for output in outputs
+            if "tag_page-data" in cell["classes"]
+            or output.astext().startswith("Data of this figure:")
+        ]
+        for output in carried:
+            output.parent.remove(output)
+        if carried and not cell.astext().strip():
+            cell.parent.remove(cell)
+
+
 def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
     """Make the cheat sheet a document of its own: what it refers to is in the HTML edition."""
     for reference in list(tree.findall(nodes.reference)):
@@ -178,6 +194,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
     """Make the landing page a preface, the contents' captions parts, numbers those of the HTML."""
     if app.builder.name != "latex":
         return
+    _leave_out_what_pages_carry(tree)
     for table in list(tree.findall(nodes.table)):
         _fit(table)
     if name != app.config.root_doc:

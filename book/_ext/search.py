@@ -6,31 +6,43 @@ from pathlib import Path
 from typing import Any
 
 from docutils import nodes
+from sphinx import addnodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 _CODE = (nodes.literal_block, nodes.doctest_block)
 _UNREAD = (nodes.math_block, nodes.raw, nodes.comment, nodes.system_message)
 
 
-def _words(node: nodes.Node) -> Iterator[tuple[bool, str]]:
+def _words(node: nodes.Node, env: BuildEnvironment) -> Iterator[tuple[bool, str]]:
     """Yield whether it is code, and the text, of all that stands in a section itself."""
     for child in node.children:
         if isinstance(child, (nodes.section, nodes.title, *_UNREAD)):
             continue
         if isinstance(child, (*_CODE, nodes.paragraph, nodes.caption, nodes.term, nodes.rubric)):
-            yield isinstance(child, _CODE), " ".join(_text(child).split())
+            yield isinstance(child, _CODE), " ".join(_text(child, env).split())
         else:
-            yield from _words(child)
+            yield from _words(child, env)
 
 
-def _text(node: nodes.Node) -> str:
+def _text(node: nodes.Node, env: BuildEnvironment) -> str:
     """Return the text of a paragraph; of its formulas those that read without TeX."""
     if isinstance(node, _UNREAD):
         return " "
+    if isinstance(node, addnodes.pending_xref):
+        return _link(node, env)
     if isinstance(node, (nodes.math, nodes.Text)):
         text = str(node.astext())
         return "…" if isinstance(node, nodes.math) and "\\" in text else text
-    return "".join(_text(child) for child in node.children)
+    return "".join(_text(child, env) for child in node.children)
+
+
+def _link(node: addnodes.pending_xref, env: BuildEnvironment) -> str:
+    """Return what a link says, with the number of its chapter; nothing if it says its label."""
+    said, label = str(node.astext()), str(node["reftarget"])
+    page, _ = env.domaindata["std"]["anonlabels"].get(label, ("", ""))
+    number = ".".join(map(str, env.toc_secnumbers.get(page, {}).get("", ())))
+    return said.replace("{number}", number) if said != label else ""
 
 
 def _sections(app: Sphinx) -> Iterator[dict[str, str]]:
@@ -41,7 +53,7 @@ def _sections(app: Sphinx) -> Iterator[dict[str, str]]:
         address = app.builder.get_target_uri(name)
         for section in tree.findall(nodes.section):
             title = next(section.findall(nodes.title)).astext()
-            words = [*_words(section)]
+            words = [*_words(section, app.env)]
             anchor = "" if isinstance(section.parent, nodes.document) else f"#{section['ids'][0]}"
             yield {
                 "title": title,

@@ -5,6 +5,8 @@
 (() => {
   const MODEL = DISCOSTORM;
   const F = MODEL.formulas;
+  for (const protocol of Object.values(MODEL.protocols))
+    protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
   const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
   const NAMES = Object.keys(MODEL.protocols).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
@@ -598,9 +600,16 @@
       ctx.font = `${13 * scale}px sans-serif`;
       // Where the curves are not.
       const { log } = view(answer);
-      ctx.textAlign = log ? "right" : "left";
       ctx.textBaseline = "bottom";
-      ctx.fillText("1 s: the channel is full", bbox.left + (log ? bbox.width - 6 * scale : 6 * scale), limit - 3 * scale);
+      // On a plate of its own, as a curve may run below.
+      const words = "1 s: the channel is full";
+      const { width } = ctx.measureText(words);
+      const left = bbox.left + (log ? bbox.width - width - 6 * scale : 6 * scale);
+      ctx.textAlign = "left";
+      ctx.fillStyle = background;
+      ctx.fillRect(left - 2 * scale, limit - 19 * scale, width + 4 * scale, 17 * scale);
+      ctx.fillStyle = text;
+      ctx.fillText(words, left, limit - 3 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);
@@ -733,7 +742,7 @@
       rows.push([one.name, "drain time", "", hosts, one.drain, "s"]);
       rows.push([one.name, "steady utilization", "", hosts, one.steady, "1"]);
       for (const message of one.messages) {
-        rows.push([one.name, "uplink messages", message.name, hosts, message.load, "1"]);
+        rows.push([one.name, "uplink messages", message.name, hosts, message.hops.includes("up") ? message.load : 0, "1"]);
         rows.push([one.name, "uplink airtime", message.name, hosts, message.up, "s"]);
         rows.push([one.name, "downlink airtime", message.name, hosts, message.down, "s"]);
       }
