@@ -1108,17 +1108,17 @@ const DISCOSTORM = {
     "processes": {
       "of": {
         "DDS": {
-          "price": "a crash takes down all that shares the process, and the nodes must be built as components",
+          "price": "the nodes must be built as components",
           "whole": true,
           "why": "fewer processes have fewer pairs that must find each other",
         },
         "Zenoh": {
-          "price": "a crash takes down all that shares the process, and the nodes must be built as components",
+          "price": "the nodes must be built as components",
           "whole": true,
           "why": "fewer processes have fewer pairs that must find each other",
         },
         "None": {
-          "price": "a crash takes down all that shares the process, and the nodes must be built as components",
+          "price": "the nodes must be built as components",
           "whole": true,
           "why": "fewer processes have fewer pairs that must find each other",
         },
