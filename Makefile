@@ -13,9 +13,9 @@ SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
 OUT ?= build/figures
-# Points of the lab: lab/GRID.csv. What the whole grid gave belongs to the package.
+# Points of the lab: lab/GRID.csv. What the whole grids gave belongs to the package.
 GRID ?= grid
-MEASURED = $(if $(filter grid,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
+MEASURED = $(if $(filter grid mitigations,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -92,6 +92,10 @@ bench: $(READY) ## measure the speed of the package against its limits
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
 	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
+	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
+
+deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
+	@$(BIN)/python lab/deaths.py $(ARGS)
 
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)

@@ -306,6 +306,55 @@ class Fleet:
         """Return the number of pairs of an unmatched endpoint and a process on another host."""
         return self.endpoint_pairs() * plain(1 - self.matching)
 
+    def endpoint_processes(self) -> Count:
+        """Return the number of pairs of an endpoint and another process, on any host."""
+        return self.endpoints() * (self.processes() - 1)
+
+    def lists(self) -> Count:
+        """Return how many endpoints are listed if every process lists those that it has so far.
+
+        It does so each time that it makes one: of :math:`N_E` endpoints
+        :math:`N_E (N_E + 1) / 2` times.
+        """
+        return reduce(add, (g.hosts * g.processes * _listed(g) for g in self.groups))
+
+    def list_pairs(self) -> Count:
+        """Return the same as `lists` with each process on another host."""
+        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        return reduce(add, (count * _listed(group) for count, group in pairs))
+
+    def matched_process_pairs(self) -> Count:
+        """Return the number of ordered pairs of processes that match, on the same host or not.
+
+        If any endpoints match, they do so in every pair; see `matching`.
+        """
+        return self.process_pairs() * float(self.matching > 0)
+
+    def matched_pairs(self) -> Count:
+        """Return the number of ordered pairs of processes on different hosts that match."""
+        return self.pairs() * float(self.matching > 0)
+
+    def matched_endpoints(self) -> Count:
+        """Return the number of pairs of a matched endpoint and another process, on any host."""
+        return self.endpoints() * (self.processes() - 1) * plain(self.matching)
+
+    def away(self) -> Count:
+        """Return the number of processes on other hosts than one of the first group."""
+        return self.processes() - self.groups[0].processes
+
+    def endpoints_away(self) -> Count:
+        """Return the number of endpoints on other hosts than one of the first group."""
+        return self.endpoints() - self.groups[0].processes * self.groups[0].endpoints
+
+    def matched_process_pairs_away(self) -> Count:
+        """Return the number of pairs that match of a process `away` and another on any host."""
+        return self.away() * (self.processes() - 1) * float(self.matching > 0)
+
+    def matched_endpoints_away(self) -> Count:
+        """Return the number of pairs of a matched endpoint and another process `away`."""
+        pairs = self.endpoints() * self.away() - self.endpoints_away()
+        return pairs * plain(self.matching)
+
     def without(self, groups: range) -> "Fleet":
         """Return one fleet for each of some groups, which lacks its hosts: as arrays.
 
@@ -313,9 +362,15 @@ class Fleet:
         """
         lacking = []
         for index, group in enumerate(self.groups):
-            hosts = np.where(np.arange(groups.start, groups.stop) == index, 0.0, group.hosts)
+            gone = np.arange(groups.start, groups.stop) == index
+            counts: dict[str, Any] = {"hosts": np.where(gone, 0.0, group.hosts)}
+            if index == 0 and len(self.groups) > 1:
+                # A server that was on one of its hosts is on one of the next group: see `away`.
+                following = self.groups[1]
+                counts["processes"] = np.where(gone, following.processes, group.processes)
+                counts["endpoints"] = np.where(gone, following.endpoints, group.endpoints)
             copy = object.__new__(HostGroup)
-            vars(copy).update(vars(group) | {"hosts": hosts})
+            vars(copy).update(vars(group) | counts)
             lacking.append(copy)
         return Fleet(tuple(lacking), self.matching)
 
@@ -343,6 +398,10 @@ class Fleet:
                 remote = remote + after[index + 1]
             pairs.append(own[index] * remote)
         return pairs
+
+
+def _listed(group: HostGroup) -> Count:
+    return group.endpoints * (group.endpoints + 1) / 2
 
 
 def as_fleet(

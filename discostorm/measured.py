@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Message, Protocol, Schedule
+from discostorm.messages import HOPS, Message, Protocol, Schedule
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 
 if TYPE_CHECKING:
@@ -26,8 +26,8 @@ WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 #: Messages, frames and bytes where none was seen.
 NONE = (0.0, 0.0, 0.0)
 
-#: Window, kind, what it is about, and cast.
-Key = tuple[str, str, str, str]
+#: Window, kind, what it is about ("" for all), cast, and its only hop ("" if it takes both).
+Key = tuple[str, str, str, str, str]
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class Point:
     fleet : Fleet
         Its hosts.
     runs : dict
-        By window, kind, what it is about ("" for all) and cast: messages [1], frames [1] and bytes
-        of payload [B], a row a run.
+        By window, kind, what it is about, cast and hop: messages [1], frames [1] and bytes of
+        payload [B], a row a run.
     """
 
     name: str
@@ -64,14 +64,20 @@ def products() -> dict[str, dict[str, str]]:
 
 
 @cache
-def _counts() -> dict[str, dict[Key, tuple[float, ...]]]:
+def arrangements() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/arrangements.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/arrangements.csv")}
+
+
+@cache
+def _counts(kind: str) -> dict[str, dict[Key, tuple[float, ...]]]:
     counts: dict[str, dict[Key, tuple[float, ...]]] = defaultdict(dict)
-    for row in read_data("measured/counts.csv"):
+    for row in read_data(f"measured/{kind}counts.csv"):
         messages, frames, octets = map(float, (row["messages"], row["frames"], row["bytes"]))
         cast = "multicast" if row["multicast"] == "1" else "unicast"
         of_run = counts[row["run"]]
         for about in {row["about"], ""}:
-            key = (row["window"], row["kind"], about, cast)
+            key = (row["window"], row["kind"], about, cast, row.get("hops", ""))
             known = of_run.get(key, NONE)
             of_run[key] = (known[0] + messages, known[1] + frames, known[2] + octets)
     return counts
@@ -84,7 +90,7 @@ def points(name: str) -> tuple[Point, ...]:
     Parameters
     ----------
     name : str
-        Of a table of ``data/vendors/products.csv``.
+        Of a table of ``data/vendors/products.csv`` or ``arrangements.csv``.
 
     Returns
     -------
@@ -97,17 +103,27 @@ def points(name: str) -> tuple[Point, ...]:
     ValueError
         If there is no such table.
     """
-    _checks.choice("name", name, list(products()))
-    product = products()[name]
+    known = products() | arrangements()
+    _checks.choice("name", name, list(known))
+    row, kind = known[name], "mitigation_" if name in arrangements() else ""
+    return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
+
+
+def points_of(
+    product: str, variant: str, least: int = 2, kind: str = "mitigation_"
+) -> tuple[Point, ...]:
+    """Return the points of a product and variant that have at least so many processes [1].
+
+    With the kind left out: of an arrangement of ``lab/mitigations.csv``, with a table or without.
+    """
     of_point: dict[tuple[str, ...], list[str]] = defaultdict(list)
-    for run in read_data("measured/runs.csv"):
-        if (run["product"], run["variant"]) == (product["product"], product["variant"]):
+    for run in read_data(f"measured/{kind}runs.csv"):
+        if (run["product"], run["variant"]) == (product, variant):
             columns = ("hosts", "processes", "endpoints", "names", "use")
             of_point[tuple(run[column] for column in columns)].append(run["run"])
     found = []
-    counts = _counts()
+    counts = _counts(kind)
     for (hosts, processes, endpoints, names, use), runs in of_point.items():
-        least = int(product["least_processes"])
         if int(hosts) < 2 or int(hosts) * int(processes) < least:
             continue
         host = HostGroup(int(hosts), int(processes), int(endpoints))
@@ -129,7 +145,7 @@ def payloads(name: str, kind: str) -> list[float]:
     """Return the mean payload of a kind of message in the start-up window of each point [B]."""
     found = []
     for point in points(name):
-        keys = (("startup", kind, "", cast) for cast in ("multicast", "unicast"))
+        keys = (("startup", kind, "", cast, "") for cast in ("multicast", "unicast"))
         messages, _, octets = np.sum([point.median(key) for key in keys], axis=0)
         if messages:
             found.append(float(octets / messages))
@@ -153,13 +169,14 @@ def held(protocol: Protocol) -> pd.DataFrame:
     Parameters
     ----------
     protocol : Protocol
-        Of a name in ``data/vendors/products.csv``.
+        Of a name in ``data/vendors/products.csv`` or ``arrangements.csv``.
 
     Returns
     -------
     pandas.DataFrame
         A row for each ``point``, ``use``, ``window``, ``phase`` and ``kind``, and one for each
-        phase, of which kind is "all": what was ``measured``, the median of the runs, ``least``
+        phase, of which kind is "all"; of what takes one hop alone rows of their own, of which
+        kind is "SPDP, up" or "all, down": what was ``measured``, the median of the runs, ``least``
         and ``most``, what the table has ``expected`` [1], the same of bytes with ``_bytes`` behind
         the name [B], and the ``error`` of messages and the ``error_bytes`` [1], of the median.
 
@@ -174,9 +191,13 @@ def held(protocol: Protocol) -> pd.DataFrame:
     for point in points(protocol.name):
         for window in WINDOWS:
             for phase in protocol.phases:
-                kinds = list(dict.fromkeys(m.kind for m in protocol.of_phase(phase)))
-                for members, name in [([kind], kind) for kind in kinds] + [(kinds, "all")]:
-                    row = _row(protocol, point, window, phase, members)
+                mine = protocol.of_phase(phase)
+                kinds = list(dict.fromkeys((m.kind, _only_hop(m)) for m in mine))
+                parts = [(f"{kind}, {hop}" if hop else kind, [(kind, hop)]) for kind, hop in kinds]
+                only = {hop: [one for one in kinds if one[1] == hop] for hop in HOPS}
+                parts.extend((f"all, {hop}", some) for hop, some in only.items() if some)
+                for name, members in [*parts, ("all", kinds)]:
+                    row = _row(mine, point, window, members)
                     if row["measured"] or row["expected"]:
                         head = {"point": point.name, "use": point.use, "window": window}
                         rows.append(head | {"phase": phase, "kind": name} | row)
@@ -187,18 +208,25 @@ def held(protocol: Protocol) -> pd.DataFrame:
     return table
 
 
+def _only_hop(message: Message) -> str:
+    """Return the hop that a message takes, "" if it takes both."""
+    return message.hops[0] if len(message.hops) == 1 else ""
+
+
 def _row(
-    protocol: Protocol, point: Point, window: str, phase: str, kinds: list[str]
+    messages: Iterable[Message], point: Point, window: str, kinds: list[tuple[str, str]]
 ) -> dict[str, float]:
-    """Return what was counted of some kinds, and what is expected of them."""
-    keys = [(window, kind, "", cast) for kind in kinds for cast in ("multicast", "unicast")]
+    """Return what was counted of some kinds with their hops, and what is expected of them."""
+    keys = [
+        (window, kind, "", cast, hop) for kind, hop in kinds for cast in ("multicast", "unicast")
+    ]
     seen = [point.runs[key] for key in keys if key in point.runs]
     runs = np.sum(seen, axis=0) if seen else np.zeros((1, 3))
     count = size = 0.0
-    for message in protocol.of_phase(phase):
-        if message.kind in kinds:
+    for message in messages:
+        if (message.kind, _only_hop(message)) in kinds:
             number = expected(message, point.fleet, window)
-            count += number
+            count += number * (message.frames > 0)  # a part of another message is none itself
             size += number * message.payload.nominal
     return {
         "measured": float(np.median(runs[:, 0])),
@@ -212,8 +240,10 @@ def _row(
     }
 
 
-#: How far a table may be from the median of the runs [1]: of a phase, and of a kind of message.
+#: How far a table may be from the median of the runs [1]: of a phase, and of a kind of message. Of
+#: what is arranged otherwise than as shipped, with fewer runs a point: of a phase alone.
 WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
+WITHIN_ARRANGED = 0.10
 
 
 def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
@@ -226,11 +256,15 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
         (messages or bytes), ``error`` [1], and ``reason``, one of ``data/measured/reasons.csv``.
     """
     table = held(protocol)
+    arranged = protocol.name in arrangements()
     found = []
     for row in table[table["use"] == use].to_dict("records"):
         for quantity, end in (("messages", ""), ("bytes", "_bytes")):
             measured, count = row[f"measured{end}"], row[f"expected{end}"]
-            limit = WITHIN_PHASE if row["kind"] == "all" else WITHIN_KIND
+            of_phase = row["kind"].startswith("all")
+            if arranged and not of_phase:
+                continue
+            limit = WITHIN_ARRANGED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}
@@ -308,3 +342,82 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
         for message in protocol.messages
         if message.phase in counted
     )
+
+
+@cache
+def _seconds() -> dict[tuple[str, ...], list[dict[str, str]]]:
+    found: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
+    for row in read_data("measured/deaths.csv"):
+        key = ("arrangement", "event", "phase", "who", "quantity")
+        found[tuple(row[name] for name in key)].append(row)
+    return dict(found)
+
+
+def death_times(
+    arrangement: str, event: str, phase: str, who: str, quantity: str
+) -> NDArray[np.float64]:
+    """Return how long something took in each run after a server, router or robot had died [s].
+
+    Parameters
+    ----------
+    arrangement : str
+        Of ``data/measured/arrangements.csv``, such as "Zenoh router".
+    event, phase, who, quantity : str
+        What died, when it was looked at, whom it is about and what was measured, as
+        ``data/measured/README.md`` has them.
+
+    Returns
+    -------
+    numpy.ndarray
+        A time a run [s]; infinite if it did not happen while it was watched.
+
+    Raises
+    ------
+    ValueError
+        If that was not measured.
+    """
+    key = (arrangement, event, phase, who, quantity)
+    if key not in _seconds():
+        for position, name in enumerate(("arrangement", "event", "phase", "who", "quantity")):
+            known = {other[position] for other in _seconds() if other[:position] == key[:position]}
+            _checks.choice(name, key[position], sorted(known))
+    return np.array([float(row["seconds"]) for row in _seconds()[key]])
+
+
+def deaths() -> pd.DataFrame:
+    """Return what the lab saw when servers, routers and robots died, all runs taken together.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each ``arrangement``, ``event``, ``phase``, ``who`` and ``quantity``: how long
+        after the death the phase begins, ``since_s``, and how long it was watched, ``watched_s``
+        [s]; the number of ``runs`` and of those in which it ``happened`` [1]; ``median_s``,
+        ``least_s`` and ``most_s`` of all runs [s], infinite where it did not happen.
+
+    Notes
+    -----
+    What each quantity is, says ``data/measured/README.md``.
+    """
+    import pandas as pd
+
+    rows = []
+    for (arrangement, event, phase, who, quantity), runs in _seconds().items():
+        seconds = np.array([float(row["seconds"]) for row in runs])
+        rows.append(
+            {
+                "arrangement": arrangement,
+                "event": event,
+                "phase": phase,
+                "who": who,
+                "quantity": quantity,
+                "since_s": float(runs[0]["since_s"]),
+                "watched_s": float(runs[0]["watched_s"]),
+                "runs": len(runs),
+                "happened": int(np.isfinite(seconds).sum()),
+                "median_s": float(np.median(seconds)),
+                "least_s": float(seconds.min()),
+                "most_s": float(seconds.max()),
+            }
+        )
+    return pd.DataFrame(rows)

@@ -69,6 +69,25 @@ KIND_ENDPOINT = Unit("endpoint of a kind of host", Fleet.kinds_endpoints)
 #: For what the whole fleet sends once.
 FLEET = Unit("fleet", Fleet.once)
 UNMATCHED = Unit("unmatched endpoint and process on another host", Fleet.unmatched)
+ENDPOINT_PROCESS = Unit("endpoint and other process", Fleet.endpoint_processes)
+#: For a list of the endpoints that are made so far, told each time that one is made.
+LISTED = Unit("two endpoints of a process, or one twice", Fleet.lists)
+LISTED_PAIR = Unit(
+    "two endpoints of a process, or one twice, and process on another host", Fleet.list_pairs
+)
+#: For what a server passes on from one to another, wherever they run.
+MATCHED_PROCESS_PAIR = Unit("ordered pair of matched processes", Fleet.matched_process_pairs)
+MATCHED_PAIR = Unit("ordered pair of matched processes on different hosts", Fleet.matched_pairs)
+MATCHED_ENDPOINT = Unit("matched endpoint and other process", Fleet.matched_endpoints)
+#: Of a server on a host of the first group: what is on that host takes no air on its way to it.
+AWAY = Unit("process away from the server", Fleet.away)
+ENDPOINT_AWAY = Unit("endpoint away from the server", Fleet.endpoints_away)
+MATCHED_PROCESS_PAIR_AWAY = Unit(
+    "ordered pair of matched processes, one away from the server", Fleet.matched_process_pairs_away
+)
+MATCHED_ENDPOINT_AWAY = Unit(
+    "matched endpoint and other process away from the server", Fleet.matched_endpoints_away
+)
 
 #: All of them by name.
 UNITS = {
@@ -87,6 +106,16 @@ UNITS = {
         HOST_PAIR,
         KIND_ENDPOINT,
         FLEET,
+        ENDPOINT_PROCESS,
+        LISTED,
+        LISTED_PAIR,
+        MATCHED_PROCESS_PAIR,
+        MATCHED_PAIR,
+        MATCHED_ENDPOINT,
+        AWAY,
+        ENDPOINT_AWAY,
+        MATCHED_PROCESS_PAIR_AWAY,
+        MATCHED_ENDPOINT_AWAY,
     )
 }
 

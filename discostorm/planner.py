@@ -20,7 +20,7 @@ from discostorm import _checks, staggered, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Schedule, Unit
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.scalability import message_costs, unit_costs, utilization, without_each
 from discostorm.snippets import Snippet, snippets
@@ -418,8 +418,9 @@ class Plan:
                     "Of what is sent more than once, all of the start is charged to this time, "
                     "and what is repeated counts with its rate: an upper bound of the count."
                 )
-        if any(remedy.before != self.utilization for remedy in self.remedies):
-            before = next(r.before for r in self.remedies if r.before != self.utilization)
+        timed = [r.before for r in self.remedies if r.kind in _AIR]
+        before = next((value for value in timed if value != self.utilization), None)
+        if before is not None:
             yield (
                 f"Changes of the channel are compared by the standard's timing, by which this "
                 f"fleet takes {_amount(before, self.window)} as it is."
@@ -814,7 +815,7 @@ def _other_tables(protocol: Protocol) -> Iterator[_Change | str]:
         yield _Change("hybrid", "the hybrid discovery", "table", table=hybrid)
     # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
     wired = [table.wired for table in PROTOCOLS.values()]
-    arrangements = {row["table"] for row in _arrangements()}
+    arrangements = ARRANGED | {row["table"] for row in _arrangements()}
     for table in PROTOCOLS.values():
         if table == protocol or table in wired or table.name in arrangements:
             continue

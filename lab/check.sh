@@ -2,14 +2,14 @@
 # Say what to install if something that the lab needs is missing; --debian: all its packages.
 set -eu
 
-packages="cyclonedds-dev cyclonedds-tools ethtool g++ iproute2 libfastcdr-dev libfastrtps-dev"
-packages="$packages procps python3-venv tcpdump util-linux"
+packages="cyclonedds-dev cyclonedds-tools ethtool fastdds-tools g++ iproute2 libfastcdr-dev"
+packages="$packages libfastrtps-dev procps python3-venv tcpdump util-linux"
 if [ "${1-}" = --debian ]; then
     echo "$packages"
     exit
 fi
 missing=
-for program in ethtool g++ idlc ip nsenter setpriv sysctl tcpdump unshare; do
+for program in ethtool fast-discovery-server g++ idlc ip nsenter setpriv sysctl tcpdump unshare; do
     command -v "$program" >/dev/null 2>&1 || missing="$missing $program"
 done
 for header in dds/dds.h fastdds/dds/domain/DomainParticipant.hpp fastcdr/Cdr.h; do

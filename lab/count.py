@@ -1,6 +1,8 @@
 """From the lab's captures to tables of `discostorm/data/measured/`.
 
-Two tables: what was run, and what was counted in each run, by window and kind of message.
+Two tables: what was run, and what was counted in each run, by window and kind of message. Of
+arrangements with something that serves the others, which hops a message would take if the hosts
+were on the air and what is behind them were wired to the access point.
 """
 
 import argparse
@@ -14,6 +16,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import discostorm as ds
 
 #: The windows that are counted, from the time that all processes begin at [s].
@@ -23,6 +27,11 @@ RUNS = (
     *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
 )
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
+#: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
+HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
+DIGITS = 10
+#: A host that is heard later than this after the start [s] had no network; its run is spoiled.
+SILENT = 1.5
 
 
 def natural(path: Path) -> list[int | str]:
@@ -30,7 +39,7 @@ def natural(path: Path) -> list[int | str]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
 
 
-def described(run: int, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
     """Return the row of a run; nothing in it names the machine's folders."""
     seconds = f"{told['seconds']:g}"
     shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
@@ -50,7 +59,7 @@ def described(run: int, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
 
 
 def counted(
-    run: int, capture: Path, told: dict[str, Any], notes: Counter[str]
+    run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
 ) -> Iterable[dict[str, Any]]:
     """Yield a row for each window and kind; a window that is not over is left out."""
     found = ds.read_capture(capture)
@@ -60,14 +69,17 @@ def counted(
     # of the messages of a kind: InitSyn or InitAck.
     rtps = messages["protocol"] == "RTPS"
     messages["about"] = messages["entity"].astype(str).where(rtps, messages["submessage"])
+    behind = {f"10.77.0.{host}" for host, _ in told.get("servers", []) if host > told["hosts"]}
+    sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
+    messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
     time = messages["time"] + (found.start - told["start"])
     for window, (begin, end) in WINDOWS.items():
         if told["seconds"] < end:
             continue
         inside = messages[(time >= begin) & (time < end)]
-        for key, group in inside.groupby(["kind", "about", "multicast"], observed=True):
+        for key, group in inside.groupby(["kind", "about", "multicast", "hops"], observed=True):
             yield {
-                **dict(zip(COUNTS, (run, window, *key), strict=False)),
+                **dict(zip(HOPS, (run, window, *key), strict=False)),
                 "multicast": int(key[2]),
                 "messages": len(group),
                 "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
@@ -78,7 +90,7 @@ def counted(
 def write(path: Path, heading: Iterable[str], rows: Iterable[dict[str, Any]]) -> None:
     """Write a table."""
     with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, list(heading), lineterminator="\n")
+        table = csv.DictWriter(file, list(heading), lineterminator="\n", extrasaction="ignore")
         table.writeheader()
         table.writerows(rows)
 
@@ -92,9 +104,12 @@ def main() -> int:
     captures = sorted(given.captures.glob("*.pcap.gz"), key=natural)
     if not captures:
         parser.error(f"captures {given.captures}: no *.pcap.gz in it")
+    first = (given.captures / f"{captures[0].name[:-8]}.json").read_text()
+    arranged = bool(json.loads(first).get("arranged"))
     runs, counts = [], []
     notes: Counter[str] = Counter()
-    for run, capture in enumerate(captures, 1):
+    for number, capture in enumerate(captures, 1):
+        run = hashlib.sha256(capture.read_bytes()).hexdigest()[:DIGITS] if arranged else number
         told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
         runs.append(described(run, capture, told))
         rows = list(counted(run, capture, told, notes))
@@ -102,14 +117,15 @@ def main() -> int:
             print(f"{capture}: there is no message in it", file=sys.stderr)
             return 1
         counts += rows
-        if sys.stderr.isatty() or run == len(captures):
-            print(f"\r[{run}/{len(captures)}] {capture.name}\x1b[K", end="", file=sys.stderr)
+        if sys.stderr.isatty() or number == len(captures):
+            print(f"\r[{number}/{len(captures)}] {capture.name}\x1b[K", end="", file=sys.stderr)
     print(file=sys.stderr)
     for note, many in notes.most_common():
         print(f"  in {many}: {note}", file=sys.stderr)
     given.out.mkdir(parents=True, exist_ok=True)
-    write(given.out / "runs.csv", RUNS, runs)
-    write(given.out / "counts.csv", COUNTS, counts)
+    kind = "mitigation_" if arranged else ""
+    write(given.out / f"{kind}runs.csv", RUNS, runs)
+    write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
     print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)
     return 0
 

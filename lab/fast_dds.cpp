@@ -56,6 +56,42 @@ std::string topic_name(const std::string& names, int host, int process, char rol
     return text;
 }
 
+std::string participant_name(int host, int process) {
+    char text[32];
+    std::snprintf(text, sizeof text, "h%02dp%d", host, process);
+    return text;
+}
+
+constexpr int MOST_HOSTS = 8, MOST_PROCESSES = 3;
+
+// The number of a writer in static endpoint discovery, from 1 on; that of its reader is one more.
+int endpoint_id(int host, int process, int number, int pairs) {
+    return 2 * (((host - 1) * MOST_PROCESSES + process - 1) * pairs + number) + 1;
+}
+
+// What static endpoint discovery is told in advance: the endpoints of everybody who may come.
+std::string everybody(const std::string& names, int pairs) {
+    std::string text = "data://<staticdiscovery>";
+    for (int host = 1; host <= MOST_HOSTS; ++host) {
+        for (int process = 1; process <= MOST_PROCESSES; ++process) {
+            text += "<participant><name>" + participant_name(host, process) + "</name>";
+            for (int number = 0; number < pairs; ++number) {
+                int id = endpoint_id(host, process, number, pairs);
+                for (const std::string kind : {"writer", "reader"}) {
+                    text += "<" + kind + "><userId>" + std::to_string(id++) + "</userId><topicName>" +
+                            topic_name(names, host, process, kind[0], number) + "</topicName>" +
+                            "<topicDataType>std_msgs::msg::dds_::String_</topicDataType>" +
+                            "<topicKind>NO_KEY</topicKind>" +
+                            "<reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>" +
+                            "<durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos></" + kind + ">";
+                }
+            }
+            text += "</participant>";
+        }
+    }
+    return text + "</staticdiscovery>";
+}
+
 void tell(const char* what) {
     const std::chrono::duration<double> now = Clock::now().time_since_epoch();
     std::printf("%s %.6f\n", what, now.count());
@@ -88,6 +124,14 @@ int main(int argc, char** argv) {
         qos.transport().use_builtin_transports = false;
         qos.transport().user_transports.push_back(
             std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
+    }
+    const bool fixed = variant == "static";
+    if (fixed) {
+        qos.name(participant_name(host, process));
+        auto& discovery = qos.wire_protocol().builtin.discovery_config;
+        discovery.use_SIMPLE_EndpointDiscoveryProtocol = false;
+        discovery.use_STATIC_EndpointDiscoveryProtocol = true;
+        discovery.static_edp_xml_config(everybody(names, pairs).c_str());
     }
     DataWriterQos writer_qos = DATAWRITER_QOS_DEFAULT;
     writer_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
@@ -127,6 +171,11 @@ int main(int argc, char** argv) {
         const std::string read = topic_name(names, host, process, 'r', number);
         auto* topic = participant->create_topic(written, type.get_type_name(), TOPIC_QOS_DEFAULT);
         must(topic, "topic");
+        if (fixed) {
+            const int id = endpoint_id(host, process, number, pairs);
+            writer_qos.endpoint().user_defined_id = static_cast<int16_t>(id);
+            reader_qos.endpoint().user_defined_id = static_cast<int16_t>(id + 1);
+        }
         must(publisher->create_datawriter(topic, writer_qos), "writer");
         if (read != written) {
             topic = participant->create_topic(read, type.get_type_name(), TOPIC_QOS_DEFAULT);

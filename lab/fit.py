@@ -2,7 +2,7 @@
 
 `data/vendors/as_built.csv` says which messages a product sends, for what and when. What it does
 not say, how many for each unit, is fitted here, as are sizes and parts of frames, to one half of
-the points: those that `runs.csv` marks with `fit`.
+the points: those that `runs.csv` marks with `fit`. So are those of `mitigations.csv`.
 """
 
 import argparse
@@ -19,20 +19,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import WINDOWS, Point, misses, points, products, times
+from discostorm.measured import WINDOWS, Point, arrangements, misses, points, products, times
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import as_built, schedule
+from discostorm.protocols.as_built import FAMILIES, as_built, schedule
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
     *("frames", "fewest_frames", "most_frames"),
 )
 MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
+#: The names of the tables of a family.
+NAMES = {"as_built": products, "mitigations": arrangements}
 #: Digits that are kept: the fits are no better than this.
 DIGITS = 4
 #: What is left of a kind without what is repeated must be this part of it to tell its size.
 LEAST_PART = 0.25
+#: The same where the sizes of what else is of a kind are those of other points.
+LEAST_REST = 0.1
 
 Row = dict[str, str]
 
@@ -43,6 +47,11 @@ class Sizes:
 
     payload: tuple[float, float, float]
     frames: tuple[float, float, float]
+
+    @property
+    def mean(self) -> tuple[float, float]:
+        """Part of frames and payload, as the columns of a point's counts have them."""
+        return self.frames[0], self.payload[0]
 
 
 def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) -> list[float]:
@@ -71,7 +80,7 @@ def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) ->
 
 def fit(rows: list[Row], seen: list[Point]) -> list[float]:
     """Return how many of each row are sent for each unit: as its table says, or fitted."""
-    key = (rows[0]["kind"], rows[0]["about"], rows[0]["cast"])
+    key = kind_of(rows[0])
     given = np.array([float(row["per_unit"] or 0) for row in rows])
     free = [index for index, row in enumerate(rows) if not row["per_unit"]]
     if free:
@@ -86,6 +95,11 @@ def fit(rows: list[Row], seen: list[Point]) -> list[float]:
     return [float(number) for number in given]
 
 
+def kind_of(row: Row) -> tuple[str, str, str, str]:
+    """Return what a row is counted under: kind, what it is about, cast and hop."""
+    return row["kind"], row["about"], row["cast"], row.get("hops", "")
+
+
 def sent(row: Row, point: Point, window: str) -> float:
     """Return how often something is sent in a window if it is once for each unit."""
     return float(UNITS[row["unit"]].count(point.fleet)) * times(schedule(row), window)
@@ -97,7 +111,7 @@ def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Size
     What is repeated has those of the steady window, the others those of what is left of the
     start without it.
     """
-    key = (rows[0]["kind"], rows[0]["about"], rows[0]["cast"])
+    key = kind_of(rows[0])
     repeated = [bool(row["period_s"]) for row in rows]
     steady = part_of([point.median(("steady", *key)) for point in seen])
     left = []
@@ -118,6 +132,82 @@ def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Size
     return [steady if repeats and steady else starting for repeats in repeated]
 
 
+def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Sizes]:
+    """Return the sizes of the rows of one kind.
+
+    A row has those of the points and windows at which it alone is sent of the rows whose sizes are
+    not known yet, less what is. Rows that are never alone share theirs.
+    """
+    key = kind_of(rows[0])
+    known: dict[int, Sizes] = {}
+
+    def left(unknown: list[int]) -> Sizes | None:
+        """Return the sizes of what is left at the points that have no others but these."""
+        others = [index for index in range(len(rows)) if index not in (*known, *unknown)]
+        counts = []
+        for point in seen:
+            for window in WINDOWS:
+                many = [n * sent(row, point, window) for n, row in zip(numbers, rows, strict=True)]
+                counted = point.median((window, *key))
+                if any(many[index] for index in others) or not any(many[i] for i in unknown):
+                    continue
+                rest = counted - sum(
+                    many[index] * np.array([1, *known[index].mean]) for index in known
+                )
+                if rest[0] > 0 and rest[0] >= LEAST_REST * counted[0]:
+                    counts.append(rest)
+        return part_of(counts)
+
+    while len(known) < len(rows):
+        unknown = [index for index in range(len(rows)) if index not in known]
+        for index in unknown:
+            if (alone := left([index])) is not None:
+                known[index] = alone
+                break
+        else:
+            # What is too few to be told apart has the sizes of the rest.
+            together = left(unknown) or next(iter(known.values()))
+            known |= dict.fromkeys(unknown, together)
+    return [known[index] for index in range(len(rows))]
+
+
+def listed(
+    own: list[Row], inside: list[Row], numbers: list[float], frames: Sizes, seen: list[Point]
+) -> tuple[list[float], list[Sizes]]:
+    """Return how many rows inside of others there are for each unit, and all sizes of a kind.
+
+    The steady window tells what a message has without and for what is inside; what the start
+    lacks of lists that are not complete yet is a factor.
+    """
+    key = kind_of(own[0])
+
+    def sum_of(rows: list[Row], point: Point, window: str) -> float:
+        many = dict(zip((row["message"] for row in own), numbers, strict=True))
+        each = (many[row["inside"] or row["message"]] * sent(row, point, window) for row in rows)
+        return sum(each)
+
+    def octets(point: Point, window: str) -> float:
+        return float(point.median((window, *key))[2])
+
+    steady = [[sum_of(rows, point, "steady") for rows in (own, inside)] for point in seen]
+    sizes = np.array([octets(point, "steady") for point in seen])
+    around, part = least_deviations(np.array(steady) / sizes[:, None], np.ones(len(seen)))
+    at_start = [row for row in inside if not row["period_s"]]
+    again = [row for row in inside if row["period_s"]]
+    terms, wanted = [], []
+    for point in seen:
+        whole = octets(point, "startup")
+        rest = around * sum_of(own, point, "startup") + part * sum_of(again, point, "startup")
+        terms.append([part * sum_of(at_start, point, "startup") / whole])
+        wanted.append(1 - rest / whole)
+    (factor,) = least_deviations(np.array(terms), np.array(wanted))
+    many = dict(zip((row["message"] for row in own), numbers, strict=True))
+    counts = [many[row["inside"]] * (1 if row["period_s"] else factor) for row in inside]
+    return counts, [Sizes((around,) * 3, frames.frames)] * len(own) + [
+        Sizes((part,) * 3, (0.0,) * 3)
+    ] * len(inside)
+
+
 def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
     """Return the sizes of a message that was counted at some points, None if at none."""
     parts = [count[1:] / count[0] for count in counts if count[0] > 0]
@@ -129,26 +219,32 @@ def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
     return Sizes(payload, frames)
 
 
-def fitted() -> Iterator[list[str]]:
-    """Yield the rows of the table."""
-    for name in products():
+def fitted(family: str) -> Iterator[list[str]]:
+    """Yield the rows of the table of a family."""
+    for name in NAMES[family]():
         seen = [point for point in points(name) if point.use == "fit"]
         kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
-        for row in read_data("vendors/as_built.csv"):
+        for row in read_data(f"vendors/{family}.csv"):
             if row["protocol"] == name:
-                kinds[row["kind"], row["about"], row["cast"]].append(row)
+                kinds[kind_of(row)].append(row)
         for rows in kinds.values():
             least = max(int(row["fit_from"]) for row in rows)
             enough = [point for point in seen if point.fleet.processes() >= least]
-            numbers = fit(rows, enough)
-            for row, number, size in zip(rows, numbers, sizes(rows, numbers, enough), strict=True):
+            own = [row for row in rows if not row.get("inside")]
+            numbers = fit(own, enough)
+            found = (sizes if family == "as_built" else sizes_apart)(own, numbers, enough)
+            inside = [row for row in rows if row.get("inside")]
+            if inside:
+                more, found = listed(own, inside, numbers, found[0], enough)
+                numbers += more
+            for row, number, size in zip(own + inside, numbers, found, strict=True):
                 values = (number, *size.payload, *size.frames)
                 yield [name, row["message"], *(f"{value:.{DIGITS}g}" for value in values)]
 
 
-def missed() -> list[list[str]]:
-    """Return the rows of the table of exceptions."""
-    tables = [PROTOCOLS.get(name) or as_built(name) for name in products()]
+def missed(family: str) -> list[list[str]]:
+    """Return the rows of the table of exceptions of a family."""
+    tables = [PROTOCOLS.get(name) or as_built(name, family) for name in NAMES[family]()]
     return [list(row.values()) for table in tables for row in misses(table)]
 
 
@@ -167,10 +263,12 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
     parser.add_argument("--misses", action="store_true", help="what the tables as they are miss")
     told = parser.parse_args()
-    if told.misses:
-        write(told.out / "misses.csv", MISSES, missed())
-    else:
-        write(told.out / "as_built.csv", COLUMNS, list(fitted()))
+    for family in FAMILIES:
+        if told.misses:
+            kind = "misses" if family == "as_built" else "mitigation_misses"
+            write(told.out / f"{kind}.csv", MISSES, missed(family))
+        else:
+            write(told.out / f"{family}.csv", COLUMNS, list(fitted(family)))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -44,8 +45,29 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("zenoh_peer", "default"): (ZENOH, {}),
     ("zenoh_peer", "tokens"): (ZENOH, {}),
 }
-STAGE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
-STAGE += ["--mount-proc", "--net", sys.executable, str(LAB / "stage.py")]
+# Of a grid with a column for the arrangement: program, environment, and what serves the others,
+# each on the host of a number. Host 101 and 102 are behind the others, wired to the access point.
+DISCOVERY_SERVER = "/usr/bin/fast-discovery-server"
+ARRANGEMENTS: dict[
+    tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]
+] = {
+    ("fast_dds", "composed"): (FAST_DDS, {}, []),
+    **{
+        ("fast_dds", name): (
+            FAST_DDS,
+            {"ROS_DISCOVERY_SERVER": ";".join(f"10.77.0.{host}:11811" for host in hosts)},
+            [
+                (host, [DISCOVERY_SERVER, "-i", str(index), "-l", f"10.77.0.{host}", "-p", "11811"])
+                for index, host in enumerate(hosts)
+            ],
+        )
+        for name, hosts in {"server": [101], "server_robot": [1], "servers": [101, 102]}.items()
+    },
+    ("fast_dds", "static"): (FAST_DDS, {}, []),
+}
+ALONE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
+ALONE += ["--mount-proc", "--net", sys.executable]
+STAGE = [*ALONE, str(LAB / "stage.py")]
 
 SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
 CROWD = 40  # processes at a time, over all runs
@@ -59,6 +81,14 @@ def version(product: str) -> str:
         return subprocess.run(query, capture_output=True, text=True, check=True).stdout
     [found] = BUILD.glob(f"venv/lib/python*/site-packages/{package}-*.dist-info")
     return found.name.removeprefix(f"{package}-").removesuffix(".dist-info")
+
+
+def arrangements(point: dict[str, str]) -> dict[tuple[str, str], Any]:
+    """Return what is run at a point: every product as shipped, or the one that it names."""
+    if "arrangement" not in point:
+        return {key: (*value, []) for key, value in PRODUCTS.items()}
+    product, _, variant = point["arrangement"].partition("-")
+    return {(product, variant): ARRANGEMENTS[product, variant]}
 
 
 def jobs(
@@ -75,7 +105,7 @@ def jobs(
         for point in points:
             if run > int(point["runs"]):
                 continue
-            for (product, variant), (command, env) in PRODUCTS.items():
+            for (product, variant), (command, env, servers) in arrangements(point).items():
                 if only and f"{product}-{variant}" not in only:
                     continue
                 hosts, processes, endpoints = (
@@ -93,6 +123,8 @@ def jobs(
                         "kernel": os.uname().release,
                         "command": command,
                         "env": env,
+                        "servers": servers,
+                        "arranged": "arrangement" in point,
                         "hosts": hosts,
                         "processes": processes,
                         "endpoints": endpoints,
@@ -126,7 +158,14 @@ def remove(out: Path) -> None:
         path.unlink()
 
 
-def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) -> int:
+def run(
+    todo: list[dict[str, Any]],
+    folder: Path,
+    crowd: int,
+    spacing: float,
+    stage_of: list[str] = STAGE,
+    finish: Callable[[Path], str] = finish,
+) -> int:
     """Run all jobs, some side by side; how many failed for good."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
     waiting, failed, done, total = list(todo), 0, 0, len(todo)
@@ -158,7 +197,7 @@ def run(todo: list[dict[str, Any]], folder: Path, crowd: int, spacing: float) ->
                     job["tries"] = job.get("tries", 0) + 1
                     told = json.dumps(job | {"out": str(folder / job["name"])})
                     stage = subprocess.Popen(
-                        [*STAGE, told], stderr=subprocess.PIPE, text=True, start_new_session=True
+                        [*stage_of, told], stderr=subprocess.PIPE, text=True, start_new_session=True
                     )
                     running[stage] = job
                     next_start = time.monotonic() + spacing
@@ -187,7 +226,7 @@ def main() -> int:
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
     parser.add_argument("--spacing", type=float, default=SPACING, help="s between two starts")
     given = parser.parse_args()
-    known = {f"{product}-{variant}" for product, variant in PRODUCTS}
+    known = {f"{product}-{variant}" for product, variant in PRODUCTS | ARRANGEMENTS}
     if unknown := set(given.only) - known:
         parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(known))}")
     if not (BUILD / ".ready").exists():

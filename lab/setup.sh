@@ -16,9 +16,11 @@ else
 fi
 # Without the description of the type (-t), as ROS 2 has it.
 idlc -t -W no-implicit-extensibility -o build/lab/idl lab/String_.idl
-cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/cyclone_dds lab/cyclone_dds.c \
-    build/lab/idl/String_.c -lddsc
-for program in fast_dds fast_dds_load; do
+for program in cyclone_dds watch_cyclone_dds; do
+    cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/$program lab/$program.c \
+        build/lab/idl/String_.c -lddsc
+done
+for program in fast_dds fast_dds_load watch_fast_dds; do
     c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/$program.cpp -lfastrtps -lfastcdr
 done
 touch build/lab/.ready

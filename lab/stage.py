@@ -20,6 +20,7 @@ from typing import IO
 
 LEAD = 0.5  # s from the word that all are ready to their start
 TAIL = 2.0  # s that tcpdump runs on, for what the kernel holds back
+SERVING = 1.0  # s that servers have before anybody else runs
 LATE = 0.25  # s after the agreed time; a process that begins later spoils the run
 PATIENCE = 30.0  # s beyond its time before a program is given up
 # Nothing of what configures middleware on the user's machine; the mark is of the tests.
@@ -77,6 +78,18 @@ def wait_for_tcpdump(log: Path) -> None:
     raise SystemExit(f"tcpdump does not listen: {log.read_text()}")
 
 
+def serve(
+    out: Path, inside: int, number: int, command: list[str]
+) -> tuple[int, subprocess.Popen[str]]:
+    """Begin what serves the others, in a host's namespaces; its number and process."""
+    words = ["nsenter", f"--target={inside}", "--net", "--mount", *command]
+    with out.with_suffix(f".{number}.log").open("w") as log:
+        server = subprocess.Popen(
+            words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, text=True, env=CLEAN
+        )
+    return number, server
+
+
 def main() -> None:
     job = json.loads(sys.argv[1])
     out = Path(job["out"])
@@ -86,7 +99,10 @@ def main() -> None:
     say("ip link set lo up")
     say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
     say("ip link set br0 address 02:00:00:00:01:00 up")
-    pids = [build_host(number) for number in range(1, hosts + 1)]
+    # What serves the others runs on one of the hosts, or on one of its own behind them.
+    numbers = sorted({*range(1, hosts + 1), *(number for number, _ in job["servers"])})
+    built = {number: build_host(number) for number in numbers}
+    pids = [built[number] for number in range(1, hosts + 1)]
 
     capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
     with report.open("w") as stderr:
@@ -95,6 +111,8 @@ def main() -> None:
             stderr=stderr,
         )
     wait_for_tcpdump(report)
+    served = [serve(out, built[number], number, command) for number, command in job["servers"]]
+    time.sleep(SERVING if served else 0)
 
     running: list[tuple[subprocess.Popen[str], IO[str]]] = []
     for host, pid in enumerate(pids, 1):
@@ -138,6 +156,9 @@ def main() -> None:
         if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - start < LATE:
             raise SystemExit(f"a process began at {times[-1]}, not at {start}: machine too busy")
     time.sleep(TAIL)
+    for number, server in served:
+        if server.poll() is not None:
+            raise SystemExit(f"the server on host {number} ended with {server.returncode}")
     dump.send_signal(signal.SIGINT)
     dump.wait()
     text = report.read_text()
@@ -152,4 +173,5 @@ def main() -> None:
             path.unlink()
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -6,6 +6,7 @@ written beside them as data.
 """
 
 import json
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, get_args
@@ -18,7 +19,7 @@ from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
-from discostorm.protocols import MEASURED
+from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import laptop, robots
 from discostorm.scalability import solve_hosts
 from discostorm.snippets import snippets
@@ -71,6 +72,7 @@ GROUPS = (
     "As the paper counts",
     "The paper's messages, a product's periods",
     "Other tables",
+    "Products arranged against the storm",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -281,6 +283,8 @@ def group(protocol: Protocol) -> str:
     """Return under which heading a table is offered."""
     if protocol in PAPERS:
         return GROUPS[1]
+    if protocol.name in ARRANGED:
+        return GROUPS[4]
     papers = [message for table in PAPERS for message in table.messages]
     if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
         return GROUPS[3]
@@ -292,7 +296,6 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> Code:
     schedule = message.schedule
     return {
         "name": data(message.name),
-        "phase": data(message.phase),
         "cast": data(message.cast),
         "bytes": number(message.frame_bytes),
         "frames": number(message.frames),
@@ -469,14 +472,57 @@ def written(code: Code, indent: str = "") -> str:
     else:
         return code
     line = ", ".join(entries)
-    if len(line) + len(indent) < 100 and "\n" not in line:
+    if len(line) + len(indent) < 300 and "\n" not in line:
         return f"{braces[0]}{line}{braces[1]}"
     return "\n".join([braces[0], *(f"{inner}{entry}," for entry in entries), indent + braces[1]])
 
 
+def said_once(code: Code) -> tuple[dict[str, Code], Code]:
+    """Return what occurs more than once, by a name that stands for it, and the rest.
+
+    A later one may stand on earlier ones. Short ones stay where they are.
+    """
+    many = Counter[str]()
+
+    def count(part: Code) -> None:
+        many[written(part)] += 1
+        if many[written(part)] == 1 and not isinstance(part, str):
+            for inner in part.values() if isinstance(part, dict) else part:
+                count(inner)
+
+    names: dict[str, str] = {}
+    said: dict[str, Code] = {}
+
+    def named(part: Code) -> Code:
+        whole = written(part)
+        if whole in names:
+            return names[whole]
+        rest: Code = part
+        if isinstance(part, dict):
+            rest = {key: named(inner) for key, inner in part.items()}
+        elif isinstance(part, list):
+            rest = [named(inner) for inner in part]
+        if many[whole] == 1 or len(whole) < SHORT:
+            return rest
+        names[whole] = f"shared{len(names) + 1}"
+        said[names[whole]] = rest
+        return names[whole]
+
+    count(code)
+    rest = named(code)
+    return said, rest
+
+
+#: Characters from which on it is worth a name.
+SHORT = 40
+
+
 def javascript() -> str:
     """Return the text of model.js."""
-    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = {written(model())};\n"
+    said, rest = said_once(model())
+    lines = [f"  const {name} = {written(part, '  ')};" for name, part in said.items()]
+    body = "\n".join([*lines, f"  return {written(rest, '  ')};"])
+    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
 
 
 if __name__ == "__main__":

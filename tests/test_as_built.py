@@ -27,14 +27,18 @@ MATCHING = ds.Fleet(SWARM.groups, matching=1)
 
 def test_the_fit_is_that_of_the_measurements(tmp_path: Path) -> None:
     """Again from the counts: the same bytes, and the same list of what the tables miss."""
-    for arguments, name in (([], "as_built.csv"), (["--misses"], "misses.csv")):
+    for arguments, names in (
+        ([], ("as_built.csv", "mitigations.csv")),
+        (["--misses"], ("misses.csv", "mitigation_misses.csv")),
+    ):
         subprocess.run(
             [sys.executable, ROOT / "lab" / "fit.py", "--out", tmp_path, *arguments],
             check=True,
             capture_output=True,
         )
-        now = (tmp_path / name).read_text(encoding="utf-8")
-        assert now == data_path(f"measured/{name}").read_text(encoding="utf-8")
+        for name in names:
+            now = (tmp_path / name).read_text(encoding="utf-8")
+            assert now == data_path(f"measured/{name}").read_text(encoding="utf-8")
 
 
 def test_each_row_says_where_it_is_from() -> None:
@@ -95,12 +99,14 @@ def test_units_by_hand() -> None:
     processes = [(host, number) for host in range(3) for number in range(2)]
     pairs = [(a, b) for a in processes for b in processes if a[0] != b[0]]
     thirds = [(a, b, c) for a, b in pairs for c in processes if c not in (a, b)]
+    others = [(a, b) for a in processes for b in processes if a != b]
+    away = [(a, b) for a, b in others if b[0] != 0]
     by_hand = {
         "process": 6,
         "ordered pair of processes on different hosts": len(pairs),
         "endpoint and process on another host": 10 * len(pairs),
         "endpoint": 60,
-        "ordered pair of processes": sum(a != b for a in processes for b in processes),
+        "ordered pair of processes": len(others),
         "ordered pair of processes on different hosts and third process": len(thirds),
         "endpoint, process on another host and third process": 10 * len(thirds),
         "matched writer and process on another host": 5 * len(pairs),
@@ -109,6 +115,17 @@ def test_units_by_hand() -> None:
         "ordered pair of hosts": 6,
         "endpoint of a kind of host": 20,
         "fleet": 1,
+        "endpoint and other process": 10 * len(others),
+        "two endpoints of a process, or one twice": 6 * 55,
+        "two endpoints of a process, or one twice, and process on another host": 55 * len(pairs),
+        "ordered pair of matched processes": len(others),
+        "ordered pair of matched processes on different hosts": len(pairs),
+        "matched endpoint and other process": 10 * len(others),
+        # The server is on the first host.
+        "process away from the server": 4,
+        "endpoint away from the server": 40,
+        "ordered pair of matched processes, one away from the server": len(away),
+        "matched endpoint and other process away from the server": 10 * len(away),
     }
     assert {name: unit.count(MATCHING) for name, unit in UNITS.items()} == by_hand
     assert UNITS["unmatched endpoint and process on another host"].count(SWARM) == 10 * len(pairs)

@@ -634,8 +634,7 @@ def test_the_picture_shows_all_airtime() -> None:
     above, below = capture.picture().axes
     bars = above.patches
     assert sum(bar.get_height() for bar in bars) == pytest.approx(len(capture._on_air()))
-    width = bars[0].get_width()
-    seconds = sum(bar.get_height() for bar in below.patches) * width
+    seconds = sum(bar.get_height() * bar.get_width() for bar in below.patches)
     assert seconds == pytest.approx(capture.airtime()[capture._on_air().index].sum())
 
 

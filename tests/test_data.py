@@ -17,16 +17,23 @@ DATA_FILES = sorted(str(path.relative_to(data_path(""))) for path in data_path("
 
 #: Where a table says it in a column of another name: of a claim the source is where the paper makes
 #: it, of what a quantity is called the function that computes it, of a run its capture, of a count
-#: its run, of what is fitted or missed the message or kind in other tables, and of a product what
-#: of the runs it is.
+#: its run, of a death how its robots were arranged, and of that the software, of what is fitted or
+#: missed the message or kind in other tables, and of a product what of the runs it is.
 SOURCES = {
     "paper/claims.csv": "where",
     "paper/quantities.csv": "quantity",
     "measured/runs.csv": "sha256",
     "measured/counts.csv": "run",
+    "measured/deaths.csv": "arrangement",
+    "measured/arrangements.csv": "version",
     "measured/as_built.csv": "message",
     "measured/misses.csv": "kind",
+    "measured/mitigation_counts.csv": "run",
+    "measured/mitigation_misses.csv": "kind",
+    "measured/mitigation_runs.csv": "sha256",
+    "measured/mitigations.csv": "message",
     "measured/reasons.csv": "reason",
+    "vendors/arrangements.csv": "product",
     "vendors/products.csv": "product",
     "simulated/hybrid.csv": "scenario",
 }

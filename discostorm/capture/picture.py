@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Intervals in the picture, kinds with a colour of their own, inches.
 _INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
+#: Time grows along the axis with this power.
+_STRETCH = 1.5
 #: Okabe and Ito's colours, which the colour-blind tell apart: the same in every picture for what
 #: the paper counts, in order for other kinds, and grey for the rest.
 _COLORS = {
@@ -33,7 +35,7 @@ _REST = "#999999"
 
 
 def draw(rows: pd.DataFrame, channel: str) -> Figure:
-    """Draw messages over time, stacked by kind, and their airtime a second of a channel.
+    """Draw messages over time since the first, stacked by kind, and their airtime on a channel.
 
     Parameters
     ----------
@@ -42,10 +44,13 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
     channel : str
         What the channel is called.
     """
-    time = rows["time"].to_numpy()
-    edges = np.linspace(time.min(), max(time.max(), time.min() + 1e-3), _INTERVALS + 1)
-    width = edges[1] - edges[0]
-    which = np.clip(((time - edges[0]) / width).astype(np.int64), 0, _INTERVALS - 1)
+    time = rows["time"].to_numpy() - rows["time"].min()
+    span = max(time.max(), 1e-3)
+    # Most of a start is early: intervals grow as the axis does, so that it is not squeezed.
+    edges = span * np.linspace(0, 1, _INTERVALS + 1) ** _STRETCH
+    part = (time / span) ** (1 / _STRETCH)
+    which = np.minimum((part * _INTERVALS).astype(np.int64), _INTERVALS - 1)
+    width = np.diff(edges)
     # Those that take the most airtime; of the same, the first by name.
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
     shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_KINDS]
@@ -59,19 +64,25 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
         figure = Figure(figsize=_SIZE, layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True)
         airtime = rows["airtime_s"].to_numpy()
-        for axis, weight in ((above, np.ones(len(time))), (below, airtime / width)):
+        for axis, weight in ((above, np.ones(len(time))), (below, airtime / width[which])):
             bottom = np.zeros(_INTERVALS)
             for kind, color, mine in parts:
                 height = np.bincount(which[mine], weight[mine], _INTERVALS)
                 some = height > 0
-                place = edges[:-1][some], height[some], width, bottom[some]
+                place = edges[:-1][some], height[some], width[some], bottom[some]
                 axis.bar(*place, align="edge", color=color, label=kind)
                 bottom += height
-        above.set_ylabel(f"messages in {width:.3g} s")
+        above.set_ylabel("messages in an interval")
         below.set_ylabel("airtime [% of the channel]")
         below.yaxis.set_major_formatter(PercentFormatter(1, symbol=None))
         if below.get_ylim()[1] > 0.9:
             below.axhline(1, color="black", linewidth=1)
-        below.set_xlabel(f"time [s]; airtime as on the channel {channel}")
+        below.set_xlabel(f"time [s], its start stretched; airtime on the channel {channel}")
+        powers = (lambda x: np.abs(x) ** (1 / _STRETCH), lambda x: np.abs(x) ** _STRETCH)
+        below.set_xscale("function", functions=powers)
+        below.set_xlim(0, span)
+        marks = [digit * 10.0**power for power in range(-5, 7) for digit in (1, 2, 5)]
+        marks = [0, *(mark for mark in marks if span / 30 <= mark <= span)]
+        below.set_xticks(marks, [f"{mark:g}" for mark in marks])
         above.legend(ncols=2, fontsize="small")
     return figure

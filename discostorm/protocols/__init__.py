@@ -32,4 +32,7 @@ PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
 #: The names of those that say what products really send; the others have the paper's counts.
 MEASURED = frozenset(row["protocol"] for row in read_data("vendors/products.csv"))
 
-__all__ = ["DDS", "MEASURED", "PROTOCOLS", "ZENOH"]
+#: The names of those that say what products send when they are arranged against the storm.
+ARRANGED = frozenset(row["protocol"] for row in read_data("vendors/arrangements.csv"))
+
+__all__ = ["ARRANGED", "DDS", "MEASURED", "PROTOCOLS", "ZENOH"]

@@ -2,6 +2,8 @@
 
 The first says of each message what it is sent for and when, and where that stands in the
 source; the second how many, and how large, where only measuring tells. `lab/fit.py` writes it.
+What they send when they are arranged otherwise than as shipped, against the storm, is in files
+of the same columns, `mitigations.csv`.
 """
 
 from collections.abc import Mapping
@@ -10,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm.messages import UNITS, Message, Payload, Protocol, Schedule
+from discostorm.messages import HOPS, UNITS, Hop, Message, Payload, Protocol, Schedule
 from discostorm.protocols.defaults import defaults
 
 
@@ -20,30 +22,46 @@ def schedule(row: Mapping[str, str]) -> Schedule:
     return Schedule(starts, float(row["period_s"] or np.inf))
 
 
-def as_built(name: str) -> Protocol:
+#: Of a row that is not fitted yet.
+_NOTHING = {"per_unit": "0"}
+#: By the name of a file of rows, the file that says what was run.
+FAMILIES = {"as_built": "products", "mitigations": "arrangements"}
+
+
+def as_built(name: str, family: str = "as_built") -> Protocol:
     """Return the table of a product, of a name in ``data/vendors/products.csv``.
 
-    A row of which nothing was measured is left out.
+    Of the family "mitigations": of a name in ``data/vendors/arrangements.csv``. A row of which
+    nothing was measured is left out.
     """
-    (product,) = (row for row in read_data("vendors/products.csv") if row["protocol"] == name)
+    (product,) = (
+        row for row in read_data(f"vendors/{FAMILIES[family]}.csv") if row["protocol"] == name
+    )
     measured = {
-        row["message"]: row for row in read_data("measured/as_built.csv") if row["protocol"] == name
+        row["message"]: row
+        for row in read_data(f"measured/{family}.csv")
+        if row["protocol"] == name
     }
     rows = {
         row["message"]: row | measured[row["message"]]
-        for row in read_data("vendors/as_built.csv")
-        if row["protocol"] == name and float(measured[row["message"]]["per_unit"])
+        for row in read_data(f"vendors/{family}.csv")
+        if row["protocol"] == name and float(measured.get(row["message"], _NOTHING)["per_unit"])
     }
     return Protocol(
         name,
-        tuple(_message(row, known=rows) for row in rows.values()),
+        tuple(_message(row, rows, family) for row in rows.values()),
         lease=defaults(product["defaults"])["lease"],
-        wired=as_built(product["wired"]) if product["wired"] else None,
+        wired=as_built(product["wired"], family) if product["wired"] else None,
     )
 
 
-def _message(row: dict[str, str], known: Mapping[str, Any]) -> Message:
-    source = f"{row['source']}; size: measured (discostorm/data/measured/as_built.csv)"
+def hops(row: Mapping[str, str]) -> tuple[Hop, ...]:
+    """Return the hops of a message of the table: both, but where one end is wired."""
+    return tuple(hop for hop in HOPS if row.get("hops") in ("", None, hop))
+
+
+def _message(row: dict[str, str], known: Mapping[str, Any], family: str) -> Message:
+    source = f"{row['source']}; size: measured (discostorm/data/measured/{family}.csv)"
     nominal, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
     cast, transport = row["cast"], row["transport"]
     return Message(
@@ -55,6 +73,7 @@ def _message(row: dict[str, str], known: Mapping[str, Any]) -> Message:
         UNITS[row["unit"]],
         float(row["per_unit"]),
         schedule(row),
+        hops(row),
         answers=row["answers"] if row["answers"] in known else None,
         frames=float(row["frames"]),
         kind=row["kind"],

@@ -24,6 +24,25 @@
     return element;
   }
 
+  /** Make an element's children be like others: what is the same stays, or all would be styled and laid out anew. */
+  function become(element, ...fresh) {
+    const there = [...element.childNodes];
+    fresh.forEach((child, i) => {
+      const old = there[i];
+      const node = child instanceof Node ? child : document.createTextNode(child);
+      if (!old) element.append(node);
+      else if (old.nodeName !== node.nodeName) old.replaceWith(node);
+      else if (node instanceof Text) {
+        if (old.data !== node.data) old.data = node.data;
+      } else if (!old.isEqualNode(node)) {
+        for (const { name } of [...old.attributes]) if (!node.hasAttribute(name)) old.removeAttribute(name);
+        for (const { name, value } of node.attributes) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+        become(old, ...node.childNodes);
+      }
+    });
+    for (const old of there.slice(fresh.length)) old.remove();
+  }
+
   // ---- numbers in words ----
 
   const digits = (most) => new Intl.NumberFormat("en-US", { maximumFractionDigits: most });
@@ -368,7 +387,8 @@
     const [title, reason] = verdict(answer);
     const box = byId("answer");
     box.dataset.severity = front.severity && Math.max(front.severity, front.protocol.lease < Infinity ? 1 : 2);
-    box.replaceChildren(
+    become(
+      box,
       make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[box.dataset.severity]), make("strong", {}, title)),
       make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${front.name}`),
     );
@@ -377,7 +397,8 @@
     const fit = [["within a second", second], ["within the lease", lease], ["in the long run", ever]]
       .filter(([, found]) => found && found.largest < Infinity)
       .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as one alone is too much" : ""));
-    byId("numbers").replaceChildren(
+    become(
+      byId("numbers"),
       make("p", { class: "calc-title" }, "Robots that fit"),
       make("ul", {}, ...fit),
       make("p", { class: "calc-hint" }, assumed(answer)),
@@ -422,19 +443,23 @@
       const found = one.fitting[window];
       return found ? exact(found.full ?? NaN, some(found), `${one.name} saturation ${window}`) : "–";
     };
-    byId("all").tBodies[0].replaceChildren(
-      ...answer.all.map((one) =>
-        make(
+    become(
+      byId("all").tBodies[0],
+      ...answer.all.flatMap((one, i, all) => {
+        const { group } = one.protocol;
+        const row = make(
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
-          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`, make("span", { class: "calc-hint" }, ` ${one.protocol.group.toLowerCase()}`)),
+          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
           make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),
           make("td", {}, cell(one, "ever")),
-        ),
-      ),
+        );
+        const head = make("tr", { class: "calc-group" }, make("th", { scope: "rowgroup", colspan: "6" }, group));
+        return group === all[i - 1]?.protocol.group ? [row] : [head, row];
+      }),
     );
   }
 
@@ -442,7 +467,8 @@
     const { front } = answer;
     byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}`;
     const [body] = byId("parts").tBodies;
-    body.replaceChildren(
+    become(
+      body,
       ...front.messages.map((message) => {
         const share = message.both / front.utilization || 0;
         const bar = make("span", { class: "calc-bar", "aria-hidden": "true" }, make("span"));
@@ -458,8 +484,6 @@
           make("td", {}, percent(share), bar),
         );
       }),
-    );
-    body.append(
       make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
     );
   }
@@ -686,7 +710,7 @@
   }
 
   function showLegend(answer) {
-    byId("legend").replaceChildren(...answer.drawn.map((one) => make("li", {}, sample(answer, one), ` ${one.name}`)));
+    become(byId("legend"), ...answer.drawn.map((one) => make("li", {}, sample(answer, one), ` ${one.name}`)));
   }
 
   // ---- the numbers as CSV ----
@@ -805,7 +829,8 @@
     if (robot) {
       const kinds = [...new Set(robot.parts.map((part) => part.kind))].join(" and ");
       byId("robot-kind").textContent = `Where these numbers come from (${kinds})`;
-      byId("robot-list").replaceChildren(
+      become(
+        byId("robot-list"),
         ...robot.parts.map(({ what, processes, endpoints, kind, source }) =>
           make("li", {}, `${capitalized(what)}: ${plural(processes, "process", "processes")}, ${plural(endpoints, "endpoint")}, ${kind}. `, make("span", { class: "calc-hint" }, source)),
         ),

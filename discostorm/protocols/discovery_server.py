@@ -1,0 +1,54 @@
+"""What Fast DDS sends with a Discovery Server, as measured and as its source says.
+
+Clients announce themselves and their endpoints to the server alone, which passes them on to those
+whose endpoints match. So it filters: among robots with names of their own nothing of what is sent
+grows with pairs.
+Where everything matches, the server sends each of :math:`N` clients the endpoints of all others:
+its downlink grows with :math:`N^2`, as the unicasts of simple discovery do, and clients still
+exchange liveliness and the Heartbeats of users without it. In the steady state there is one
+announcement each way in 3 s a client, and nothing between clients.
+
+A server that is wired to the access point costs each message one hop. On a robot, each
+message costs two, but for those of its own host; the server is on a host of the first group.
+Two servers know nothing of each other: each is told everything, and passes on everything.
+"""
+
+from dataclasses import replace
+
+from discostorm.messages import (
+    AWAY,
+    ENDPOINT,
+    ENDPOINT_AWAY,
+    HOPS,
+    MATCHED_ENDPOINT,
+    MATCHED_ENDPOINT_AWAY,
+    MATCHED_PROCESS_PAIR,
+    MATCHED_PROCESS_PAIR_AWAY,
+    PROCESS,
+    Message,
+)
+from discostorm.protocols.as_built import as_built
+
+DISCOVERY_SERVER = as_built("Fast DDS Discovery Server", "mitigations")
+TWO_DISCOVERY_SERVERS = as_built("Fast DDS Discovery Server, two", "mitigations")
+
+_AWAY = {
+    PROCESS: AWAY,
+    ENDPOINT: ENDPOINT_AWAY,
+    MATCHED_PROCESS_PAIR: MATCHED_PROCESS_PAIR_AWAY,
+    MATCHED_ENDPOINT: MATCHED_ENDPOINT_AWAY,
+}
+
+
+def _on_a_robot(message: Message) -> Message:
+    """Return a row of a wired server as it is if the server is on one of the robots."""
+    if message.hops == HOPS:
+        return message
+    return replace(message, unit=_AWAY[message.unit], hops=HOPS)
+
+
+DISCOVERY_SERVER_ON_A_ROBOT = replace(
+    DISCOVERY_SERVER,
+    name="Fast DDS Discovery Server, on a robot",
+    messages=tuple(map(_on_a_robot, DISCOVERY_SERVER.messages)),
+)

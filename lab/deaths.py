@@ -1,0 +1,369 @@
+"""When the server dies: servers, routers and robots of real middleware are killed; what goes on?
+
+Each run is a process tree of its own, as those of run.py: when this program ends, however it ends,
+the kernel ends the rest. What is there already is not run again. See README.md.
+"""
+
+import argparse
+import csv
+import json
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from death_log import evaluate, read_log
+from run import ALONE, BUILD, LAB, PYTHON, run, version
+
+from discostorm.data import data_path
+from discostorm.protocols.defaults import defaults
+
+STAGE = [*ALONE, str(LAB / "death_stage.py")]
+COLUMNS = ["arrangement", "event", "run", "phase", "who", "quantity"]
+COLUMNS += ["since_s", "watched_s", "seconds"]
+RUNS = 5
+SPACING = 1.0  # s between the starts of runs
+CROWD = 70  # hosts at a time, over all runs: they mostly wait
+
+ROBOTS = range(1, 6)
+FIRST, SECOND = 8, 9  # hosts of servers that are on no robot
+MOST = 9  # processes are numbered up to this
+
+FAST_DDS = str(BUILD / "bin" / "watch_fast_dds")
+CYCLONE_DDS = str(BUILD / "bin" / "watch_cyclone_dds")
+ZENOH = (str(PYTHON), str(LAB / "watch_zenoh.py"))
+
+#: A command with its environment.
+Program = tuple[list[str], dict[str, str]]
+
+
+def address(host: int) -> str:
+    return f"10.77.0.{host}"
+
+
+def fast_dds(*servers: int) -> Callable[[int], Program]:
+    told = ";".join(f"{address(host)}:11811" for host in servers)
+    env = {"ROS_DISCOVERY_SERVER": told} if servers else {}
+    return lambda number: ([FAST_DDS, str(number)], env)
+
+
+def fast_server(number: int, host: int) -> Program:
+    return (["fast-discovery-server", "-p", "11811", "-i", str(number), "-l", address(host)], {})
+
+
+def cyclone_dds(number: int) -> Program:
+    return ([CYCLONE_DDS, str(number)], {})
+
+
+def zenoh(**settings: Any) -> Callable[[int], Program]:
+    """Return the program of a session that differs in these settings from what is shipped."""
+    named = {name.replace("__", "/"): value for name, value in settings.items()}
+    told = json.dumps(named, sort_keys=True)
+    return lambda number: ([*ZENOH, str(number), str(MOST), told], {})
+
+
+def zenoh_router(*others: int, **settings: Any) -> Program:
+    own: dict[str, Any] = {"mode": "router", "listen__endpoints": ["tcp/0.0.0.0:7447"]}
+    if others:
+        own["connect__endpoints"] = [f"tcp/{address(host)}:7447" for host in others]
+    return zenoh(**own, **settings)(0)
+
+
+# Where the files of rmw_zenoh differ from Zenoh's defaults in what matters here, but for the IPv6
+# address that routers listen on.
+RMW = defaults("rmw_zenoh")
+RMW_BOTH = {
+    "scouting__multicast__enabled": False,
+    "transport__link__tx__lease": int(1000 * RMW["lease"]),
+    "transport__link__tx__keep_alive": int(RMW["keep_alives"]),
+}
+RMW_SESSION = zenoh(
+    mode="peer",
+    connect__endpoints=["tcp/127.0.0.1:7447"],
+    listen__endpoints=["tcp/127.0.0.1:0"],
+    scouting__gossip__target={"router": ["router", "peer"], "peer": ["router"]},
+    **RMW_BOTH,
+)
+
+
+def rmw_router(*others: int) -> Program:
+    return zenoh_router(*others, routing__router__peers_failover_brokering=False, **RMW_BOTH)
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """Who finds whom through what.
+
+    `client` gives the program of a process by its number, `servers` those of the hosts that have
+    one; `lease` is how long somebody silent is believed in [s].
+    """
+
+    product: str
+    client: Callable[[int], Program]
+    servers: dict[int, Program]
+    lease: float
+    what: str
+    events: tuple[str, ...]
+
+
+OF_ROBOT = ("robot killed", "robot cut off")
+OF_SERVER = ("server killed", "server cut off", "server restarts")
+ARRANGEMENTS = {
+    "Fast DDS": Arrangement(
+        *("fast_dds", fast_dds(), {}, defaults("Fast DDS")["lease"]),
+        "no server, as shipped",
+        OF_ROBOT,
+    ),
+    "Cyclone DDS": Arrangement(
+        *("cyclone_dds_0.10", cyclone_dds, {}, defaults("Cyclone DDS")["lease"]),
+        "no server, as shipped",
+        OF_ROBOT,
+    ),
+    "Zenoh peer": Arrangement(
+        *("zenoh_peer", zenoh(), {}, defaults("Zenoh")["lease"]),
+        "no router, as shipped",
+        OF_ROBOT,
+    ),
+    "Fast DDS Discovery Server": Arrangement(
+        *("fast_dds", fast_dds(FIRST), {FIRST: fast_server(0, FIRST)}),
+        defaults("Fast DDS")["lease"],
+        "a server on a host of its own",
+        (*OF_SERVER, "server and robot killed", *OF_ROBOT),
+    ),
+    "Fast DDS Discovery Server, two": Arrangement(
+        "fast_dds",
+        fast_dds(FIRST, SECOND),
+        {FIRST: fast_server(0, FIRST), SECOND: fast_server(1, SECOND)},
+        defaults("Fast DDS")["lease"],
+        "two servers on hosts of their own, both known to all clients",
+        (*OF_SERVER, "both servers killed", *OF_ROBOT),
+    ),
+    "Zenoh router": Arrangement(
+        "zenoh_peer",
+        zenoh(mode="client", connect__endpoints=[f"tcp/{address(FIRST)}:7447"]),
+        {FIRST: zenoh_router()},
+        defaults("Zenoh")["lease"],
+        "clients of a router on a host of its own",
+        (*OF_SERVER, *OF_ROBOT),
+    ),
+    "Zenoh router per host": Arrangement(
+        *("zenoh_peer", RMW_SESSION),
+        {host: rmw_router(*(other for other in ROBOTS if other != host)) for host in ROBOTS},
+        RMW["lease"],
+        "a router on each robot with the settings of rmw_zenoh, each told of all others",
+        ("server killed", "server restarts", *OF_ROBOT),
+    ),
+    "Zenoh router per host, one hub": Arrangement(
+        *("zenoh_peer", RMW_SESSION),
+        {host: rmw_router(*[1] * (host != 1)) for host in ROBOTS},
+        RMW["lease"],
+        "the same, but each told of that of robot 1 alone",
+        ("server killed", "server restarts", "robot cut off"),
+    ),
+}
+
+
+def step(at: float, do: str, what: object = "", phase: str = "") -> dict[str, Any]:
+    return {"at": at, "do": do, "what": what} | ({"phase": phase} if phase else {})
+
+
+def script(name: str, event: str) -> dict[str, Any]:
+    """Programs, groups and steps of a run.
+
+    Processes 1 to 3 are there from the start, each on the robot of its number, 4 comes while all
+    is well, 5 after the death. With routers on robots it is that of robot 1 that dies; there 7 is
+    a second process from the start, and 8 comes after the death. 6 is robot 3's that starts again.
+    """
+    it = ARRANGEMENTS[name]
+    host = {number: number for number in ROBOTS} | {6: 3}
+    groups = {"survivors": [1, 2, 3, 4], "early": [4], "newcomer": [5]}
+    if set(it.servers) == set(ROBOTS) and event.startswith("server"):
+        host |= {7: 1, 8: 1}
+        groups |= {"survivors": [2, 3, 4], "orphans": [1, 7], "beside": [8]}
+    victims = list(it.servers) if event == "both servers killed" else list(it.servers)[:1]
+    steps = [step(0.0, "start", f"server{place}") for place in it.servers]
+    steps += [step(1.0, "start", str(number)) for number in (1, 2, 3, 7) if number in host]
+    steps += [step(10.0, "start", "4", "well")]
+    if event in OF_ROBOT:
+        groups |= {"survivors": [1, 2, 4], "dead": [3], "returned": [3]}
+        back = 35.0 + 1.5 * it.lease
+        if event == "robot killed":
+            groups["returned"] = [6]
+            steps += [step(20.0, "kill", "3", "death"), step(back, "start", "6", "return")]
+        else:
+            steps += [step(20.0, "cut", 3, "death"), step(back, "join", 3, "return")]
+        steps += [step(25.0, "start", "5", "newcomer"), step(back + 30.0, "end", phase="end")]
+    elif event == "server and robot killed":
+        groups = {"survivors": [1, 2, 4], "early": [4], "dead": [3]}
+        steps += [step(20.0, "kill", f"server{victims[0]}"), step(25.0, "kill", "3", "death")]
+        steps += [step(40.0 + 1.5 * it.lease, "end", phase="end")]
+    else:
+        # The newcomer comes, and all is watched, after every lease has run out.
+        new, back, end = 30.0 + it.lease, 55.0 + it.lease, 90.0 + it.lease
+        if event == "server restarts":
+            new, back, end = 35.0, 23.0, 70.0 + it.lease
+        do, undo = ("cut", "join") if event == "server cut off" else ("kill", "start")
+        names: list[Any] = victims if do == "cut" else [f"server{place}" for place in victims]
+        steps += [step(20.0, do, names[0], "death"), *(step(20.0, do, one) for one in names[1:])]
+        steps += [step(new, "start", "5", "newcomer")]
+        steps += [step(new, "start", str(number)) for number in groups.get("beside", [])]
+        steps += [step(back, undo, one) for one in names[:-1]]
+        returned = "" if event == "server restarts" else "return"
+        steps += [step(back, undo, names[-1], returned), step(end, "end", phase="end")]
+    steps.sort(key=lambda one: float(one["at"]))
+    used = {one["what"] for one in steps if one["do"] == "start"}
+    programs = {f"server{place}": (place, program) for place, program in it.servers.items()}
+    for number, place in host.items():
+        if str(number) in used:
+            programs[str(number)] = (place, it.client(number))
+    places = sorted({place for place, _ in programs.values()})
+    return {
+        "arrangement": name,
+        "event": event,
+        "places": places,
+        "programs": {
+            program: {"host": place, "command": command, "env": env}
+            for program, (place, (command, env)) in programs.items()
+        },
+        "groups": {who: [str(number) for number in them] for who, them in groups.items()},
+        "steps": steps,
+    }
+
+
+def jobs(runs: int, only: list[str]) -> Iterator[dict[str, Any]]:
+    """Yield all runs, the first of each staging before the second of any, the longest first."""
+    stagings = [
+        script(name, event)
+        for name, it in ARRANGEMENTS.items()
+        for event in it.events
+        if not only or name in only
+    ]
+    stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
+    for number in range(1, runs + 1):
+        for job in stagings:
+            name = f"{job['arrangement']}-{job['event']}-r{number}".lower()
+            name = name.replace(", ", "-").replace(" ", "-")
+            # What run.py counts its crowd by.
+            size = {"hosts": len(job["places"]), "processes": 1}
+            yield job | size | {"name": name, "run": number}
+
+
+def short() -> Iterator[dict[str, Any]]:
+    """Two stagings in a hurry, to see that everything works; they are no measurement."""
+    hurry = {"0": 0.0, "1": 0.2, "10": 2.0, "20": 5.0, "23": 6.0, "35": 8.0, "end": 11.0}
+    for name in ("Fast DDS Discovery Server", "Zenoh router"):
+        (job,) = (one for one in jobs(1, [name]) if one["event"] == "server restarts")
+        for one in job["steps"]:
+            one["at"] = hurry["end" if one["do"] == "end" else f"{one['at']:.0f}"]
+        yield job
+
+
+def finish(out: Path) -> str:
+    """Evaluate a run; a line about it."""
+    job = json.loads(out.with_suffix(".json").read_text())
+    logs = [read_log(out, name) for name in job["programs"] if name.isdigit()]
+    heard = sum(event.what == "heard" for log in logs for event in log)
+    found = {
+        f"{row['who']} {row['quantity']}": f"{row['seconds']:.1f} s"
+        for row in evaluate(out, job)
+        if row["phase"] == "death"
+    }
+    return f"{heard} samples; " + ", ".join(f"{what} {text}" for what, text in found.items())
+
+
+def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path) -> None:
+    """Write what was found in each run, a row for each quantity."""
+    order = [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
+    rows = []
+    for job in sorted(
+        todo, key=lambda job: (order.index((job["arrangement"], job["event"])), job["run"])
+    ):
+        for row in evaluate(folder / job["name"], job):
+            times = {"since_s": f"{row['since_s']:.0f}", "watched_s": f"{row['watched_s']:.0f}"}
+            times["seconds"] = f"{row['seconds']:.2f}"
+            rows.append({name: job.get(name) for name in COLUMNS} | row | times)
+    write(table, rows)
+
+
+def write_arrangements(table: Path) -> None:
+    """Write what was run: versions, commands and settings."""
+    rows = []
+    for name, it in ARRANGEMENTS.items():
+        place = next(iter(it.servers), 0)
+        # The settings of the second, as the first of several may be special.
+        server = it.servers.get(2, it.servers.get(place, ([], {})))
+        rows.append(
+            {
+                "arrangement": name,
+                "product": it.product,
+                "version": version(it.product),
+                "what": it.what,
+                "lease_s": f"{it.lease:g}",
+                "client": shown(it.client(1)).replace(" 1", " NUMBER", 1),
+                "server": shown(server),
+                "kernel": os.uname().release,
+            }
+        )
+    write(table, rows)
+
+
+def shown(program: Program) -> str:
+    """Return a command as typed, without the folders of this machine."""
+    command, env = program
+    words = [f"{name}={value}" for name, value in env.items()]
+    return " ".join(words + [Path(word).name if word.startswith("/") else word for word in command])
+
+
+def write(table: Path, rows: list[dict[str, Any]]) -> None:
+    with table.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    print(f"{len(rows)} rows in {table}")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=RUNS, help="runs of each staging")
+    parser.add_argument("--only", action="append", default=[], metavar="ARRANGEMENT")
+    parser.add_argument("--short", action="store_true", help="two stagings in 15 s, no table")
+    parser.add_argument("--out", type=Path, default=BUILD / "deaths", help="folder for the logs")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="hosts at a time")
+    given = parser.parse_args()
+    if unknown := set(given.only) - set(ARRANGEMENTS):
+        parser.error(f"--only {min(unknown)}: not one of {', '.join(ARRANGEMENTS)}")
+    if given.runs < 1:
+        parser.error(f"--runs must be at least 1; got {given.runs}")
+    if not (BUILD / ".ready").exists():
+        print("The lab is not set up: run it by make deaths", file=sys.stderr)
+        return 1
+    out: Path = given.out / "short" if given.short else given.out
+    out.mkdir(parents=True, exist_ok=True)
+    todo = list(short() if given.short else jobs(given.runs, given.only))
+    there = [job for job in todo if (out / job["name"]).with_suffix(".json").exists()]
+    if given.short:
+        there = []
+    if there:
+        print(f"{len(there)} of {len(todo)} runs are in {out} already", flush=True)
+    left = [job for job in todo if job not in there]
+    if run(left, out, given.crowd, SPACING, STAGE, finish):
+        return 1
+    if not given.short:
+        # What is not all of it does not belong into the package.
+        whole = given.runs == RUNS and not given.only
+        folder = data_path("measured") if whole else out
+        write_runs(out, todo, folder / "deaths.csv")
+        write_arrangements(folder / "arrangements.csv")
+    return 0
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,79 @@
+"""One process of the deaths: what watch_fast_dds.cpp does, with a Zenoh session; or a router.
+
+`w` is what the matching listener of a publisher to one other process says, `r` whether the
+liveliness token of that process is there.
+"""
+
+import json
+import os
+import sys
+import time
+from functools import partial
+
+import zenoh
+
+PERIOD, LATE = 0.2, 0.5  # s
+
+
+def tell(what: str, whom: object) -> None:
+    os.write(1, f"{time.monotonic():.3f} {what} {whom}\n".encode())
+
+
+def heard(sample: zenoh.Sample) -> None:
+    tell("heard", sample.payload.to_string())
+
+
+def token(sample: zenoh.Sample) -> None:
+    came = sample.kind == zenoh.SampleKind.PUT
+    tell("matched r" if came else "unmatched r", str(sample.key_expr).rpartition("/")[2])
+
+
+def matching(other: int, status: zenoh.MatchingStatus) -> None:
+    tell("matched w" if status.matching else "unmatched w", other)
+
+
+def main() -> None:
+    """Watch as process NUMBER of MOST; of a router, whose number is 0, nothing."""
+    number, most, settings = int(sys.argv[1]), int(sys.argv[2]), json.loads(sys.argv[3])
+    config = zenoh.Config()
+    for name, value in settings.items():
+        config.insert_json5(name, json.dumps(value))
+    zenoh.init_log_from_env_or("error")
+    session = None
+    while session is None:
+        try:
+            session = zenoh.open(config)
+        except zenoh.ZError as error:
+            if not number:
+                raise
+            # A client gives up at once when there is no router: what starts it starts it again.
+            tell("refused", str(error).split("\n")[0])
+            time.sleep(1)
+    tell("me", number)
+    if not number:
+        while True:
+            time.sleep(60)
+    kept: list[object] = [
+        session.declare_subscriber("lab/beat", heard),
+        session.declare_subscriber(f"lab/to/{number}", heard),
+        session.liveliness().declare_token(f"lab/alive/{number}"),
+        session.liveliness().declare_subscriber("lab/alive/*", token, history=True),
+    ]
+    for other in range(1, most + 1):
+        publisher = session.declare_publisher(f"lab/to/{other}")
+        publisher.declare_matching_listener(partial(matching, other))
+        kept.append(publisher)
+        if publisher.matching_status.matching:
+            tell("matched w", other)
+    beat = session.declare_publisher("lab/beat")
+    following = time.monotonic()
+    while True:
+        following += PERIOD
+        time.sleep(max(0.0, following - time.monotonic()))
+        if time.monotonic() > following + LATE:
+            tell("late", "a sample")
+            following = time.monotonic()
+        beat.put(str(number))
+
+
+main()

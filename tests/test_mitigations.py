@@ -1,0 +1,190 @@
+"""What products send when they are arranged against the storm, against what the lab counted."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import discostorm as ds
+from discostorm import measured
+from discostorm.data import read_data
+from discostorm.messages import HOPS
+from discostorm.protocols import ARRANGED
+
+TABLES = {name: ds.PROTOCOLS[name] for name in measured.arrangements()}
+SERVERS = [name for name in TABLES if "Discovery Server" in name]
+each_table = pytest.mark.parametrize("name", TABLES)
+each_server = pytest.mark.parametrize("name", SERVERS)
+COLUMNS = ("point", "window", "phase", "kind", "quantity")
+
+
+Sums = dict[tuple[str, str, str, str], NDArray[np.float64]]
+
+
+def counted(name: str) -> Sums:
+    """Return messages and bytes by point, window, phase and hops: medians, of the test half."""
+    table = measured.held(TABLES[name])
+    table = table[(table["use"] == "test") & table["kind"].str.startswith("all")]
+    return {
+        tuple(row[column] for column in COLUMNS[:-1]): np.array(
+            [row["measured"], row["measured_bytes"]]
+        )
+        for row in table.to_dict("records")
+    }
+
+
+def parts(name: str) -> list[Sums]:
+    """Return the same of each row of the table, as it expects it."""
+    found = []
+    for message in TABLES[name].messages:
+        sums: Sums = {}
+        for point in measured.points(name):
+            for window in measured.WINDOWS:
+                number = measured.expected(message, point.fleet, window)
+                both = np.array([number * (message.frames > 0), number * message.payload.nominal])
+                for kind in ["all"] + [f"all, {hop}" for hop in message.hops]:
+                    if kind == "all" or len(message.hops) == 1:
+                        sums[point.name, window, message.phase, kind] = both
+        found.append(sums)
+    return found
+
+
+def off(seen: Sums, rows: list[Sums]) -> set[tuple[str, ...]]:
+    """Return where the sum of rows is more than 10 % from what was counted."""
+    found = set()
+    for key, wanted in seen.items():
+        wrong = np.abs(sum(row[key] for row in rows if key in row) - wanted) > 0.1 * wanted
+        found |= {(*key, ("messages", "bytes")[index]) for index in np.flatnonzero(wrong)}
+    return found
+
+
+def listed(name: str) -> set[tuple[str, ...]]:
+    rows = read_data("measured/mitigation_misses.csv")
+    return {tuple(row[column] for column in COLUMNS) for row in rows if row["protocol"] == name}
+
+
+@each_table
+def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str) -> None:
+    """And a row of a quarter of its phase that is halved, or half as much again, shows."""
+    seen, rows = counted(name), parts(name)
+    found = off(seen, rows)
+    assert found == listed(name)
+    assert not [window for _, window, *_ in found if window == "steady"]
+    tried = 0
+    for index, row in enumerate(rows):
+        if any((row[key] > 0.25 * seen[key]).any() for key in row if key in seen):
+            for factor in (0.5, 1.5):
+                broken = {key: factor * value for key, value in row.items()}
+                assert off(seen, [*rows[:index], broken, *rows[index + 1 :]]) != found
+                tried += 1
+    assert tried >= 16
+
+
+def test_what_is_off_has_a_reason() -> None:
+    reasons = {row["reason"] for row in read_data("measured/mitigation_misses.csv")}
+    assert reasons <= {row["reason"] for row in read_data("measured/reasons.csv")}
+
+
+@each_table
+def test_all_that_was_counted_has_a_row(name: str) -> None:
+    ways = {(m.kind, m.cast, *m.hops) for m in TABLES[name].messages}
+    for point in measured.points(name):
+        for _, kind, about, cast, hop in point.runs:
+            if not about:
+                assert (kind, cast, *([hop] if hop else ["up", "down"])) in ways
+
+
+def test_every_row_says_where_it_is_from() -> None:
+    rows = read_data("vendors/mitigations.csv")
+    assert {row["protocol"] for row in rows} | {"Fast DDS Discovery Server, on a robot"} >= set(
+        SERVERS
+    ) | {"static endpoints"}
+    assert set(TABLES) == ARRANGED
+    for row in rows:
+        assert row["source"].strip()
+        assert row["per_unit"] or row["inside"] or "measured" in row["source"], row
+
+
+def growth(name: str, matching: float, window: str) -> float:
+    """Return by which power of the hosts the messages grow, from 1000 to 2000 robots."""
+    many = [
+        sum(
+            measured.expected(message, ds.Fleet(ds.Fleet.swarm(n, 1, 10).groups, matching), window)
+            for message in TABLES[name].messages
+        )
+        for n in (1000, 2000)
+    ]
+    return float(np.log2(many[1] / many[0]))
+
+
+@each_server
+def test_a_server_filters_but_passes_on_everything_that_matches(name: str) -> None:
+    assert growth(name, 0.0, "startup") == pytest.approx(1, abs=0.002)
+    assert growth(name, 1.0, "startup") == pytest.approx(2, abs=0.02)
+    for matching in (0.0, 1.0):
+        assert growth(name, matching, "steady") == pytest.approx(1, abs=0.002)
+
+
+@each_server
+def test_one_endpoint_that_matches_makes_every_pair_known(name: str) -> None:
+    """As that of ROS 2 for its graph does."""
+    table = TABLES[name]
+    apart, little = (
+        sum(
+            measured.expected(m, ds.Fleet(ds.Fleet.swarm(10, 1, 100).groups, share), "startup")
+            for m in table.messages
+            if m.name == "SPDP of others"
+        )
+        for share in (0.0, 0.01)
+    )
+    assert apart == 0
+    assert little >= 90
+
+
+def test_static_endpoints_do_away_with_sedp_and_filter_nothing() -> None:
+    table = TABLES["static endpoints"]
+    assert not {"SEDP", "Heartbeat", "ACKNACK"} & {message.kind for message in table.messages}
+    assert growth("static endpoints", 0.0, "steady") == pytest.approx(2, abs=0.01)
+
+
+def test_a_wired_server_takes_one_hop_and_one_on_a_robot_two() -> None:
+    wired, robot = (
+        TABLES["Fast DDS Discovery Server"],
+        TABLES["Fast DDS Discovery Server, on a robot"],
+    )
+    swarm = (7, 2, 10)
+    for one, two in zip(wired.messages, robot.messages, strict=True):
+        between = one.name.split(" to ")[0].split(" of ")[0] == one.name and one.hops == HOPS
+        assert two.hops == HOPS
+        assert (len(one.hops) == 2) == (one.phase in ("Liveliness", "User") and between)
+    assert ds.utilization(robot, *swarm) > ds.utilization(wired, *swarm)
+    # Of one robot alone, whose server is its own, nothing of discovery takes the air.
+    alone = ds.Fleet(ds.Fleet.swarm(1, 3, 10).groups, matching=1)
+    assert float(ds.utilization(robot, alone)) == 0
+    assert float(ds.utilization(wired, alone)) > 0
+
+
+def test_a_robot_with_the_server_can_be_left_out() -> None:
+    """The server is then on a host of the next group."""
+    groups = (ds.HostGroup(1, 3, 10), ds.HostGroup(4, 2, 5))
+    rest = ds.Fleet(groups).without(range(2))
+    assert rest.away().tolist() == [ds.Fleet(groups[1:]).away(), ds.Fleet(groups[:1]).away()]
+
+
+def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
+    """Of hosts that run all of their endpoints in one process: no table, but fewer processes."""
+    table = ds.PROTOCOLS["Fast DDS"]
+    within = []
+    for point in measured.points_of("fast_dds", "composed"):
+        (group,) = point.fleet.groups
+        assert group.processes == 1
+        for window in measured.WINDOWS:
+            seen = sum(
+                point.median((window, kind, "", cast, ""))[0]
+                for kind in dict.fromkeys(m.kind for m in table.messages)
+                for cast in ("multicast", "unicast")
+            )
+            expected = sum(measured.expected(m, point.fleet, window) for m in table.messages)
+            within.append(abs(expected / seen - 1))
+    assert len(within) >= 12
+    assert max(within) < 0.15
+    assert np.median(within) < 0.03
