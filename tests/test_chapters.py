@@ -93,7 +93,7 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     shown = notebook.advice(plan)
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert re.sub(r"[*]", "", markdown).split() == plan.advice().split()
-    assert "**What would help most, alone:**\n\n1. Composing" in markdown
+    assert "**What would help most, alone:**\n\n1. " in markdown
     remedies = [remedy for found in plan.told().values() for remedy in found]
     assert html.count('class="plan-card"') == len(remedies)
     for remedy in remedies:
