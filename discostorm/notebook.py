@@ -113,7 +113,10 @@ class Advice:
     def _repr_html_(self) -> str:
         blocks = self.plan.advice().split("\n\n")
         cost, shares = (block.splitlines() for block in blocks[:2])
-        parts = [f"<p>{escape(' '.join(cost))}</p>", f"<p>{escape(' '.join(shares))}</p>"]
+        parts = [
+            f"<p>{escape(' '.join(cost))}</p>",
+            f"<p>{escape(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
+        ]
         for title, remedies in self.plan.told().items():
             cards = "".join(map(_card, remedies))
             parts.append(f'<p class="plan-title">{escape(title)}</p>')
