@@ -731,7 +731,7 @@ def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Outpu
         except ValueError as error:
             raise ValueError(f"{file}: {error}") from error
     if output.as_csv:
-        _print(answer.table().reset_index().to_dict("records"), output)
+        _print(answer.to_frame().reset_index().to_dict("records"), output)
     elif output.as_json:
         click.echo(_json(answer.to_dict()))
     else:

@@ -457,6 +457,14 @@ class Schedule:
 ONCE = Schedule((0.0,))
 
 
+@cache
+def hop_airtime(hop: Hop, cast: Cast, framed: bool, octets: sp.Expr, model: Model) -> sp.Expr:
+    """Return the airtime of a frame, or of octets inside of another frame, on a hop [s]."""
+    if not framed:
+        return bits_airtime(octets, "unicast" if hop == "up" else cast)
+    return uplink_airtime(octets, model) if hop == "up" else downlink_airtime(octets, cast, model)
+
+
 @dataclass(frozen=True)
 class Message:
     """One row of a protocol's table.
@@ -562,15 +570,13 @@ class Message:
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame up to the access point [s]."""
-        if self.frames == 0:
-            return bits_airtime(self.frame_symbolic, "unicast")
-        return plain(self.frames) * uplink_airtime(self.frame_symbolic, model)
+        part = plain(self.frames or 1.0)
+        return part * hop_airtime("up", self.cast, self.frames > 0, self.frame_symbolic, model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame down from the access point [s]."""
-        if self.frames == 0:
-            return bits_airtime(self.frame_symbolic, self.cast)
-        return plain(self.frames) * downlink_airtime(self.frame_symbolic, self.cast, model)
+        part = plain(self.frames or 1.0)
+        return part * hop_airtime("down", self.cast, self.frames > 0, self.frame_symbolic, model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame on all of its hops [s]."""

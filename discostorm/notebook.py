@@ -7,6 +7,7 @@ import shlex
 from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass
+from html import escape
 from importlib import import_module
 from textwrap import wrap
 
@@ -15,10 +16,11 @@ import numpy as np
 import pandas as pd
 import sympy as sp
 
+from discostorm import words
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
-from discostorm.planner import Plan
+from discostorm.planner import Plan, Remedy
 
 try:
     from IPython.display import SVG, Markdown, display
@@ -99,16 +101,54 @@ def answer(*paragraphs: str) -> Markdown:
     return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
 
 
-def advice(plan: Plan, *, rest: bool = False) -> Markdown:
-    """Show the advice of a plan in the type of the page: what would help, or the rest of it."""
-    blocks = plan.advice().split("\n\n")
-    split = next(n for n, block in enumerate(blocks) if block.startswith("Not computed"))
-    return Markdown("\n\n".join(map(_block, blocks[split:] if rest else blocks[:split])))
+@dataclass(frozen=True)
+class Advice:
+    """The advice of a plan: as HTML in cards, elsewhere as text."""
+
+    plan: Plan
+
+    def _repr_markdown_(self) -> str:
+        return "\n\n".join(map(_block, self.plan.advice().split("\n\n")))
+
+    def _repr_html_(self) -> str:
+        blocks = self.plan.advice().split("\n\n")
+        cost, shares = (block.splitlines() for block in blocks[:2])
+        parts = [
+            f"<p>{escape(' '.join(cost))}</p>",
+            f"<p>{escape(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
+        ]
+        for title, remedies in self.plan.told().items():
+            cards = "".join(map(_card, remedies))
+            parts.append(f'<p class="plan-title">{escape(title)}</p>')
+            parts.append(f'<div class="plan-cards">{cards}</div>')
+        parts.append(f"<p>{escape(' '.join(blocks[-1].split()))}</p>")
+        return "".join(parts)
+
+
+def _card(remedy: Remedy) -> str:
+    """Return a remedy as HTML: what it brings, what it takes, and what to paste, folded."""
+    fits = '<strong class="plan-fits">fits</strong>' if remedy.now_fits else ""
+    what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
+    pieces = "".join(
+        f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"
+        f'<div class="highlight"><pre tabindex="0">{escape(piece.text)}</pre></div></details>'
+        for piece in remedy.snippets
+    )
+    return (
+        f'<div class="plan-card"><p class="plan-what">{escape(what)} {fits}</p>'
+        f"<p>{escape(words.capitalized(gain.strip()))}.</p>"
+        f'<p class="plan-mind">{escape(remedy.caution())}</p>{pieces}</div>'
+    )
+
+
+def advice(plan: Plan) -> Advice:
+    """Show the advice of a plan: cost, what dominates, and what would help, with what to paste."""
+    return Advice(plan)
 
 
 def _block(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
-    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +Mind:", " *Mind:*", text))
+    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +It takes", " *It takes*", text))
     head, *others = (" ".join(item.split()) for item in items)
     return "\n".join([f"**{head}**", "", *others] if others else [head])
 

@@ -1,8 +1,9 @@
-"""What discovery costs a fleet, what dominates, and what would help, most first.
+"""What discovery costs a fleet, what dominates, and what would help, alone and combined.
 
 Every remedy is a changed fleet, protocol or Wi-Fi that goes through the same `utilization`;
-no formula is stated here. For which protocols a kind of remedy works, what it costs otherwise
-and whether all robots still find each other is data: ``data/vendors/remedies.csv``.
+no formula is stated here. For which protocols a kind of remedy works, what it costs otherwise,
+how hard it is, what fails when and whether all robots still find each other is data:
+``data/vendors/remedies.csv`` and ``efforts.csv``; what to paste is `discostorm.snippets`.
 """
 
 from __future__ import annotations
@@ -11,32 +12,23 @@ import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from functools import cache
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks, staggered, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
-from discostorm.messages import PAPER_WINDOW, Message, Protocol
+from discostorm.messages import PAPER_WINDOW, Message, Protocol, Schedule, Unit
 from discostorm.protocols import ARRANGED, DDS, MEASURED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
-from discostorm.scalability import message_costs, utilization, without_each
+from discostorm.scalability import message_costs, unit_costs, utilization, without_each
+from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import PAPER, Radio, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
-
-#: What can be changed and computed; ``data/vendors/remedies.csv`` has more, without a number.
-Kind = Literal[
-    "processes",
-    "endpoints",
-    "multicast rate",
-    "radio",
-    "aggregation",
-    "channels",
-    "domains",
-    "middleware",
-]
 
 #: Parts that a fleet is split into.
 PARTS = (2, 3)
@@ -55,6 +47,10 @@ STREAMS = 2
 _GROUPS = 5
 #: Changes of less than this are not told apart [1].
 _NOTHING = 0.005
+#: Remedies that are told in words, combinations that are kept, and tables that are combined.
+_TOLD, _KEPT, _TABLES = 3, 5, 3
+#: Most remedies in a combination.
+_TOGETHER = 3
 
 
 @dataclass(frozen=True)
@@ -87,8 +83,7 @@ class Remedy:
     Parameters
     ----------
     kind : str
-        What is changed: processes, endpoints, multicast rate, radio, aggregation,
-        channels, domains or middleware.
+        What is changed: a kind of ``data/vendors/remedies.csv``, or "combination".
     what : str
         The change, in words that a sentence can start with.
     price : str
@@ -102,16 +97,25 @@ class Remedy:
     wifi : Wifi
         The channel.
     before : float
-        The utilization without it [1], on a channel of the same kind.
+        The utilization without it [1], by a table and on a channel of the same kind.
     utilization : float
         What it leads to [1]: of all parts on one channel; on several, of the fullest.
     window : float
         The seconds that are averaged [s]; infinity for the steady state.
     note : str
         What is compared, or left out of the number; empty if there is nothing to say.
+    efforts : tuple of str
+        How hard its changes are, by names of ``data/vendors/efforts.csv``.
+    fails : str
+        What fails when.
+    steps : tuple of str
+        The kinds of its changes: one, but for a combination.
+    spread : float
+        Within how long hosts should start so that the channel can carry what is left [s]:
+        `discostorm.staggered.window`.
     """
 
-    kind: Kind
+    kind: str
     what: str
     price: str
     whole: bool
@@ -122,22 +126,86 @@ class Remedy:
     utilization: float
     window: float = PAPER_WINDOW
     note: str = ""
+    efforts: tuple[str, ...] = ()
+    fails: str = ""
+    steps: tuple[str, ...] = ()
+    spread: float = 0.0
 
     @property
     def saved(self) -> float:
         """What it saves as a part of what there was before [1]; negative if it costs more."""
         return 1 - self.utilization / self.before if self.before else 0.0
 
+    @property
+    def now_fits(self) -> bool:
+        """Whether it fits with it and did not without."""
+        return words.fits(self.utilization) and not words.fits(self.before)
+
+    @property
+    def rank(self) -> int:
+        """How hard the hardest of its changes is, from 1 on [1]."""
+        return max((int(_efforts()[name]["rank"]) for name in self.efforts), default=0)
+
+    @property
+    def snippets(self) -> tuple[Snippet, ...]:
+        """What to paste."""
+        standard = " ".join(self.wifi.name.split()[:3])
+        names = (self.protocol.name, product(self.protocol), family(self.protocol), standard)
+        known = [name for name in names if name]
+        return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
+
     def sentence(self) -> str:
         """Return what it brings, in words."""
         before, after = (_amount(value, self.window) for value in (self.before, self.utilization))
-        if abs(self.saved) < _NOTHING:
+        if self.kind == "staggered start":
+            brings = f"within {words.duration(self.spread)} takes the same {before} of airtime"
+        elif abs(self.saved) < _NOTHING:
             brings = f"changes less than {_NOTHING:.1%}"
         elif self.saved < 0:
             brings = f"adds {words.percent(-self.saved)}: {before} becomes {after}"
         else:
             brings = f"cuts {before} to {after} ({words.percent(self.saved)})"
         return f"{self.what} {brings}{'; ' * bool(self.note)}{self.note}"
+
+    def caution(self) -> str:
+        """Return what it takes, what to mind and what fails when, in words."""
+        efforts = list(dict.fromkeys(_efforts()[name]["what"] for name in self.efforts))
+        fails = f"; {self.fails}" * bool(self.fails)
+        later = ""
+        if self.kind == "combination" and not words.fits(self.utilization):
+            later = f" It still does not fit: start within {words.duration(self.spread)}."
+        return f"It takes {words.listed(efforts)}. Mind: {self.price}{fails}.{later}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all of it as what JSON can hold."""
+        return {
+            "kind": self.kind,
+            "steps": list(self.steps),
+            "what": self.what,
+            "effort": self.rank,
+            "efforts": [_efforts()[name]["what"] for name in self.efforts],
+            "price": self.price,
+            "fails": self.fails,
+            "note": self.note,
+            "all_find_each_other": self.whole,
+            "fleets": [_groups(fleet) for fleet in self.fleets],
+            "protocol": self.protocol.name,
+            "wifi": self.wifi.name,
+            "before": self.before,
+            "utilization": self.utilization,
+            "saved": self.saved,
+            "fits": words.fits(self.utilization),
+            "start_within_s": self.spread,
+            "paste": [
+                {"where": piece.where, "version": piece.version, "text": piece.text}
+                for piece in self.snippets
+            ],
+        }
+
+
+@cache
+def _efforts() -> dict[str, dict[str, str]]:
+    return {row["effort"]: row for row in read_data("vendors/efforts.csv")}
 
 
 @dataclass(frozen=True)
@@ -159,14 +227,14 @@ class Plan:
     shares : tuple of Share
         Messages, phases and groups, each kind with the largest first.
     remedies : tuple of Remedy
-        What could be changed, what saves most first; but those after which not all hosts
-        find each other stand behind all others.
+        What could be changed, one thing each: what makes it fit first, that which is easiest
+        before all; then what saves most. Those after which not all hosts find each other
+        stand behind all others.
+    combinations : tuple of Remedy
+        The best of two or three of them together, in the same order; none that does without
+        one of its changes as well.
     left_out : tuple of str
         What does not apply or could not be changed, and why.
-    simulated : tuple of str
-        What helps by the simulator: it changes when frames are sent, not how many.
-    not_computed : tuple of str
-        What might help and has no number yet: what it would do, and why there is none.
     """
 
     fleet: Fleet
@@ -176,39 +244,30 @@ class Plan:
     utilization: float
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
+    combinations: tuple[Remedy, ...]
     left_out: tuple[str, ...]
-    simulated: tuple[str, ...]
-    not_computed: tuple[str, ...]
 
     def of_kind(self, kind: str) -> tuple[Share, ...]:
         """Return the shares of one kind: message, phase or group; the largest first."""
         return tuple(share for share in self.shares if share.kind == kind)
 
-    def table(self) -> pd.DataFrame:
-        """Return the remedies in their order.
+    def to_frame(self) -> pd.DataFrame:
+        """Return the remedies in their order, then the combinations.
 
         Returns
         -------
         pandas.DataFrame
-            One row a remedy, indexed by what it is, with columns kind, before and utilization
-            [1], saved [1], fits (whether it is less than the window), all_find_each_other,
-            price and note.
+            One row each, indexed by what it is, with columns kind, before and utilization
+            [1], saved [1], fits (whether it is less than the window), start_within_s [s],
+            effort [1], from 1 on, all_find_each_other, price, fails and note.
         """
         import pandas as pd
 
-        return pd.DataFrame(
-            {
-                "remedy": [remedy.what for remedy in self.remedies],
-                "kind": [remedy.kind for remedy in self.remedies],
-                "before": [remedy.before for remedy in self.remedies],
-                "utilization": [remedy.utilization for remedy in self.remedies],
-                "saved": [remedy.saved for remedy in self.remedies],
-                "fits": [words.fits(remedy.utilization) for remedy in self.remedies],
-                "all_find_each_other": [remedy.whole for remedy in self.remedies],
-                "price": [remedy.price for remedy in self.remedies],
-                "note": [remedy.note for remedy in self.remedies],
-            }
-        ).set_index("remedy")
+        columns = ("kind", "before", "utilization", "saved", "fits", "start_within_s", "effort")
+        columns += ("all_find_each_other", "price", "fails", "note")  # type: ignore[assignment]
+        rows = [found.to_dict() for found in (*self.remedies, *self.combinations)]
+        index = pd.Index([row["what"] for row in rows], name="remedy")
+        return pd.DataFrame({name: [row[name] for row in rows] for name in columns}, index)
 
     def shares_table(self) -> pd.DataFrame:
         """Return what takes the channel: one row a message, phase and group."""
@@ -240,25 +299,8 @@ class Plan:
                 }
                 for share in self.shares
             ],
-            "remedies": [
-                {
-                    "kind": remedy.kind,
-                    "what": remedy.what,
-                    "price": remedy.price,
-                    "note": remedy.note,
-                    "all_find_each_other": remedy.whole,
-                    "fleets": [_groups(fleet) for fleet in remedy.fleets],
-                    "protocol": remedy.protocol.name,
-                    "wifi": remedy.wifi.name,
-                    "before": remedy.before,
-                    "utilization": remedy.utilization,
-                    "saved": remedy.saved,
-                    "fits": words.fits(remedy.utilization),
-                }
-                for remedy in self.remedies
-            ],
-            "simulated": list(self.simulated),
-            "not_computed": list(self.not_computed),
+            "remedies": [remedy.to_dict() for remedy in self.remedies],
+            "combinations": [remedy.to_dict() for remedy in self.combinations],
             "left_out": list(self.left_out),
         }
 
@@ -269,19 +311,24 @@ class Plan:
     def picture_data(self) -> pd.DataFrame:
         """Return what `picture` draws: one row a bar, with its protocol and utilization [1].
 
-        Where a remedy is compared with another channel than the plan's, the bar before it is
-        that of the fleet as it is on that channel.
+        Where a remedy is compared with another table or channel than the plan's, the bar before
+        it is that of the fleet as it is by that.
         """
         import pandas as pd
 
         bars = [("as it is", self.protocol.name, self.utilization)]
-        by_standard = [remedy for remedy in self.remedies if remedy.before != self.utilization]
-        if by_standard:
-            timed = "as it is, by the standard's timing"
-            bars.append((timed, self.protocol.name, by_standard[0].before))
+        shown: list[tuple[str, str, float]] = []
         for found in self.remedies:
-            timed = ", by the standard's timing" if found in by_standard else ""
-            bars.append((found.what + timed, found.protocol.name, found.utilization))
+            if found.kind == "staggered start":
+                continue
+            by = ""
+            if found.before != self.utilization:
+                on_air = found.kind in _AIR
+                by = ", by the standard's timing" if on_air else ", as built"
+                of = self.protocol.name if on_air else product(found.protocol)
+                bars.append((f"as it is{by}", str(of), found.before))
+            shown.append((found.what + by, found.protocol.name, found.utilization))
+        bars = [*dict.fromkeys(bars), *shown]
         return pd.DataFrame(bars, columns=["bar", "protocol", "utilization"])
 
     def picture(self) -> Figure:
@@ -290,30 +337,44 @@ class Plan:
 
         return figures.remedies(self.picture_data())
 
+    @property
+    def best(self) -> Remedy | None:
+        """The best combination: one that fits with less effort than any remedy alone.
+
+        Or, where none fits alone, the first; None if there is nothing to combine.
+        """
+        alone = min((r.rank for r in self.remedies if r.now_fits and r.whole), default=math.inf)
+        first = next(iter(self.combinations), None)
+        needed = first is not None and not words.fits(self.utilization)
+        if first is None or not needed or (alone < math.inf and not first.rank < alone):
+            return None
+        return first
+
+    def told(self) -> dict[str, tuple[Remedy, ...]]:
+        """Return what is told in words, by titles: the best of each kind, the best together."""
+        helps = [r for r in self.remedies if r.saved >= _NOTHING]
+        useful = [r for r in helps if r.whole and "research" not in r.efforts]
+        kept = [r for i, r in enumerate(useful) if r.kind not in {o.kind for o in useful[:i]}]
+        split = [r for r in helps if not r.whole]
+        found = {
+            "What would help most, alone:": tuple(kept[:_TOLD]),
+            "Best together:": (self.best,) if self.best else (),
+            "One after the other:": tuple(r for r in self.remedies if r.kind == "staggered start"),
+            "What would help, but not all hosts would find each other any more:": tuple(split[:1]),
+        }
+        return {title: remedies for title, remedies in found.items() if remedies}
+
     def advice(self) -> str:
         """Return what it costs, what dominates and what would help, in words."""
-        helps: list[Remedy] = []
-        harms: list[Remedy] = []
-        for remedy in self.remedies:
-            (helps if remedy.saved >= _NOTHING else harms).append(remedy)
+        told = self.told()
         lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
-        kept = [remedy for remedy in helps if remedy.whole]
-        split = [remedy for remedy in helps if not remedy.whole]
-        if kept:
-            lines += ["", "What would help, most first:", *self._ranked(kept, 1)]
-        if harms:
-            lines += ["", "What would not help:" if helps else "Nothing that was tried helps:"]
-        lines += [f"- {words.capitalized(remedy.sentence())}." for remedy in harms]
-        if split:
-            lines += ["", "What would help, but not all hosts would find each other any more:"]
-            lines += self._ranked(split, len(kept) + 1)
-        for title, reasons in (
-            ("Simulated:", self.simulated),
-            ("Not computed yet:", self.not_computed),
-            ("Left out:", self.left_out),
-        ):
-            if reasons:
-                lines += ["", title, *(f"- {words.capitalized(reason)}." for reason in reasons)]
+        if "What would help most, alone:" not in told:
+            lines += ["", "Nothing that was tried helps."]
+        for title, remedies in told.items():
+            lines += ["", title, *self._ranked(remedies)]
+        rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
+        others = f"{rest} other{'s' * (rest != 1)}"
+        lines += ["", f"{others}, what was left out and what to paste: in the table and JSON."]
         return "\n".join(map(words.wrapped, lines))
 
     def __str__(self) -> str:
@@ -357,8 +418,9 @@ class Plan:
                     "Of what is sent more than once, all of the start is charged to this time, "
                     "and what is repeated counts with its rate: an upper bound of the count."
                 )
-        if any(remedy.before != self.utilization for remedy in self.remedies):
-            before = next(r.before for r in self.remedies if r.before != self.utilization)
+        timed = [r.before for r in self.remedies if r.kind in _AIR]
+        before = next((value for value in timed if value != self.utilization), None)
+        if before is not None:
             yield (
                 f"Changes of the channel are compared by the standard's timing, by which this "
                 f"fleet takes {_amount(before, self.window)} as it is."
@@ -380,21 +442,19 @@ class Plan:
             )
 
     @staticmethod
-    def _ranked(remedies: Sequence[Remedy], first: int) -> Iterator[str]:
-        """Yield the remedies with their places; what to mind with the first of each price."""
-        told: set[str] = set()
-        for rank, remedy in enumerate(remedies, start=first):
-            now = words.fits(remedy.utilization) and not words.fits(remedy.before)
-            yield f"{rank:2}. {words.capitalized(remedy.sentence())}{'; that fits' * now}."
-            if remedy.price not in told:
-                yield f"    Mind: {remedy.price}."
-            told.add(remedy.price)
+    def _ranked(remedies: Sequence[Remedy]) -> Iterator[str]:
+        """Yield remedies with their places, effort, price and what fails."""
+        for place, remedy in enumerate(remedies, start=1):
+            fits = "; that fits" * remedy.now_fits
+            yield f"{place:2}. {words.capitalized(remedy.sentence())}{fits}."
+            yield f"    {remedy.caution()}"
 
 
 def family(protocol: Protocol) -> str | None:
-    """Return of which family of ``data/vendors/families.csv`` a table is: by its first message.
+    """Return of which family of ``data/vendors/families.csv`` a table is.
 
-    None if it is of none, as a table of your own may be.
+    That is told by its first message, of an arrangement of servers, routers or peers by the
+    product. None if it is of none, as a table of your own may be.
 
     Examples
     --------
@@ -402,10 +462,28 @@ def family(protocol: Protocol) -> str | None:
     >>> family(ds.DDS), family(ds.PROTOCOLS["Zenoh peer"])
     ('DDS', 'Zenoh')
     """
-    first = protocol.messages[0].name
+    for row in _arrangements():
+        if row["table"] == protocol.name:
+            return row["family"]
+    first = PROTOCOLS.get(protocol.name, protocol).messages[0].name
     for row in read_data("vendors/families.csv"):
         if row["first_message"] == first:
             return row["family"]
+    return None
+
+
+@cache
+def _arrangements() -> tuple[dict[str, str], ...]:
+    """Return the remedies that put the table of another arrangement in place of a product's."""
+    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
+
+
+def product(protocol: Protocol) -> str | None:
+    """Return of which product a table as built is, as ``data/vendors/products.csv`` says."""
+    name = next((row["base"] for row in _arrangements() if row["table"] == protocol.name), None)
+    for row in read_data("vendors/products.csv"):
+        if row["protocol"] == (name or protocol.name):
+            return row["defaults"]
     return None
 
 
@@ -482,50 +560,166 @@ def plan(
     def cost(members: Fleet, table: Protocol = protocol, channel: Wifi = wifi) -> float:
         return float(utilization(table, members, wifi=channel, window=window))
 
-    before = cost(fleet)
-    remedies: list[Remedy] = []
-    left_out: list[str] = []
-    for found in _changes(fleet, protocol, wifi, own, " (assumed)" if guessed else ""):
-        if isinstance(found, str):
-            left_out.append(found)
-            continue
-        parts = [cost(part, found.protocol, found.wifi) for part in found.fleets]
-        after = max(parts) if found.kind == "channels" else sum(parts)
-        row = _row(found.kind, family(found.protocol))
-        assert row is not None, found.kind
-        note = found.note
-        if found.kind == "middleware":
+    base = _Setting(fleet, protocol, wifi)
+    found = tuple(_changes(base, own, " (assumed)" if guessed else ""))
+    counted: dict[Fleet, dict[Unit, float]] = {}
+
+    def roughly(setting: _Setting) -> float:
+        """As `cost`, but for the order in which numbers are added up: units are counted once."""
+        units = counted.setdefault(setting.fleet, {})
+        prices = unit_costs(setting.protocol, setting.wifi, float(window))
+        for unit in prices:
+            if unit not in units:
+                units[unit] = float(unit.count(setting.fleet))
+        return sum(price * units[unit] for unit, price in prices.items())
+
+    def remedy(steps: Sequence[_Change]) -> Remedy:
+        """Return what these changes lead to together."""
+        old, new = base.before(steps), base.after(steps)
+        parts = next((step.parts for step in steps if step.parts), (new.fleet,))
+        costs = [cost(part, new.protocol, new.wifi) for part in parts]
+        spreads = [staggered.window(new.protocol, part, wifi=new.wifi) for part in parts]
+        of_all: Callable[[Iterable[float]], float] = sum
+        if any(step.kind == "channels" for step in steps):
+            of_all = max
+        rows = [_known(kind, new.protocol) for step in steps for kind in step.steps]
+        note = steps[0].note
+        if len(steps) > 1:
+            notes = [step.by for step in steps if step.by]
+            note = "; ".join(dict.fromkeys(notes))
+        before = cost(old.fleet, old.protocol, old.wifi)
+        if steps[0].kind == "middleware" and len(steps) == 1:
             note = _sessions(
-                protocol, found.protocol, before, after, lambda t: cost(fleet, t), window
+                protocol, new.protocol, before, costs[0], lambda t: cost(fleet, t), float(window)
             )
-        remedies.append(
-            Remedy(
-                found.kind,
-                found.what,
-                row["price"],
-                row["all_find_each_other"] == "yes",
-                found.fleets,
-                found.protocol,
-                found.wifi,
-                before if found.base == wifi else cost(fleet, protocol, found.base),
-                after,
-                float(window),
-                note,
-            )
+        return Remedy(
+            steps[0].kind if len(steps) == 1 else "combination",
+            words.listed([step.what for step in steps]),
+            "; ".join(dict.fromkeys(row["price"] for row in rows)),
+            all(row["all_find_each_other"] == "yes" for row in rows),
+            parts,
+            new.protocol,
+            new.wifi,
+            before,
+            of_all(costs),
+            float(window),
+            note,
+            tuple(row["effort"] for row in rows),
+            "; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
+            tuple(kind for step in steps for kind in step.steps),
+            of_all(spreads),
         )
-    missing, inapplicable = _without_number(protocol)
+
+    singles = {step: remedy([step]) for step in found if isinstance(step, _Change)}
+    alone = [r for step, r in singles.items() if len(step.steps) == 1]
     return Plan(
         fleet,
         protocol,
         wifi,
         float(window),
-        before,
+        (before := cost(fleet)),
         tuple(_shares(fleet, protocol, wifi, float(window), before)),
-        tuple(sorted(remedies, key=lambda remedy: (not remedy.whole, -remedy.saved))),
-        (*left_out, *inapplicable),
-        tuple(_staggered(fleet, protocol, wifi)),
-        missing,
+        tuple(sorted(alone, key=_order)),
+        tuple(sorted(map(remedy, _together(base, singles, roughly)), key=_order)),
+        (*(reason for reason in found if isinstance(reason, str)), *_inapplicable(protocol)),
     )
+
+
+def _order(remedy: Remedy) -> tuple[Any, ...]:
+    """Return by what remedies are sorted; see `Plan`."""
+    effort = (remedy.rank, len(remedy.steps)) if remedy.now_fits else (0, 0)
+    research = "research" in remedy.efforts
+    return not remedy.whole, research, not remedy.now_fits, effort, -remedy.saved
+
+
+@dataclass(frozen=True)
+class _Setting:
+    """A fleet, its middleware and its channel."""
+
+    fleet: Fleet
+    protocol: Protocol
+    wifi: Wifi
+
+    def after(self, steps: Iterable[_Change]) -> _Setting:
+        """Return it with all of these changes."""
+        fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
+        for step in steps:
+            fleet = step.fleet(fleet) if step.fleet else fleet
+            protocol = step.table or protocol
+            if step.radio:
+                assert radio is not None
+                radio = step.radio(radio)
+        wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
+        return _Setting(fleet, protocol, wifi)
+
+    def before(self, steps: Iterable[_Change]) -> _Setting:
+        """Return what these changes are compared with: tables and channels of the same kind."""
+        protocol = next((step.base for step in steps if step.base), self.protocol)
+        wifi = self.wifi
+        if any(step.radio for step in steps):
+            assert wifi.radio is not None
+            wifi = replace(wifi.radio.wifi(), name=wifi.name)
+        return _Setting(self.fleet, protocol, wifi)
+
+
+@dataclass(frozen=True, eq=False)
+class _Change:
+    """A change to compute; of one ``slot`` a combination has one at most."""
+
+    kind: str
+    what: str
+    slot: str
+    fleet: Callable[[Fleet], Fleet] | None = None
+    parts: tuple[Fleet, ...] = ()
+    table: Protocol | None = None
+    #: The table without the change, if another than the plan's.
+    base: Protocol | None = None
+    radio: Callable[[Radio], Radio] | None = None
+    #: What is to be said of the change alone, and what in a combination, too.
+    note: str = ""
+    by: str = ""
+    steps: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "steps", self.steps or (self.kind,))
+
+
+#: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
+#: and aggregation are those that were asked for.
+_SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
+_AIR = ("radio", "multicast rate", "aggregation")
+
+
+def _together(
+    base: _Setting, singles: dict[_Change, Remedy], cost: Callable[[_Setting], float]
+) -> list[tuple[_Change, ...]]:
+    """Return the best sets of two or three changes; each is needed for what its set saves.
+
+    All sets are tried, but with no more than the best few tables.
+    """
+    usable = [c for c, r in singles.items() if c.slot in _SLOTS and "research" not in r.efforts]
+    tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -singles[c].saved)
+    usable = [c for c in usable if c.slot != "table" or c in tables[:_TABLES]]
+    usable.sort(key=lambda change: _SLOTS.index(change.slot))
+    after: dict[tuple[_Change, ...], float] = {}
+    found: list[tuple[Any, tuple[_Change, ...]]] = []
+    for many in range(1, _TOGETHER + 1):
+        for steps in combinations(usable, many):
+            if len({step.slot for step in steps}) < many:
+                continue
+            if sum(len(step.steps) for step in steps) > _TOGETHER:
+                continue
+            after[steps] = taken = cost(base.after(steps))
+            before = cost(base.before(steps))
+            saved = 1 - taken / before if before else 0.0
+            less = (tuple(s for s in steps if s is not left) for left in steps)
+            needed = all(taken < (1 - _NOTHING) * after.get(fewer, before) for fewer in less)
+            if saved < _NOTHING or not needed or sum(len(s.steps) for s in steps) < 2:
+                continue
+            fits = words.fits(taken) and not words.fits(before)
+            rank = max(singles[step].rank for step in steps) if fits else 0
+            found.append(((not fits, rank, many if fits else 0, -saved), steps))
+    return [steps for _, steps in sorted(found, key=lambda item: item[0])[:_KEPT]]
 
 
 def parameter_service_endpoints() -> int:
@@ -554,41 +748,17 @@ def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
     return tuple(Fleet(tuple(groups), fleet.matching) for groups in dealt)
 
 
-class _Change(NamedTuple):
-    """A change to compute."""
-
-    kind: Kind
-    what: str
-    fleets: tuple[Fleet, ...]
-    protocol: Protocol
-    wifi: Wifi
-    #: The channel without the change.
-    base: Wifi
-    note: str = ""
-
-
-def _changes(
-    fleet: Fleet, protocol: Protocol, wifi: Wifi, nodes: Sequence[float], assumed: str
-) -> Iterator[_Change | str]:
+def _changes(base: _Setting, nodes: Sequence[float], assumed: str) -> Iterator[_Change | str]:
     """Yield each change, or why there is none."""
-    for changed in _other_fleets(fleet, nodes, assumed):
-        if isinstance(changed, str):
-            yield changed
-        else:
-            kind, what, members = changed
-            yield _Change(kind, what, (members,), protocol, wifi, wifi)
+    fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
+    yield from _other_fleets(fleet, nodes, assumed)
+    yield from _other_tables(protocol)
     radio = _radio(wifi)
     if isinstance(radio, str):
         yield f"another radio, multicast rate and aggregation: {radio}"
     else:
-        base = replace(radio.wifi(), name=wifi.name)
-        by = "" if base == wifi else "both by the standard's timing"
-        for found in _other_radios(radio, by):
-            if isinstance(found, str):
-                yield found
-            else:
-                kind, what, other, note = found
-                yield _Change(kind, what, (fleet,), protocol, other.wifi(), base, note)
+        timed = replace(radio.wifi(), name=wifi.name) != wifi
+        yield from _other_radios(radio, "both by the standard's timing" if timed else "")
     hosts = sum(group.hosts for group in fleet.groups)
     row = _row("domains", family(protocol))
     for parts in PARTS:
@@ -597,27 +767,89 @@ def _changes(
             yield f"splitting into {parts} parts: not every part would have two hosts"
             continue
         pieces = split(fleet, parts)
-        yield _Change("channels", f"splitting onto {parts} channels", pieces, protocol, wifi, wifi)
+        yield _Change("channels", f"splitting onto {parts} channels", "parts", parts=pieces)
         if row is not None and row["works"] == "computed":
-            what = f"splitting into {parts} domains"
-            yield _Change("domains", what, pieces, protocol, wifi, wifi)
-    # On Wi-Fi nobody gets what a product sends where it takes the network for wired, and a
-    # proposal is no middleware to switch to.
+            yield _Change("domains", f"splitting into {parts} domains", "parts", parts=pieces)
+    yield _Change(
+        "staggered start", "starting one after the other", "time", note=_simulated(protocol)
+    )
+
+
+def _other_tables(protocol: Protocol) -> Iterator[_Change | str]:
+    """Yield other tables: of another arrangement, with calmer announcements, of other middleware.
+
+    What has the paper's counts is compared with tables as built by the product's table as built.
+    """
+    own, built = product(protocol), product(protocol) is not None
+    arranged = protocol.name in {row["table"] for row in _arrangements()}
+    for row in _arrangements():
+        table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
+        if table is None or table == protocol:
+            continue
+        other = built and product(before) != own
+        if row["family"] != family(protocol) and not other:
+            continue
+        by = "" if before == protocol or arranged else f"both as {before.name} was measured"
+        change = _Change(
+            row["kind"],
+            f"{'switching to ' + str(product(before)) + ' with ' if other else ''}{row['title']}",
+            "table",
+            table=table,
+            base=None if arranged or other else before,
+            note=by if not other else "",
+            by=by if not other else "",
+            steps=("middleware", row["kind"]) if other else (row["kind"],),
+        )
+        yield change
+    calm = _calmer(protocol)
+    if calm is not None:
+        yield _Change("announcements", "calmer announcements", "table", table=calm)
+    elif family(protocol) == "DDS":
+        yield f"calmer announcements: what {protocol.name} repeats is not of a product as built"
+    if family(protocol) == "Zenoh":
+        rest = tuple(m for m in protocol.messages if m.phase != protocol.messages[0].phase)
+        if len(rest) < len(protocol.messages) and protocol.messages[0].kind == "Scout":
+            yield _Change("peers", "static peers", "table", table=replace(protocol, messages=rest))
+    hybrid = PROTOCOLS.get("hybrid")
+    if hybrid is not None and family(protocol) is not None:
+        yield _Change("hybrid", "the hybrid discovery", "table", table=hybrid)
+    # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
     wired = [table.wired for table in PROTOCOLS.values()]
+    arrangements = ARRANGED | {row["table"] for row in _arrangements()}
     for table in PROTOCOLS.values():
-        if table == protocol or table in wired or family(table) is None:
+        if table == protocol or table in wired or table.name in arrangements:
             continue
-        if table.name in ARRANGED:  # no middleware of its own
-            continue
-        if _alike(table, protocol):
-            what = f"switching to {table.name}"
-            yield _Change("middleware", what, (fleet,), table, wifi, wifi)
+        if family(table) is not None and _alike(table, protocol):
+            yield _Change("middleware", f"switching to {table.name}", "table", table=table)
+
+
+def _calmer(table: Protocol) -> Protocol | None:
+    """Return a table with the announcements of ``data/vendors/announcements.csv``, if it may."""
+    name = product(table)
+    rows = {
+        r["message"]: r for r in read_data("vendors/announcements.csv") if r["protocol"] == name
+    }
+    calm = tuple(
+        replace(
+            message,
+            schedule=Schedule(
+                tuple(float(t) for t in row["starts_s"].split()), float(row["period_s"])
+            ),
+        )
+        if (row := rows.get(message.name)) and message.schedule.per_second
+        else message
+        for message in table.messages
+    )
+    if calm == table.messages:
+        return None
+    return replace(table, messages=calm, lease=max(float(row["lease_s"]) for row in rows.values()))
 
 
 def _alike(one: Protocol, other: Protocol) -> bool:
     """Return whether two tables count alike: as the paper, with periods, or as products do."""
-    measured = [table.name in MEASURED | ARRANGED for table in (one, other)]
-    return one.repeats == other.repeats and measured[0] == measured[1]
+    built = [product(table) is not None for table in (one, other)]
+    papers = any(_of_paper(message) for message in other.messages) or not other.repeats
+    return built[0] == built[1] and (built[0] or (one.repeats == other.repeats and papers))
 
 
 def _row(kind: str, of: str | None) -> dict[str, str] | None:
@@ -627,11 +859,15 @@ def _row(kind: str, of: str | None) -> dict[str, str] | None:
     return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
 
 
-def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
-    """Yield what a staggered start of the fleet is, and what the simulator says of small robots."""
+def _known(kind: str, protocol: Protocol) -> dict[str, str]:
+    row = _row(kind, family(protocol))
+    assert row is not None, kind
+    return row
+
+
+def _simulated(protocol: Protocol) -> str:
+    """Return what the simulator says of small robots that start one after the other."""
     own = family(protocol)
-    row = _row("staggered start", own)
-    assert row is not None
     gains = []
     for name in [own] if own else ["DDS", "Zenoh"]:
         found: dict[int, dict[str, dict[str, str]]] = {}
@@ -643,44 +879,56 @@ def _staggered(fleet: Fleet, protocol: Protocol, wifi: Wifi) -> Iterator[str]:
                 float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
             )
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
-    robot, window = starts["rule"], staggered.window(protocol, fleet, wifi=wifi)
-    yield (
-        f"{row['title']}: {row['why']}; the rule of thumb for this fleet is a window of "
-        f"{words.duration(window)}; small robots ({robot['processes']} processes with "
-        f"{robot['endpoints']} endpoints, default queues, the paper's counts with recovery) all "
-        f"know each other, {words.listed(gains)}; mind: {row['price']}"
+    robot = starts["rule"]
+    return (
+        "but queues lose less of it: simulated, robots of "
+        f"{robot['processes']} processes with {robot['endpoints']} endpoints all know each other, "
+        f"{words.listed(gains)}"
     )
 
 
-def _without_number(protocol: Protocol) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return what has no number yet, and what does not work or is not known to."""
-    own = family(protocol)
+def _inapplicable(protocol: Protocol) -> Iterator[str]:
+    """Yield what does not work with a protocol, and what is not known to."""
+    own, built = family(protocol), product(protocol)
     rows = read_data("vendors/remedies.csv")
-    titles = {row["kind"]: row["title"] for row in rows}
-    missing, inapplicable, unknown = [], [], []
-    for kind, title in titles.items():
+    unknown = []
+    for kind in dict.fromkeys(row["kind"] for row in rows):
         row = _row(kind, own)
+        of_kind = [found for found in rows if found["kind"] == kind]
         if row is None and own is None:
-            unknown.append(title)
+            unknown.append(of_kind[0]["title"])
         elif row is None:
-            others = words.listed([found["family"] for found in rows if found["kind"] == kind])
-            inapplicable.append(f"{title}: there is none in {own}, but in {others}")
+            others = words.listed([found["family"] for found in of_kind])
+            yield f"{of_kind[0]['title']}: there is none in {own}, but in {others}"
         elif row["works"] == "no":
-            inapplicable.append(f"{title}: {row['why']}")
-        elif row["works"] == "no table":
-            missing.append(f"{title}: {row['why']}; no number, as {row['no_number']}")
+            yield f"{row['title']}: {row['why']}"
+        elif built and row["table"] in PROTOCOLS and row["base"]:
+            of = product(PROTOCOLS[row["base"]])
+            if of != built:
+                yield f"{row['title']}: of {of} alone"
     if unknown:
         known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
-        inapplicable.append(
+        yield (
             f"{words.listed(unknown)}: not known for {protocol.name}, as the first message of its "
             f"table is neither {' nor '.join(known)}"
         )
-    return tuple(missing), tuple(inapplicable)
 
 
-def _other_fleets(
-    fleet: Fleet, nodes: Sequence[float], assumed: str
-) -> Iterator[tuple[Kind, str, Fleet] | str]:
+def _composed(fleet: Fleet) -> Fleet:
+    """Return a fleet of the same endpoints in one process a host."""
+    groups = (
+        replace(
+            group,
+            processes=1,
+            endpoints=group.processes * group.endpoints,
+            nodes=None if group.nodes is None else group.processes * group.nodes,
+        )
+        for group in fleet.groups
+    )
+    return Fleet(tuple(groups), fleet.matching)
+
+
+def _other_fleets(fleet: Fleet, nodes: Sequence[float], assumed: str) -> Iterator[_Change | str]:
     many = [group for group in fleet.groups if group.processes > 1]
     if many:
         which = "the processes of each host"
@@ -689,33 +937,29 @@ def _other_fleets(
             which = f"{many[0].processes:,.10g} processes{of}"
         what = f"composing {which} into 1"
         try:
-            composed = tuple(
-                replace(
-                    group,
-                    processes=1,
-                    endpoints=group.processes * group.endpoints,
-                    nodes=None if group.nodes is None else group.processes * group.nodes,
-                )
-                for group in fleet.groups
-            )
+            _composed(fleet)
         except ValueError as error:
             yield f"{what}: {error}"
         else:
-            yield "processes", what, Fleet(composed, fleet.matching)
+            yield _Change("processes", what, "processes", fleet=_composed)
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
-    if any(nodes):
-        fewer = (
-            replace(group, endpoints=group.endpoints - each * own, nodes=0)
-            for group, own in zip(fleet.groups, nodes, strict=True)
-        )
-        counts = " and ".join(f"{own:.3g}" for own in dict.fromkeys(nodes))
-        noun = "node" if set(nodes) == {1} else "nodes"
-        what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
-        yield "endpoints", what, Fleet(tuple(fewer), fleet.matching)
-    else:
+    if not any(nodes):
         yield f"parameter services: no process has any (those of a node are {each} endpoints)"
+        return
+
+    def fewer(whole: Fleet) -> Fleet:
+        groups = (
+            replace(group, endpoints=group.endpoints - each * own, nodes=0)
+            for group, own in zip(whole.groups, nodes, strict=True)
+        )
+        return Fleet(tuple(groups), whole.matching)
+
+    counts = " and ".join(f"{own:.3g}" for own in dict.fromkeys(nodes))
+    noun = "node" if set(nodes) == {1} else "nodes"
+    what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
+    yield _Change("endpoints", what, "endpoints", fleet=fewer)
 
 
 def _radio(wifi: Wifi) -> Radio | str:
@@ -736,28 +980,38 @@ def _radio(wifi: Wifi) -> Radio | str:
     )
 
 
-def _other_radios(radio: Radio, by: str) -> Iterator[tuple[Kind, str, Radio, str] | str]:
+def _other_radios(radio: Radio, by: str) -> Iterator[_Change | str]:
     if radio.basic_rate < MULTICAST_RATE:
         what = (
             f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
             f"{radio.basic_rate / 1e6:g} Mbit/s"
         )
-        yield "multicast rate", what, replace(radio, multicast_rate=MULTICAST_RATE, name=None), by
+
+        def faster(old: Radio) -> Radio:
+            return replace(old, multicast_rate=MULTICAST_RATE, name=None)
+
+        yield _Change("multicast rate", what, "multicast rate", radio=faster, note=by, by=by)
     for changes in RADIOS:
         other = _another(radio, changes)
         if other.rate > radio.rate:
-            what = f"another radio ({other.wifi().name})"
-            yield "radio", what, other, _compared(radio, other, by)
+            yield _Change(
+                "radio",
+                f"another radio ({other.wifi().name})",
+                "radio",
+                radio=lambda old, changes=changes: _another(old, changes),  # type: ignore[misc]
+                note=_compared(radio, other, by),
+                by=by,
+            )
     most = _most_mpdus(radio.standard)
     if most == 1:
         yield f"aggregation: {radio.standard} has none"
     elif radio.mpdus < MPDUS:
-        yield (
-            "aggregation",
-            f"aggregating up to {MPDUS} frames",
-            replace(radio, mpdus=MPDUS, name=None),
-            by,
-        )
+
+        def aggregated(old: Radio) -> Radio:
+            return replace(old, mpdus=min(MPDUS, _most_mpdus(old.standard)), name=None)
+
+        what = f"aggregating up to {MPDUS} frames"
+        yield _Change("aggregation", what, "aggregation", radio=aggregated, note=by, by=by)
 
 
 def _another(radio: Radio, changes: dict[str, Any]) -> Radio:

@@ -34,7 +34,15 @@ from discostorm.fleet import (
     reject_symbols,
     symbolic_group,
 )
-from discostorm.messages import HOPS, PAPER_WINDOW, Protocol, Unit
+from discostorm.messages import (
+    HOPS,
+    PAPER_WINDOW,
+    Hop,
+    Message,
+    Protocol,
+    Unit,
+    hop_airtime,
+)
 from discostorm.wifi import PAPER, Model, Wifi
 
 if TYPE_CHECKING:
@@ -64,25 +72,46 @@ def _costs(protocol: Protocol, phase: str | None, wifi: Wifi, window: Value) -> 
     return {unit: evaluate(protocol.cost(unit, phase, wifi.model, nt.W), values) for unit in units}
 
 
-@lru_cache(maxsize=1024)
+#: Length of a frame [B].
+_OCTETS = sp.Symbol("S", positive=True)
+
+
+def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
+    """Return the airtime of a message's part of a frame on a hop [s].
+
+    The function of the length is the same for all messages of a kind, and so compiled once.
+    """
+    expression = hop_airtime(hop, message.cast, message.frames > 0, _OCTETS, wifi.model)
+    given = wifi.values() | {_OCTETS: message.frame_bytes}
+    with np.errstate(divide="ignore"):
+        alone = evaluate(expression, given)
+    return float(message.frames or 1.0) * float(alone)
+
+
+@lru_cache(maxsize=4096)
 def _prices(
     protocol: Protocol, phase: str | None, wifi: Wifi, window: float | None
 ) -> tuple[float, ...]:
     """Return what each unit adds to an average second of the window, or to the burst [s]."""
-    costs = [
-        protocol.burst_cost(unit, phase, wifi.model)
-        if window is None
-        else protocol.cost(unit, phase, wifi.model, window)
-        for unit in protocol.units(phase)
-    ]
-    with np.errstate(divide="ignore"):
-        prices = evaluate_each(costs, protocol.values() | wifi.values())
-    if wifi.aggregation is not None and math.inf in prices:
+    prices = dict.fromkeys(protocol.units(phase), 0.0)
+    for message in protocol.of_phase(phase):
+        schedule = message.schedule
+        times = schedule.extra if window is None else schedule.mean(window)
+        once = sum(_hop_seconds(message, hop, wifi) for hop in message.hops)
+        prices[message.unit] += message.per_unit * times * once
+    if wifi.aggregation is not None and math.inf in prices.values():
         raise ValueError(
             f"most_bytes of the channel's aggregation must hold every frame of {protocol.name}; "
             f"got {wifi.aggregation.most_bytes!r}"
         )
-    return prices
+    return tuple(prices.values())
+
+
+def unit_costs(
+    protocol: Protocol, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
+) -> dict[Unit, float]:
+    """Return what each unit of a protocol adds to an average second of the window [s]."""
+    return dict(zip(protocol.units(), _prices(protocol, None, wifi, window), strict=True))
 
 
 def _in_symbols(units: tuple[Unit, ...], matching: float) -> tuple[tuple[sp.Symbol, ...], sp.Expr]:
@@ -618,12 +647,6 @@ def message_costs(
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
     _checks.one_each([("window", window)])
     seconds = _seconds(window)
-    both = [
-        airtime(wifi.model)
-        for message in protocol.messages
-        for airtime in (message.airtime_up, message.airtime_down)
-    ]
-    airtimes = iter(evaluate_each(both, protocol.values() | wifi.values()))
     rows = []
     for message in protocol.messages:
         load = float(message.load(fleet) * message.schedule.mean(seconds))
@@ -635,8 +658,8 @@ def message_costs(
                 "cast": message.cast,
                 "frame_bytes": message.frame_bytes,
                 "uplink_messages": up,
-                "uplink_s": up * next(airtimes),
-                "downlink_s": down * next(airtimes),
+                "uplink_s": up * _hop_seconds(message, "up", wifi),
+                "downlink_s": down * _hop_seconds(message, "down", wifi),
             }
         )
     return rows

@@ -156,15 +156,16 @@ def channel(wifi: Wifi) -> dict[str, Code]:
 
 def radio_remedies(wifi: Wifi) -> Code:
     """Return what the planner would change of a channel: the channel before and after."""
+    base = planner._Setting(SMALL, ds.DDS, wifi)
     return [
         {
             "kind": data(change.kind),
             "what": data(change.what),
             "note": data(change.note),
-            "base": channel(change.base),
-            "wifi": channel(change.wifi),
+            "base": channel(base.before([change]).wifi),
+            "wifi": channel(base.after([change]).wifi),
         }
-        for change in planner._changes(SMALL, ds.DDS, wifi, (0.0,), "")
+        for change in planner._changes(base, (0.0,), "")
         if not isinstance(change, str) and change.kind in RADIO
     ]
 

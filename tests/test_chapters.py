@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import replace
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -89,10 +90,16 @@ def test_sentences_are_said_one_by_one_or_as_a_list() -> None:
 
 def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
-    shown = notebook.advice(plan).data + "\n\n" + notebook.advice(plan, rest=True).data
-    plain = re.sub(r"[*]", "", shown)
-    assert plain.split() == plan.advice().split()
-    assert "**What would help, most first:**\n\n1. Composing" in shown
+    shown = notebook.advice(plan)
+    markdown, html = shown._repr_markdown_(), shown._repr_html_()
+    assert re.sub(r"[*]", "", markdown).split() == plan.advice().split()
+    assert "**What would help most, alone:**\n\n1. " in markdown
+    remedies = [remedy for found in plan.told().values() for remedy in found]
+    assert html.count('class="plan-card"') == len(remedies)
+    for remedy in remedies:
+        assert escape(remedy.caution()) in html
+        for piece in remedy.snippets:
+            assert escape(piece.text) in html
 
 
 def test_who_tells_whom_is_read_off_the_table() -> None:

@@ -47,7 +47,7 @@ const DISCOSTORM = (() => {
   const shared37 = {"R_uni": 5764705882.3529415, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 78400, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
   const shared38 = {"name": "802.11be 320 MHz 2x2", "model": "padded", "values": shared37};
   const shared39 = "another radio (802.11ax 160 MHz 2x2, A-MPDU 64)";
-  const shared40 = {"price": "a crash takes down all that shares the process, and the nodes must be built as components", "whole": true, "why": "fewer processes have fewer pairs that must find each other"};
+  const shared40 = {"price": "the nodes must be built as components", "whole": true, "why": "fewer processes have fewer pairs that must find each other"};
   const shared41 = {"price": "parameters can no longer be read or set from outside; with every protocol a service is counted as the two endpoints of DDS", "whole": true, "why": "their endpoints are told to nobody"};
   const shared42 = {"price": "hosts too far away for this rate hear no multicast", "whole": true, "why": "multicast frames are shorter"};
   const shared43 = {"price": "all hosts and the access point need it, and must be near enough for its rate", "whole": true, "why": "unicast frames are shorter, but for their overhead"};
@@ -843,7 +843,7 @@ const DISCOSTORM = (() => {
       },
       "Fast DDS Discovery Server": {
         "group": "Products arranged against the storm",
-        "family": null,
+        "family": "DDS",
         "about": "",
         "variant": false,
         "lease": 20,
@@ -885,7 +885,7 @@ const DISCOSTORM = (() => {
       },
       "Fast DDS Discovery Server, two": {
         "group": "Products arranged against the storm",
-        "family": null,
+        "family": "DDS",
         "about": "",
         "variant": false,
         "lease": 20,
@@ -927,7 +927,7 @@ const DISCOSTORM = (() => {
       },
       "Fast DDS Discovery Server, on a robot": {
         "group": "Products arranged against the storm",
-        "family": null,
+        "family": "DDS",
         "about": "",
         "variant": false,
         "lease": 20,
@@ -1180,7 +1180,7 @@ const DISCOSTORM = (() => {
       },
       "Zenoh router": {
         "group": "Products arranged against the storm",
-        "family": null,
+        "family": "Zenoh",
         "about": "",
         "variant": false,
         "lease": 60,
