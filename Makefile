@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -92,10 +92,15 @@ bench: $(READY) ## measure the speed of the package against its limits
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
 	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
+	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid.py --grid lab/hybrid_short.csv \
+		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/deaths.py $(ARGS)
+
+hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
+	@$(BIN)/python lab/hybrid.py --out discostorm/data/measured/hybrid.csv
 
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
@@ -113,8 +118,9 @@ build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measured (half an hour; needs g++)
 	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
 
-simulate: $(READY) ## simulate what the chapters of Part IV read (some minutes; goes on where it was)
+simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
 	@$(BIN)/python scripts/simulate.py $(ARGS)
+	@$(BIN)/python scripts/simulate_hybrid.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

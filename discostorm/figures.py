@@ -29,7 +29,7 @@ from discostorm._numeric import evaluate
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import saturation_hosts, utilization
 from discostorm.wifi import PAPER
 
@@ -39,8 +39,8 @@ PAPER_PROTOCOLS = (DDS, ZENOH)
 #: One colour a protocol, one line style a phase, in all figures.
 COLORS = dict(
     zip(
-        # First those that are not variants of others.
-        sorted(PROTOCOLS, key=lambda name: "," in name),
+        # First those that are not variants or arrangements of others.
+        sorted(PROTOCOLS, key=lambda name: (name in ARRANGED, "," in name)),
         # Okabe and Ito's palette, told apart by colour-blind readers, too.
         cycle(("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")),
         strict=False,

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, plain
@@ -107,6 +107,58 @@ class HostGroup:
         if self.nodes is not None:
             parts.append(f"nodes={self.nodes:g}")
         return f"HostGroup({', '.join(parts)})"
+
+
+@dataclass(frozen=True, eq=False)
+class Hosts:
+    """A fleet of whole numbers, host by host, for those who name everybody.
+
+    Parameters
+    ----------
+    processes, endpoints : ndarray
+        Processes on each host, and endpoints of each of its processes [1].
+    group : ndarray, optional
+        The number of each host's group; all of one if left out.
+    matching : float, optional
+        That of the fleet [1].
+    """
+
+    processes: NDArray[np.int64]
+    endpoints: NDArray[np.int64]
+    group: NDArray[np.int64] | None = None
+    matching: float = 0.0
+
+    @property
+    def first(self) -> NDArray[np.int64]:
+        """The number of the first process of each host."""
+        return np.cumsum(self.processes) - self.processes
+
+    @property
+    def host_of(self) -> NDArray[np.int64]:
+        """The host of each process."""
+        return np.repeat(np.arange(self.processes.size), self.processes)
+
+    @property
+    def endpoints_of(self) -> NDArray[np.int64]:
+        """The endpoints of each process [1]."""
+        return self.endpoints[self.host_of]
+
+    @property
+    def every(self) -> NDArray[np.int64]:
+        """1 for each process."""
+        return np.ones(self.host_of.size, np.int64)
+
+    @property
+    def speakers(self) -> NDArray[np.int64]:
+        """1 for the first process of each host, 0 for others."""
+        return np.isin(np.arange(self.host_of.size), self.first).astype(np.int64)
+
+    @property
+    def of_first_hosts(self) -> NDArray[np.int64]:
+        """1 for each process on the first host of each group, 0 for others."""
+        group = np.zeros_like(self.processes) if self.group is None else self.group
+        _, first = np.unique(group, return_index=True)
+        return np.isin(self.host_of, first).astype(np.int64)
 
 
 @dataclass(frozen=True, repr=False)
@@ -322,6 +374,43 @@ class Fleet:
         """Return the same as `lists` with each process on another host."""
         pairs = zip(self._pairs_from(), self.groups, strict=True)
         return reduce(add, (count * _listed(group) for count, group in pairs))
+
+    def unmatched_endpoints(self) -> Count:
+        """Return the number of endpoints that match none."""
+        return self.endpoints() * plain(1 - self.matching)
+
+    def writers_that_match(self) -> Count:
+        """Return the number of endpoints that match and write: half of those that match."""
+        return self.endpoints() * plain(self.matching / 2)
+
+    def process_hosts(self) -> Count:
+        """Return the number of pairs of a process and another host."""
+        return self.processes() * (self.hosts() - 1)
+
+    def endpoint_hosts(self) -> Count:
+        """Return the number of pairs of an endpoint and another host."""
+        return self.endpoints() * (self.hosts() - 1)
+
+    def unmatched_hosts(self) -> Count:
+        """Return the number of pairs of an unmatched endpoint and another host."""
+        return self.endpoint_hosts() * plain(1 - self.matching)
+
+    def matched_hosts(self) -> Count:
+        """Return the number of pairs of what matches on a host and another host.
+
+        What matches one in every other process is the same in all processes of a host, and
+        counts once.
+        """
+        names = reduce(add, (group.hosts * group.endpoints for group in self.groups))
+        return names * (self.hosts() - 1) * plain(self.matching)
+
+    def floods(self) -> Count:
+        """Return how often hosts that are all linked pass on what is new of a link.
+
+        That is: ends of links, times hosts that hear of one, times others that each tells.
+        """
+        others = self.hosts() - 1
+        return self.host_pairs() * others * (others - 1)
 
     def matched_process_pairs(self) -> Count:
         """Return the number of ordered pairs of processes that match, on the same host or not.

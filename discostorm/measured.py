@@ -268,17 +268,21 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}
-                reason = _reason(row, count, row[f"least{end}"], row[f"most{end}"])
+                reason = _reason(protocol.name, row, count, row[f"least{end}"], row[f"most{end}"])
                 tail = {"quantity": quantity, "error": error, "reason": reason}
                 found.append({"protocol": protocol.name} | head | tail)
     return found
 
 
-def _reason(row: dict[Hashable, Any], count: float, least: float, most: float) -> str:
+def _reason(
+    protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
+) -> str:
     """Return why a table may be off: what the runs of a point and its size say."""
     hosts, processes, _ = row["point"].split("x")
     if least <= count <= most:
         return "scatter"
+    if row["phase"] == "TCP" and protocol in arrangements():
+        return "acknowledgements"
     if row["phase"] in ("Session", "KeepAlive", "TCP"):
         return "connections"
     everyone = int(hosts) * int(processes)
@@ -421,3 +425,57 @@ def deaths() -> pd.DataFrame:
             }
         )
     return pd.DataFrame(rows)
+
+
+def held_hybrid(alike: bool = False) -> pd.DataFrame:
+    """Hold a table of the hybrid discovery against what its speakers sent in the lab.
+
+    Parameters
+    ----------
+    alike : bool, optional
+        Whether all hosts ran the same software.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each ``hosts``, ``processes``, ``endpoints``, ``window`` and ``phase`` of the runs
+        without losses: ``runs``, the median number of ``frames`` and of ``bytes`` [B], what the
+        table has ``expected`` and ``expected_bytes``, and the relative ``error`` and
+        ``error_bytes`` of the table [1].
+    """
+    import pandas as pd
+
+    protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
+    software = "alike" if alike else "unlike"
+    runs = pd.DataFrame(read_data("measured/hybrid.csv"))
+    runs = runs[(runs["scenario"] == "no losses") & (runs["software"] == software)]
+    counted = ["hosts", "processes", "endpoints", "frames", "bytes"]
+    runs = runs.astype(dict.fromkeys(counted, float))
+    kinds = {"Sets": "Announce", "Digests": "Digest", "Heartbeats": "Heartbeat"}
+    rows = []
+    for key, point in runs.groupby(["hosts", "processes", "endpoints", "window"], sort=True):
+        fleet, window = Fleet.swarm(*key[:3]), str(key[3])
+        for phase, kind in kinds.items():
+            seen = point[point["kind"] == kind]
+            messages = protocol.of_phase(phase)
+            sent = [expected(message, fleet, window) for message in messages]
+            row = {
+                **dict(zip(("hosts", "processes", "endpoints", "window"), key, strict=True)),
+                "phase": phase,
+                "runs": len(seen),
+                "frames": seen["frames"].median(),
+                "expected": sum(n for n, m in zip(sent, messages, strict=True) if m.frames),
+                "bytes": seen["bytes"].median(),
+                "expected_bytes": sum(
+                    n * m.payload.nominal for n, m in zip(sent, messages, strict=True)
+                ),
+            }
+            if row["frames"] or row["expected"]:
+                rows.append(row)
+    table = pd.DataFrame(rows)
+    for measured, said, error in (
+        ("frames", "expected", "error"),
+        ("bytes", "expected_bytes", "error_bytes"),
+    ):
+        table[error] = table[said] / table[measured].where(table[measured] > 0) - 1
+    return table

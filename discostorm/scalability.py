@@ -466,7 +466,8 @@ def saturation_hosts(
 
     References
     ----------
-    Paper, Sec. IV-C; the closed form is `saturation`.
+    Paper, Sec. IV-C; the closed form is `saturation`. Without one, where messages grow faster than
+    the cube of the hosts, the root is found by Newton's method.
 
     Examples
     --------
@@ -503,7 +504,7 @@ def saturation_hosts(
     costs = _costs(protocol, None, wifi, seconds)
     try:
         with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
-            if beside is not None:
+            if beside is not None or _steep(tuple(costs)):
                 found = _beside(costs, fleet, most - single)
             else:
                 found = _alone(costs, host, most, shape)
@@ -535,11 +536,43 @@ def _beside(costs: Costs, fleet: Fleet, rest: Value) -> Value:
     total = _added_up(costs, replace(fleet, groups=(more, *others)))
     _, b, a, third, *faster = (*coefficients(total), 0.0, 0.0, 0.0)
     if any(map(np.any, faster)):
-        raise ValueError(_GROWS)
-    found: Value = (
-        _cubic_root(third, a, b, rest, np) if np.any(third) else _root(a, b, rest, np.sqrt)
-    )
+        found: Value = _by_newton((b, a, third, *faster), rest)
+    elif np.any(third):
+        found = _cubic_root(third, a, b, rest, np)
+    else:
+        found = _root(a, b, rest, np.sqrt)
     return found
+
+
+@cache
+def _steep(units: tuple[Unit, ...]) -> bool:
+    """Return whether one of the units grows faster than the cube of the hosts."""
+    swarm = Fleet((replace(HostGroup(1, 1, 1), hosts=Polynomial((1.0, 1.0))),))
+    return any(any(coefficients(unit.count(swarm))[4:]) for unit in units)
+
+
+def _by_newton(powers: tuple[Value, ...], rest: Value) -> Value:
+    """Return the hosts that take the ``rest`` where that has no closed form worth its name.
+
+    ``powers`` are the factors of the first, second and further powers of the further hosts. From a
+    number that is too large, at which each power alone takes the rest at most, each step is down
+    and none too far, as the sum bends upwards.
+    """
+    more: Any = np.inf
+    for n, part in enumerate(powers, start=1):
+        more = np.minimum(more, np.power(rest / np.asarray(part), 1 / n))
+    for _ in range(_STEPS):
+        taken, slope = -rest, 0.0
+        for n, part in enumerate(powers, start=1):
+            taken = taken + part * more**n
+            slope = slope + n * part * more ** (n - 1)
+        more = more - taken / slope
+    hosts: Value = 1 + more
+    return hosts
+
+
+#: Four powers take four times the rest at most at first; then few steps reach the last digit.
+_STEPS = 12
 
 
 #: Groups that are left out at once: all at once would fill the memory for many.

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks
 from discostorm._numeric import Value, evaluate
-from discostorm.fleet import COUNTS
+from discostorm.fleet import COUNTS, Fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
 from discostorm.scalability import burst, utilization
 from discostorm.wifi import PAPER, Wifi
@@ -32,9 +32,9 @@ DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 def drain_time(
     protocol: Protocol,
-    hosts: ArrayLike,
-    processes: ArrayLike,
-    endpoints: ArrayLike,
+    hosts: ArrayLike | Fleet,
+    processes: ArrayLike | None = None,
+    endpoints: ArrayLike | None = None,
     wifi: Wifi = PAPER,
 ) -> Value:
     r"""Return by when the channel has caught up with the start, without losses or collisions.
@@ -49,8 +49,9 @@ def drain_time(
     ----------
     protocol : Protocol
         One of `PROTOCOLS`, or a table of your own.
-    hosts : array_like
-        Hosts in the network [1], from 1 to 1e9.
+    hosts : array_like or Fleet
+        Hosts in the network [1], from 1 to 1e9; or a `Fleet` of unlike hosts, in which
+        case `processes` and `endpoints` are left out.
     processes : array_like
         Processes on each host [1], from 1 to 1e9.
     endpoints : array_like

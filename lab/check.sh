@@ -3,7 +3,7 @@
 set -eu
 
 packages="cyclonedds-dev cyclonedds-tools ethtool fastdds-tools g++ iproute2 libfastcdr-dev"
-packages="$packages libfastrtps-dev procps python3-venv tcpdump util-linux"
+packages="$packages libfastrtps-dev nftables procps python3-venv tcpdump util-linux"
 if [ "${1-}" = --debian ]; then
     echo "$packages"
     exit

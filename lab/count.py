@@ -19,9 +19,12 @@ from typing import Any
 import numpy as np
 
 import discostorm as ds
+from discostorm.capture import files, ip, link
+from discostorm.capture._bytes import Numbers
 
-#: The windows that are counted, from the time that all processes begin at [s].
-WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
+#: The windows that are counted, from the time that all processes begin at [s]. What serves them
+#: has begun before.
+WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
     *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
@@ -30,7 +33,8 @@ COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
-#: A host that is heard later than this after the start [s] had no network; its run is spoiled.
+ICMP = 1
+#: A host that is first heard later than this after the start [s] had no network at the start.
 SILENT = 1.5
 
 
@@ -58,6 +62,20 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
     }
 
 
+def unreachable(capture: Path) -> tuple[Any, Any]:
+    """Return when hosts say by ICMP that nobody listens there, and their bytes without a header.
+
+    The header of ICMP has 8 bytes, as UDP's.
+    """
+    packets, notes, addresses = files.read(capture), Counter[str](), Numbers()
+    table = packets.table | {"frame": np.arange(len(packets.table["at"]))}
+    found = link.ip_packets(packets.data, table, packets.links[0], notes)
+    found = ip.parse(packets.data, found, addresses, notes)
+    which = found["protocol"] == ICMP
+    time = packets.table["time"][found["frame"][which]] * 1e-9
+    return time, found["wire"][which] - 8
+
+
 def counted(
     run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
 ) -> Iterable[dict[str, Any]]:
@@ -73,6 +91,10 @@ def counted(
     sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
     messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
     time = messages["time"] + (found.start - told["start"])
+    closed, octets = unreachable(capture)
+    first = time[time >= 0].groupby(messages["sender"]).min().max()
+    if first > SILENT:
+        raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
     for window, (begin, end) in WINDOWS.items():
         if told["seconds"] < end:
             continue
@@ -85,6 +107,10 @@ def counted(
                 "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
                 "bytes": int(group["bytes"].sum()),
             }
+        refused = (closed - told["start"] >= begin) & (closed - told["start"] < end)
+        if many := int(np.count_nonzero(refused)):
+            key = (run, window, "ICMP unreachable", "ports", 0, "", many, many)
+            yield dict(zip(HOPS, (*key, int(octets[refused].sum())), strict=True))
 
 
 def write(path: Path, heading: Iterable[str], rows: Iterable[dict[str, Any]]) -> None:

@@ -22,6 +22,8 @@ LEAD = 1.0  # s from the first program's start to the time 0 of the steps
 def main() -> None:
     job: dict[str, Any] = json.loads(sys.argv[1])
     out = Path(job["out"])
+    for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
+        path.unlink()
     quiet()
     say("ip link set lo up")
     say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")

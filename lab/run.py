@@ -28,6 +28,7 @@ PACKAGES = {
     "fast_dds": "libfastrtps-dev",
     "cyclone_dds_0.10": "cyclonedds-dev",
     "cyclone_dds_11": "cyclonedds",
+    "zenoh": "eclipse_zenoh",
     "zenoh_peer": "eclipse_zenoh",
 }
 # product, variant: the program and its environment. "default" is what the vendor ships.
@@ -46,7 +47,15 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("zenoh_peer", "tokens"): (ZENOH, {}),
 }
 # Of a grid with a column for the arrangement: program, environment, and what serves the others,
-# each on the host of a number. Host 101 and 102 are behind the others, wired to the access point.
+# each on the host of a number, or on every host if that is 0; HOST is then its number. Host 101
+# and 102 are behind the others, wired to the access point.
+ZENOH_ROUTER = [str(PYTHON), str(LAB / "zenoh_router.py"), "HOST"]
+# PEERS are all hosts. Without an index, 0.10 sends to fixed ports and listens on none of them.
+CYCLONE_PEERS = (
+    "<General><AllowMulticast>false</AllowMulticast></General><Discovery>"
+    "<ParticipantIndex>auto</ParticipantIndex><Peers>PEERS</Peers></Discovery>"
+)
+CYCLONE_MULTICAST = "<General><AllowMulticast>true</AllowMulticast></General>"
 DISCOVERY_SERVER = "/usr/bin/fast-discovery-server"
 ARRANGEMENTS: dict[
     tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]
@@ -64,6 +73,10 @@ ARRANGEMENTS: dict[
         for name, hosts in {"server": [101], "server_robot": [1], "servers": [101, 102]}.items()
     },
     ("fast_dds", "static"): (FAST_DDS, {}, []),
+    ("cyclone_dds_0.10", "multicast"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_MULTICAST}, []),
+    ("cyclone_dds_0.10", "peers"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_PEERS}, []),
+    ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
+    ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
 }
 ALONE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
 ALONE += ["--mount-proc", "--net", sys.executable]
@@ -111,6 +124,7 @@ def jobs(
                 hosts, processes, endpoints = (
                     int(point[name]) for name in ("hosts", "processes", "endpoints")
                 )
+                peers = "".join(f"<Peer Address='10.77.0.{host}'/>" for host in range(1, hosts + 1))
                 if trace and product == "zenoh_peer":
                     env = env | {"RUST_LOG": "zenoh_transport=trace,zenoh=trace"}
                 found.append(
@@ -122,8 +136,12 @@ def jobs(
                         "version": versions[product],
                         "kernel": os.uname().release,
                         "command": command,
-                        "env": env,
-                        "servers": servers,
+                        "env": {key: told.replace("PEERS", peers) for key, told in env.items()},
+                        "servers": [
+                            (host, [word.replace("HOST", str(host)) for word in words])
+                            for number, words in servers
+                            for host in ([number] if number else range(1, hosts + 1))
+                        ],
                         "arranged": "arrangement" in point,
                         "hosts": hosts,
                         "processes": processes,

@@ -1,13 +1,16 @@
 """One process of the lab: a Zenoh session, a peer as shipped, with the endpoints of a process.
 
-Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With
-VARIANT "tokens" there is a liveliness token for the node and for each endpoint too, and a
-subscriber to everybody's tokens, as rmw_zenoh has them. The session is left without a close.
+Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With a
+VARIANT other than "default" there is a liveliness token for the node and for each endpoint too,
+and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it.
+The session is left without a close.
 """
 
+import json
 import os
 import sys
 import time
+from pathlib import Path
 
 import zenoh
 
@@ -23,16 +26,28 @@ def ignore(sample: object) -> None:
     """Take what comes; nothing is ever published."""
 
 
+def configured(variant: str) -> zenoh.Config:
+    """Zenoh's own settings, or for a variant with a router those of rmw_zenoh."""
+    settings = json.loads(Path(__file__).with_name("zenoh.json").read_text())
+    config = zenoh.Config()
+    if variant in settings:
+        for key, value in (settings["all"] | settings[variant]).items():
+            config.insert_json5(key, json.dumps(value))
+    return config
+
+
 def main() -> None:
     seconds = float(sys.argv[1])
     host, process, endpoints = map(int, sys.argv[2:5])
-    matching, tokens = sys.argv[5] == "matching", sys.argv[6] == "tokens"
+    matching, variant = sys.argv[5] == "matching", sys.argv[6]
+    tokens = variant != "default"
+    config = configured(variant)
     zenoh.init_log_from_env_or("error")
     tell("ready")
     start = float(sys.stdin.readline())
     time.sleep(max(0.0, start - time.time()))
     tell("begin")
-    session = zenoh.open(zenoh.Config())
+    session = zenoh.open(config)
     tell("participant")
     own, node = f"@ros2_lv/0/{session.info.zid()}", f"lab_{host:02}{process:02}"
     kept = []

@@ -207,6 +207,24 @@ def read_beside_tshark(name: str) -> float:
         )
 
 
+def storm_beside_numpy() -> float:
+    """Compare the storm of 300 hosts with NumPy's drawing ten back-offs for each transmission."""
+    from discostorm.simulation.run import one_run, plan_runs
+
+    infinite = float("inf")
+    wifi = ds.Radio("802.11n", streams=2, aifsn=3).wifi()
+    swarm = ds.Fleet.swarm(300, 2, 10)
+    plan = plan_runs(swarm, ds.DDS, wifi, (infinite, infinite), 0.0, 0.0, False, 1.0, False)
+    sent = one_run(plan, np.random.SeedSequence(0)).counts["ppdus"]
+    rng = np.random.default_rng(0)
+
+    def draw() -> None:
+        for _ in range(10):
+            rng.integers(1024, size=sent)
+
+    return ratio(lambda: one_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
+
+
 SWARM = ("--hosts", "7", "--processes", "2", "--endpoints", "10")
 
 #: What is compared, how, and the limit.
@@ -236,6 +254,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.9),
     ("discostorm claims / --help", lambda: beside_help("claims"), 3.6),
     ("discostorm figures / importing them", figures, 3.4),
+    ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
 ]
 #: What a capture of 100 000 packets takes.
 CAPTURES = [

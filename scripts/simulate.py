@@ -29,13 +29,15 @@ CACHE = ROOT / "build" / "simulate"
 TABLES = ROOT / "discostorm" / "data" / "simulated"
 
 PAPER = ("DDS", "Zenoh")
-#: The paper's counts with what the products repeat; the tables as built have units, such as a
-#: fraction of a message a pair, that no single run can have.
+#: What the products send.
+BUILT = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
+#: The paper's counts, also with what the products repeat, and theirs.
 ALL = (
     *PAPER,
     "DDS, periods of Fast DDS",
     "DDS, periods of Cyclone DDS",
     "Zenoh, periods of Zenoh peer",
+    *BUILT,
 )
 SEED = 2026
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}

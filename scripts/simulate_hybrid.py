@@ -1,6 +1,6 @@
 """Simulate the hybrid discovery and store what it did: data/simulated/hybrid.csv, a row a run.
 
-Seeds 100 to 199 were used for nothing else: what was tuned was tuned with others.
+Seeds from 200 on were used for nothing else: what was tuned was tuned with others.
 """
 
 import argparse
@@ -14,7 +14,8 @@ from joblib import Parallel, delayed
 from tqdm import tqdm
 
 import discostorm as ds
-from discostorm.simulation.hybrid import Choice, Death, Speakers, hybrid_run
+from discostorm.simulation.hybrid import Choice, Death, hybrid_run
+from discostorm.simulation.speaker import Speakers
 
 TABLE = Path(ds.__file__).parent / "data" / "simulated" / "hybrid.csv"
 COLUMNS = (
@@ -22,7 +23,7 @@ COLUMNS = (
     *("mistaken", "gone_s", "announces", "digests", "repairs", "pulls", "heartbeats"),
     *("collisions", "dropped"),
 )
-FIRST_SEED = 100
+FIRST_SEED = 200
 #: When the newcomer starts, and when hosts of a settled fleet die [s].
 LATER = 1.0
 
@@ -52,7 +53,7 @@ ADVERSARIES = (knows_most, speaks_most, repairs_next)
 
 
 def scenarios() -> dict[str, dict[str, Any]]:
-    """Return what is run, by name: the arguments of `hybrid_run`, and how many hosts."""
+    """Return what is run, by name: the arguments of `hybrid_run`, and which swarm."""
     settled, halves = np.full(100, -100.0), np.arange(100) % 2
     ends = {"until": 6, "enough": 1.5}
     newcomer = settled.copy()
@@ -76,24 +77,26 @@ def scenarios() -> dict[str, dict[str, Any]]:
             "until": 36,
         }
     found["steady for 1000 s"] = {"start": settled, "until": 1000}
-    found["1000, alike"] = {"hosts": 1000, "alike": True, "until": 60, "enough": 0.5}
-    found["1000"] = {"hosts": 1000, "until": 60, "enough": 0.5}
+    found["1000, alike"] = {"fleet": (1000, 2, 10), "alike": True, "until": 60, "enough": 0.5}
+    found["1000"] = {"fleet": (1000, 2, 10), "until": 60, "enough": 0.5}
     for fade in (0.1, 0.5):
         found[f"unlike, fades of {fade} s"] = {"fade": fade, "until": 20, "enough": 1.5}
     found["unlike, queues of 20"] = {"queue": (20, 0.5), "until": 8, "enough": 1.5}
+    found["20 robots of 678 endpoints"] = {"fleet": (20, 1, 678), "until": 60, "enough": 1.5}
     return found
 
 
 def seeds_of(name: str) -> int:
     """Return how many runs there are of a scenario: fewer of those that take long."""
-    few = {"1000": 1, "steady": 2, "50 die": 34, "1 of": 20, "50 of": 20, "unlike,": 30}
+    few = {"1000, alike": 2, "1000": 5, "steady": 6, "50 die": 34, "1 of": 20, "50 of": 20}
+    few |= {"unlike, fades of 0.1 s": 30, "unlike,": 10, "20 robots": 10}
     return next((many for start, many in few.items() if name.startswith(start)), 100)
 
 
 def row(name: str, seed: int) -> dict[str, Any]:
     """Return what one run did."""
     settings = dict(scenarios()[name])
-    fleet = ds.Fleet.swarm(settings.pop("hosts", 100), 2, 10)
+    fleet = ds.Fleet.swarm(*settings.pop("fleet", (100, 2, 10)))
     found = hybrid_run(fleet, ds.PAPER, seed=seed, **settings)
     frames = found.frames
     return {

@@ -66,6 +66,23 @@ ABOUT = {
     for row in read_data("vendors/products.csv")
 }
 
+#: Further hosts than the first.
+MORE = sp.Symbol("x", positive=True)
+#: What the powers of these are multiplied with [1].
+COEFFICIENTS = sp.symbols("c b a third", positive=True)
+
+
+def offered() -> dict[str, Protocol]:
+    """Return the tables that are offered: those of which saturation has a closed form."""
+    steepest = MORE ** len(COEFFICIENTS)
+    swarm = Fleet.swarm(1 + MORE, 1, 1)
+    return {
+        name: table
+        for name, table in ds.PROTOCOLS.items()
+        if all(sp.expand(unit.count(swarm)).coeff(steepest) == 0 for unit in table.units())
+    }
+
+
 #: Headings of the middlewares, in order.
 GROUPS = (
     "Products as built",
@@ -343,11 +360,6 @@ def outlooks(protocol: Protocol) -> Code:
     }
 
 
-#: What the first, second and third further host add, and what one alone takes [1].
-MORE = sp.Symbol("x", positive=True)
-COEFFICIENTS = sp.symbols("c b a third", positive=True)
-
-
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
     """Return the powers of N_H - 1 in the number of a unit, that of the constant first."""
     count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + MORE)
@@ -431,7 +443,7 @@ def model() -> Code:
     """Return all that the calculator reads."""
     known = Formulas()
     protocols: dict[str, Any] = {
-        name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()
+        name: about(protocol, known) for name, protocol in offered().items()
     }
     degrees = range(max(int(about["degree"]) for about in protocols.values()) + 1)
     full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees[1:])]

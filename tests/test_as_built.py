@@ -115,6 +115,15 @@ def test_units_by_hand() -> None:
         "ordered pair of hosts": 6,
         "endpoint of a kind of host": 20,
         "fleet": 1,
+        "unmatched endpoint": 0,
+        "matched writer": 30,
+        "process and other host": 6 * 2,
+        "endpoint and other host": 60 * 2,
+        "unmatched endpoint and other host": 0,
+        # Ten names that both processes of a host have, on three hosts, for two others each.
+        "matched endpoint of a host and other host": 10 * 3 * 2,
+        # Three links have six ends; two hosts hear of each, and each tells the one that is left.
+        "end of a link, host that hears of it and other that it tells": 6 * 2 * 1,
         "endpoint and other process": 10 * len(others),
         "two endpoints of a process, or one twice": 6 * 55,
         "two endpoints of a process, or one twice, and process on another host": 55 * len(pairs),
@@ -130,6 +139,8 @@ def test_units_by_hand() -> None:
     assert {name: unit.count(MATCHING) for name, unit in UNITS.items()} == by_hand
     assert UNITS["unmatched endpoint and process on another host"].count(SWARM) == 10 * len(pairs)
     assert UNITS["matched writer and process on another host"].count(SWARM) == 0
+    assert UNITS["unmatched endpoint"].count(SWARM) == 60
+    assert UNITS["unmatched endpoint and other host"].count(SWARM) == 60 * 2
     symbols = dict(zip(ds.fleet.SWARM.counts(), (3, 2, 10), strict=True))
     for name, unit in UNITS.items():
         symbolic = unit.count(ds.Fleet(ds.fleet.SWARM.groups, matching=1))

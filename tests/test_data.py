@@ -33,6 +33,7 @@ SOURCES = {
     "measured/mitigation_runs.csv": "sha256",
     "measured/mitigations.csv": "message",
     "measured/reasons.csv": "reason",
+    "measured/hybrid.csv": "run",
     "vendors/arrangements.csv": "product",
     "vendors/products.csv": "product",
     "simulated/hybrid.csv": "scenario",

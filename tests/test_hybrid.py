@@ -1,7 +1,6 @@
 """The hybrid discovery: its goals against stored runs, its table against the rounds."""
 
 import sys
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -9,17 +8,16 @@ import pytest
 
 import discostorm as ds
 from discostorm.data import read_data
+from discostorm.measured import held_hybrid
 from discostorm.messages import PROCESS
 from discostorm.simulation.channel import Channel, Frame, timing_of
-from discostorm.simulation.hybrid import Speakers, hybrid_run, parameters
+from discostorm.simulation.hybrid import hybrid_run
+from discostorm.simulation.speaker import Speakers, parameters
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
+LAB = Path(__file__).parents[1] / "lab"
 HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
 STORED = read_data("simulated/hybrid.csv")
-#: Goals of the proposal that stored runs miss, each with what they show; see the chapter.
-MISSED = {
-    ("no second of that is fuller, in any run", "unlike"),
-}
 
 
 def found(goal: dict[str, str]) -> float:
@@ -37,10 +35,7 @@ def found(goal: dict[str, str]) -> float:
 
 @pytest.mark.parametrize("goal", read_data("hybrid/goals.csv"), ids=lambda goal: goal["goal"])
 def test_goals_are_met_in_the_stored_runs(goal):
-    if (goal["goal"], goal["scenario"]) in MISSED:
-        assert found(goal) > float(goal["most"]), "met by now: no longer among the missed"
-    else:
-        assert found(goal) <= float(goal["most"])
+    assert found(goal) <= float(goal["most"])
 
 
 def test_stored_runs_have_seeds_that_were_not_used_to_tune():
@@ -48,10 +43,12 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
     for row in STORED:
         seeds.setdefault(row["scenario"], []).append(int(row["seed"]))
     for scenario, used in seeds.items():
-        assert used == list(range(100, 100 + len(used))), scenario
+        assert used == list(range(200, 200 + len(used))), scenario
     # What takes long to simulate was simulated less often; the chapter says how often.
-    assert len(seeds["alike"]) == len(seeds["unlike"]) == len(seeds["newcomer"]) == 100
+    for scenario in ("alike", "unlike", "newcomer", "newcomer, alike", "halves", "halves, alike"):
+        assert len(seeds[scenario]) == 100
     assert sum(len(used) for name, used in seeds.items() if name.startswith("50 die")) > 300
+    assert all(len(seeds[name]) >= 5 for name in ("1000", "steady for 1000 s"))
 
 
 @pytest.mark.parametrize(
@@ -66,22 +63,26 @@ def test_stored_runs_come_out_again(scenario, monkeypatch):
         (row["scenario"], row["seed"]): {key: str(value) for key, value in row.items()}
         for row in STORED
     }
-    for seed in (100, 120):
+    for seed in (200, 220):
         again = {key: str(value) for key, value in simulate_hybrid.row(scenario, seed).items()}
         assert again == stored[scenario, str(seed)]
 
 
-def test_airtime_without_losses_is_what_was_promised():
-    # Of the swarm of Fig. 2, in its first second, with what heartbeats take of it.
-    assert ds.utilization(HYBRID, 7, 2, 10) <= 0.010
-    assert ds.utilization(HYBRID, 100, 2, 10) <= 0.13
+@pytest.mark.parametrize(("hosts", "most"), [(7, 0.010), (100, 0.13)])
+def test_airtime_without_losses_is_what_was_promised(hosts, most):
+    # Of the swarm of Fig. 2, in its first second, with what heartbeats take of it; and until all
+    # know each other.
+    assert ds.utilization(HYBRID, hosts, 2, 10) <= most
+    fleet = ds.Fleet.swarm(hosts, 2, 10)
+    for seed in range(5):
+        run = hybrid_run(fleet, ds.PAPER, loss=(0, 0), until=4, enough=0.5, seed=seed)
+        assert run.convergence_time < 2.5
+        assert run.airtime <= most
 
 
 @pytest.mark.parametrize(("table", "alike"), [(HYBRID, False), (ALIKE, True)])
-@pytest.mark.parametrize(("hosts", "more"), [(7, 2.0), (100, 1.1)])
-def test_rounds_without_losses_send_what_the_table_says(table, alike, hosts, more):
-    # Few hosts announce themselves so far apart that some show what they hold too early, and are
-    # told what they would have heard anyway: the chapter says how much that costs.
+@pytest.mark.parametrize("hosts", [7, 100])
+def test_rounds_without_losses_send_what_the_table_says(table, alike, hosts):
     fleet = ds.Fleet.swarm(hosts, 2, 10)
     # The first heartbeats come 1.5 s after an announcement.
     window = 1.4
@@ -90,9 +91,8 @@ def test_rounds_without_losses_send_what_the_table_says(table, alike, hosts, mor
     sent = []
     for seed in range(6):
         run = hybrid_run(fleet, ds.PAPER, alike=alike, loss=(0, 0), until=window, seed=seed)
-        assert run.convergence_time < window
         sent.append(run.airtime)
-    assert said * (1 - 1e-6) <= np.mean(sent) <= more * said
+    assert said * (1 - 1e-6) <= np.mean(sent) <= 1.1 * said
 
 
 def test_load_counted_by_hand():
@@ -117,35 +117,49 @@ def test_frames_grow_with_hosts_alone():
     assert twice == 2 * once
 
 
-def test_endpoints_are_as_short_as_the_table_says():
+def speaker_of_the_lab(monkeypatch):
+    monkeypatch.syspath_prepend(str(LAB))
+    import hybrid_speaker
+
+    return hybrid_speaker
+
+
+@pytest.mark.parametrize("alike", [False, True])
+def test_endpoints_are_as_short_as_the_table_says(monkeypatch, alike):
     # Names as ROS 2 writes them, entity id, kind and QoS, deflated together.
-    types = [
-        *("geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry", "nav_msgs/msg/OccupancyGrid"),
-        *("nav_msgs/msg/Path", "sensor_msgs/msg/LaserScan", "sensor_msgs/msg/Imu"),
-        *("sensor_msgs/msg/Image", "tf2_msgs/msg/TFMessage", "std_msgs/msg/String"),
-        *("rcl_interfaces/msg/Log", "diagnostic_msgs/msg/DiagnosticArray"),
-        *("geometry_msgs/msg/PoseStamped", "sensor_msgs/msg/BatteryState"),
-    ]
-    topics = [
-        *("cmd_vel", "odom", "map", "plan", "scan", "imu", "camera/image_raw", "tf"),
-        *("tf_static", "rosout", "parameter_events", "diagnostics", "goal_pose"),
-        *("battery_state", "joint_states", "local_costmap/costmap"),
-    ]
-    for seed in range(5):
-        rng = np.random.default_rng(seed)
-        told = b"".join(
-            number.to_bytes(4, "big")
-            + bytes([int(rng.choice([0, 1, 17]))])
-            + f"robot_{seed:02}/{rng.choice(topics)}\0{rng.choice(types)}\0".encode()
-            for number in range(20)
-        )
-        assert len(zlib.compress(told, 9)) / 20 <= parameters()["endpoint"]
+    lab = speaker_of_the_lab(monkeypatch)
+    for host in (0, 5, 99):
+        assert 18 < len(lab.description(host, 2, 10, alike)) / 20 <= parameters()["endpoint"]
+
+
+@pytest.mark.parametrize("alike", [False, True])
+def test_octets_come_out_of_combinations_as_the_rules_say(monkeypatch, alike):
+    # What the rules resolve from masks, the lab's speaker resolves with the octets.
+    lab = speaker_of_the_lab(monkeypatch)
+    sets = [lab.set_of(host, 1 + host % 3, 4 + host % 5, alike) for host in range(20)]
+    sets = [lab.hashed(one) for one in sets] if alike else sets
+    rng = np.random.default_rng(8)
+    for _ in range(10):
+        rules, store = Speakers(64, np.zeros(64), np.ones(64, np.int64)), lab.Store(alike)
+        store.keep(0, sets[0])
+        for _ in range(30):
+            mask = int(rng.integers(1, 2**20)) if rng.random() < 0.8 else 1 << int(rng.integers(20))
+            told = 0
+            for host in range(20):
+                if mask >> host & 1:
+                    told ^= int.from_bytes(sets[host], "little")
+            rules.learn(np.array([0]), 0, np.uint64(mask))
+            store.add(0, mask, told.to_bytes(max(map(len, sets)), "little"))
+            held = int(rules.held[0, 0])
+            assert set(store.sets) == {host for host in range(64) if held >> host & 1}
+            assert all(octets == sets[host] for host, octets in store.sets.items())
+        assert len(store.sets) > 15
 
 
 def test_equations_are_resolved_like_by_gauss():
     # Random exclusive-ors of 40 unknown sets: held are those that any elimination finds.
     rng = np.random.default_rng(5)
-    speakers = Speakers(64, np.zeros(64))
+    speakers = Speakers(64, np.zeros(64), np.ones(64, np.int64))
     masks = [int(rng.integers(1, 2**40)) << 1 for _ in range(25)] + [1 << place for place in (3, 7)]
     span: list[int] = []
     for mask in masks:
@@ -197,6 +211,54 @@ def test_medium_agrees_with_the_frame_by_frame_engine():
     assert np.mean(collisions) == pytest.approx(np.mean(other.counts["collisions"]), rel=0.1)
 
 
+def test_sets_of_several_datagrams_reach_all():
+    # 678 endpoints are ten datagrams; what is lost of them is repaired part by part.
+    fleet = ds.Fleet.swarm(5, 1, 678)
+    still = hybrid_run(fleet, ds.PAPER, loss=(0, 0), until=20, enough=0.5)
+    assert (still.frames["Announce"], "Repair" in still.frames) == (50, False)
+    lossy = hybrid_run(fleet, ds.PAPER, until=20, enough=0.5)
+    assert still.convergence_time < lossy.convergence_time < 20
+    assert lossy.frames["Repair"] > 0
+
+
+@pytest.mark.parametrize("alike", [False, True])
+def test_speakers_in_the_lab_send_what_the_table_says(alike):
+    # Of 10 to 20 endpoints a host; fewer names deflate less well than that, more deflate better.
+    table = held_hybrid(alike)
+    table = table[(table["processes"] * table["endpoints"]).between(10, 20)]
+    assert set(table["window"]) == {"startup", "steady"}
+    assert table["runs"].min() >= 2
+    sent = table[table["phase"] != "Digests"]
+    # Of the eight heartbeats of two hosts one that falls out of the window is more than that.
+    pair = sent[sent["hosts"] == 2]
+    assert (pair["frames"] - pair["expected"]).abs().le(1).all()
+    sent = sent[sent["hosts"] > 2]
+    assert sent[["error", "error_bytes"]].abs().max().max() <= 0.10
+    # The table has the one digest that there is at least; of those about to show it at the same
+    # time several may.
+    digests = table[table["phase"] == "Digests"]
+    assert (digests["expected"] == 1).all()
+    assert digests["frames"].between(1, 2).all()
+    columns = ["frames", "expected", "bytes", "expected_bytes"]
+    whole = (
+        table[table["hosts"] > 2]
+        .groupby(["hosts", "processes", "endpoints", "window"])[columns]
+        .sum()
+    )
+    assert np.allclose(whole["frames"], whole["expected"], rtol=0.10)
+    assert np.allclose(whole["bytes"], whole["expected_bytes"], rtol=0.10)
+
+
+def test_speakers_in_the_lab_find_each_other_under_losses_and_deaths():
+    runs = [row for row in read_data("measured/hybrid.csv") if row["scenario"] != "no losses"]
+    assert {row["losses"] for row in runs} == {"0.2/0.01"}
+    assert all(float(row["converged_s"]) < 5 for row in runs)
+    assert all(row["mistaken"] == "0" for row in runs)
+    settled = [row for row in runs if row["scenario"].endswith("when settled")]
+    assert {row["scenario"].split()[1] for row in settled} == {"killed", "unlinked"}
+    assert all(10 < float(row["gone_s"]) <= 30 for row in settled)
+
+
 def test_same_seed_same_run():
     fleet = ds.Fleet.swarm(20, 2, 10)
     one, two = (hybrid_run(fleet, ds.PAPER, seed=3, until=4) for _ in range(2))
@@ -212,7 +274,8 @@ def test_same_seed_same_run():
         ({"until": 0}, "until must be"),
         ({"wifi": ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast)}, "must have a radio"),
         ({"wifi": ds.Radio("802.11n", mpdus=8).wifi()}, "without aggregation"),
-        ({"fleet": ds.Fleet.swarm(3, 1, 678)}, "at most 1400 B"),
+        ({"fleet": ds.Fleet.swarm(100, 1, 2000)}, "digest is at most 1400 B"),
+        ({"fleet": ds.Fleet.swarm(3, 100, 0)}, "at most 57 processes"),
     ],
 )
 def test_bad_input_is_refused(arguments, words):

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import uuid
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +63,19 @@ def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
         runs = sum(int(row["runs"]) for row in csv.DictReader(file))
     assert len(names) == len(set(names)) == runs * len(lab.PRODUCTS)
     assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)  # with_suffix needs no dot
+
+
+def test_every_arrangement_has_six_points_and_three_runs_of_each() -> None:
+    versions = dict.fromkeys(lab.PACKAGES, "1")
+    jobs = lab.jobs(LAB / "mitigations.csv", [], False, versions)
+    names = [job["name"] for job in jobs]
+    assert len(names) == len(set(names))
+    assert {(job["product"], job["variant"]) for job in jobs} == set(lab.ARRANGEMENTS)
+    for key in lab.ARRANGEMENTS:
+        mine = [job for job in jobs if (job["product"], job["variant"]) == key]
+        runs = Counter(job["name"].rpartition("-")[0] for job in mine)
+        assert len(runs) >= 6
+        assert min(runs.values()) >= 3
 
 
 def test_the_lock_of_the_lab_has_a_hash_for_each_version() -> None:
@@ -168,6 +182,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
     job = {"command": [str(broken)], "hosts": 2, "processes": 1, "endpoints": 2, "names": "unique"}
     job |= {"variant": "default", "seconds": 5.0, "env": {}, "out": str(tmp_path / "out")}
+    job |= {"servers": []}
     made = subprocess.run(
         [*lab.STAGE, json.dumps(job)],
         capture_output=True,
@@ -237,3 +252,45 @@ def talk(capture: Path) -> set[tuple[str, str]]:
     )
     pattern = re.compile(r"^IP (\d+\.\d+\.\d+\.\d+)\S* > (\d+\.\d+\.\d+\.\d+)", re.M)
     return set(pattern.findall(read.stdout))
+
+
+def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
+    """Run three speakers of the hybrid discovery: no vendor's software is in it."""
+    tools = ("ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare")
+    if os.geteuid() != 0 or not all(map(shutil.which, tools)):
+        missing("the lab needs root and what lab/check.sh says")
+    heading = "hosts,processes,endpoints,software,scenario,runs,seconds"
+    grid = tmp_path / "grid.csv"
+    grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")
+    command = [sys.executable, str(LAB / "hybrid.py"), "--grid", str(grid)]
+    command += ["--captures", str(tmp_path / "out"), "--out", str(tmp_path / "hybrid.csv")]
+    return subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env=os.environ | {"DISCOSTORM_MARK": mark},
+    )
+
+
+def test_speakers_of_the_hybrid_discovery_find_each_other(tmp_path: Path) -> None:
+    mark = uuid.uuid4().hex
+    made = hybrid(tmp_path, mark, 12)
+    said, _ = made.communicate(timeout=300)
+    assert made.returncode == 0, said
+    assert not marked(mark)
+    with (tmp_path / "hybrid.csv").open(newline="") as file:
+        rows = {row["kind"]: row for row in csv.DictReader(file)}
+    assert int(rows["Announce"]["frames"]) == 3
+    assert int(rows["Heartbeat"]["frames"]) >= 9
+    assert float(rows["Announce"]["converged_s"]) < 1
+
+
+def test_no_speaker_is_left_after_a_kill(tmp_path: Path) -> None:
+    mark = uuid.uuid4().hex
+    made = hybrid(tmp_path, mark, 60)
+    # Three holders of namespaces, three speakers, tcpdump, the stage.
+    assert wait_until(lambda: len(marked(mark)) > 7, 60)
+    made.kill()
+    made.communicate(timeout=20)
+    assert wait_until(lambda: not marked(mark)), "speakers are still there"

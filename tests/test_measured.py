@@ -61,6 +61,24 @@ def test_every_point_was_run_as_often_as_the_grid_says() -> None:
         assert Counter(tuple(row[name] for name in shape) for row in mine) == grid
 
 
+def test_every_arrangement_was_run_as_often_as_its_grid_says() -> None:
+    shape = ("hosts", "processes", "endpoints", "names", "use")
+    with (Path(__file__).parents[1] / "lab" / "mitigations.csv").open(newline="") as file:
+        grid = {
+            (row["arrangement"], *(row[name] for name in shape)): int(row["runs"])
+            for row in csv.DictReader(file)
+        }
+    rows = read_data("measured/mitigation_runs.csv")
+    assert grid == Counter(
+        (f"{row['product']}-{row['variant']}", *(row[name] for name in shape)) for row in rows
+    )
+    assert len({row["run"] for row in rows}) == len(rows)
+    assert all(row["sha256"].startswith(row["run"]) for row in rows)
+    assert {row["run"] for row in read_data("measured/mitigation_counts.csv")} == {
+        row["run"] for row in rows
+    }
+
+
 def test_no_process_began_late_and_all_had_their_endpoints_within_the_first_seconds() -> None:
     assert all(0 <= float(row["late_s"]) < 0.25 for row in RUNS.values())
     assert all(float(row["made_s"]) < 4 for row in RUNS.values())

@@ -68,7 +68,8 @@ def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str
     seen, rows = counted(name), parts(name)
     found = off(seen, rows)
     assert found == listed(name)
-    assert not [window for _, window, *_ in found if window == "steady"]
+    # In the steady state there is nothing to excuse but when TCP acknowledges.
+    assert {phase for _, window, phase, *_ in found if window == "steady"} <= {"TCP"}
     tried = 0
     for index, row in enumerate(rows):
         if any((row[key] > 0.25 * seen[key]).any() for key in row if key in seen):
@@ -76,7 +77,7 @@ def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str
                 broken = {key: factor * value for key, value in row.items()}
                 assert off(seen, [*rows[:index], broken, *rows[index + 1 :]]) != found
                 tried += 1
-    assert tried >= 16
+    assert tried >= 14
 
 
 def test_what_is_off_has_a_reason() -> None:
@@ -89,7 +90,7 @@ def test_all_that_was_counted_has_a_row(name: str) -> None:
     ways = {(m.kind, m.cast, *m.hops) for m in TABLES[name].messages}
     for point in measured.points(name):
         for _, kind, about, cast, hop in point.runs:
-            if not about:
+            if not about and kind != "TCP retransmission":
                 assert (kind, cast, *([hop] if hop else ["up", "down"])) in ways
 
 
@@ -188,3 +189,47 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
     assert len(within) >= 12
     assert max(within) < 0.15
     assert np.median(within) < 0.03
+
+
+def start_of(name: str, swarm: tuple[int, int, int], matching: float) -> float:
+    """Return the airtime of what a start sends [s], on the paper's channel."""
+    table = ds.PROTOCOLS[name]
+    fleet = ds.Fleet(ds.Fleet.swarm(*swarm).groups, matching)
+    return float(table.burst(fleet=fleet).subs(table.values() | ds.PAPER.values()))
+
+
+def test_what_is_better_than_simple_discovery_and_what_is_worse() -> None:
+    """At the start, with one process a host; in the steady state servers always win."""
+    one, robot, two, static = (
+        "Fast DDS Discovery Server",
+        "Fast DDS Discovery Server, on a robot",
+        "Fast DDS Discovery Server, two",
+        "static endpoints",
+    )
+    simple = "Fast DDS"
+    few, many, rich = (3, 1, 10), (20, 1, 10), (10, 1, 100)
+    # Robots with names of their own: any server, from two hosts on; two of them from three on.
+    assert start_of(one, (2, 1, 10), 0) < 0.7 * start_of(simple, (2, 1, 10), 0)
+    assert start_of(two, (2, 1, 10), 0) > start_of(simple, (2, 1, 10), 0)
+    assert start_of(two, few, 0) < start_of(simple, few, 0)
+    assert start_of(one, many, 0) < 0.05 * start_of(simple, many, 0)
+    # All alike: one that is wired helps little; one on a robot and two cost more in small fleets.
+    assert 0.4 < start_of(one, many, 1) / start_of(simple, many, 1) < 0.7
+    assert start_of(robot, few, 1) > start_of(simple, few, 1)
+    assert start_of(two, few, 1) > 1.2 * start_of(simple, few, 1)
+    assert start_of(two, many, 1) < start_of(simple, many, 1)
+    assert 0.9 < start_of(one, rich, 1) / start_of(simple, rich, 1) < 1.1
+    assert min(start_of(name, rich, 1) for name in (robot, two)) > 1.3 * start_of(simple, rich, 1)
+    # One endpoint of a hundred that all share.
+    assert start_of(one, rich, 0.01) < 0.2 * start_of(simple, rich, 0.01)
+    # Processes with many endpoints pay more for lists of them than for SEDP.
+    assert start_of(static, rich, 0) > 2 * start_of(simple, rich, 0)
+    later = [float(ds.utilization(ds.PROTOCOLS[n], *many, window=np.inf)) for n in (static, simple)]
+    assert later[0] > later[1]
+    for name in SERVERS:
+        for swarm in ((2, 1, 10), many):
+            steady = (
+                ds.utilization(ds.PROTOCOLS[n], *swarm, window=np.inf) for n in (name, simple)
+            )
+            server, without = map(float, steady)
+            assert server < without

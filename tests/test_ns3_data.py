@@ -174,3 +174,13 @@ def test_saturation_of_one_to_twenty_stations_was_measured() -> None:
     papers = {"frame_bytes": str(TABLE_2["DDS"]["SEDP"]), "aifsn": "3"}
     rows = [row for row in SATURATION if all(row[name] == papers[name] for name in papers)]
     assert {1, 2, 5, 10, 20} <= {whole(row, "stations") for row in rows}
+
+
+def test_the_simulator_is_a_thousand_times_as_fast_without_aggregation() -> None:
+    rows = read_data("measured/ns3_speed.csv")
+    assert {(row["protocol"], row["hosts"]) for row in rows} == {("DDS", "12"), ("Zenoh", "12")}
+    for row in rows:
+        ratio = number(row, "ns3_cpu_s") / number(row, "simulate_cpu_s")
+        assert ratio == pytest.approx(number(row, "ratio"), rel=0.02)  # of three digits each
+        if row["ampdu"] == "0":
+            assert ratio > 1000

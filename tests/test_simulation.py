@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from functools import partial
+from itertools import product
 from math import comb
 from typing import Any
 
@@ -16,11 +17,13 @@ from numpy.typing import NDArray
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
+from discostorm.fleet import Hosts
+from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Plan, finish, one_run, plan_runs
-from discostorm.simulation.traffic import TICK, ticks
+from discostorm.simulation.traffic import TICK, hosts_of, ticks
 
 FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
@@ -93,20 +96,32 @@ def test_a_full_aggregate_takes_the_time_of_the_closed_form(endpoints: int) -> N
 
 # ---------------------------------------------------------------- conservation
 
-#: Tables that the simulator takes: whole numbers of messages, one frame each.
-COUNTED_AS_THE_PAPER = (
-    *("DDS", "Zenoh", "DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"),
-    "Zenoh, periods of Zenoh peer",
+UNLIKE = ds.Fleet(
+    (ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)), matching=0.25
 )
-UNLIKE = ds.Fleet((ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)))
+QUEUES = ((500, 0.5), (20, 0.05), None)
+#: Tables of those who learn of each other without a server.
+BY_ONESELF = [
+    name
+    for name, table in ds.PROTOCOLS.items()
+    if any(m.phase in ("SPDP", "Scouting", "Sets") and m.hops == HOPS for m in table.messages)
+    and "Server" not in name
+]
 
 
-@pytest.mark.parametrize("name", COUNTED_AS_THE_PAPER)
-@pytest.mark.parametrize("mpdus", [1, 64])
-@pytest.mark.parametrize("queue", [(500, 0.5), (20, 0.05), None])
-@pytest.mark.parametrize("recovery", [False, True])
+@pytest.mark.parametrize(
+    ("name", "mpdus", "queue", "recovery"),
+    [
+        *((name, *rest) for name in ("DDS", "Zenoh") for rest in product((1, 64), QUEUES, (0, 1))),
+        *(
+            (name, *rest)
+            for name in ds.PROTOCOLS
+            for rest in ((1, None, 0), (64, (20, 0.05), int(name in BY_ONESELF)))
+        ),
+    ],
+)
 def test_each_frame_arrives_or_is_lost_for_a_reason(
-    name: str, mpdus: int, queue: tuple[float, float] | None, recovery: bool
+    name: str, mpdus: int, queue: tuple[float, float] | None, recovery: int
 ) -> None:
     found = ds.simulate(
         UNLIKE,
@@ -114,7 +129,7 @@ def test_each_frame_arrives_or_is_lost_for_a_reason(
         replace(RADIO, mpdus=mpdus).wifi(),
         queue=queue,
         loss=0.1,
-        recovery=recovery,
+        recovery=bool(recovery),
         runs=2,
         until=10,
     )
@@ -134,6 +149,129 @@ def test_each_frame_arrives_or_is_lost_for_a_reason(
     assert (counts["mpdus"] >= counts["ppdus"]).all()
     assert (counts["collided"] >= 2 * counts["collisions"]).all()
     assert (found.airtime.sum(axis=(1, 2)) >= found.busy_time * 0.99).all()
+
+
+# ---------------------------------------------------------------- tables of any kind
+
+
+FLEETS = [
+    ds.Fleet.swarm(2, 1, 0),
+    ds.Fleet.swarm(4, 3, 7),
+    UNLIKE,
+    ds.Fleet((ds.HostGroup(1, 1, 5), ds.HostGroup(3, 4, 2)), matching=1),
+]
+
+
+@pytest.mark.parametrize("unit", UNITS.values(), ids=list(UNITS))
+def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit) -> None:
+    for fleet in FLEETS:
+        hosts, found = hosts_of(fleet), 0.0
+        assert unit.senders is not None
+        sent = unit.senders(hosts)
+        for sender, here in enumerate(hosts.host_of):
+            if unit.receivers is None:
+                found += sent[sender]
+                continue
+            for receiver, there in enumerate(hosts.host_of):
+                found += sent[sender] * unit.receivers(hosts)[receiver] * (here != there)
+        assert found == pytest.approx(unit.count(fleet), rel=1e-12)
+
+
+def made(what: Plan, seed: int) -> NDArray[np.int64]:
+    """Return how many frames of each row each run hands to the queues, if nothing is lost."""
+    rows = np.zeros(what.kinds.size, np.int64)
+    cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
+    assert cell.now["open"] == 0
+    for row in range(rows.size):
+        rows[row] = round(cell.airtime[row, 0] / 1024 / TIME)
+    return rows
+
+
+#: Of each frame on the air, so that its airtime tells their number [ticks].
+TIME = 1000
+
+
+@pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS, wired", "Zenoh peer, tokens"])
+def test_fractions_are_right_in_the_mean_and_whole_numbers_always(name: str) -> None:
+    once = tuple(
+        replace(m, schedule=ds.Schedule((0.0,)), answers=None, hops=("up",))
+        for m in ds.PROTOCOLS[name].messages
+    )
+    what = plan(UNLIKE, ds.Protocol(name, once), RADIO.wifi())
+    what.radio["cw_min"] = what.radio["cw_max"] = 4095
+    what.radio["attempts"] = 10**6
+    what.radio["ack"], what.radio["sifs"] = 0, 0
+    what.kinds["time_up"] = TIME
+    runs = np.array([made(what, seed) for seed in range(40)])
+    wanted = np.array([float(m.load(UNLIKE)) * m.frames for m in once])
+    senders, whole = 12, what.shares.whole
+    assert (runs[:, whole] == wanted[whole]).all()
+    assert whole.any()
+    assert (np.abs(runs - wanted) < senders).all()  # each sends less than one more or fewer
+    # The error of each sender is alike between -1 and 1 at the most: of the mean 4 sigma.
+    assert (np.abs(runs.mean(axis=0) - wanted) < 4 * np.sqrt(senders / 4 / len(runs))).all()
+    assert (runs[:, ~whole].std(axis=0) > 0).any()
+    assert (made(what, 3) == runs[3]).all()
+
+
+def test_what_is_inside_a_frame_makes_it_longer() -> None:
+    fleet = ds.Fleet.swarm(4, 3, 7)
+    what = plan(fleet, ds.PROTOCOLS["hybrid"], RADIO.wifi())
+    rows = {m.name: m for m in ds.PROTOCOLS["hybrid"].messages}
+    octets = dict(zip(rows, what.kinds["octets"], strict=True))
+    inside = 3 * rows["Process"].payload.nominal + 21 * rows["Endpoint"].payload.nominal
+    assert octets["Announce"] == round(rows["Announce"].frame_bytes + inside)
+    lonely = ds.Protocol("lonely", (replace(rows["Process"], schedule=ds.Schedule((0.0,))),))
+    with pytest.raises(ValueError, match="message 'Process': frames must be above 0 for one"):
+        plan(fleet, lonely, RADIO.wifi())
+
+
+def only_server(hosts: Hosts) -> NDArray[np.int64]:
+    return np.arange(hosts.every.size) == 0  # type: ignore[return-value]
+
+
+def only_clients(hosts: Hosts) -> NDArray[np.int64]:
+    return hosts.host_of > 0  # type: ignore[return-value]
+
+
+@pytest.mark.parametrize("hops", [("up",), ("down",), ("up", "down")])
+def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) -> None:
+    fleet = ds.Fleet.swarm(5, 2, 10)
+    to_server = ds.Unit("client", lambda _: 8.0, only_clients, only_server)
+    row = replace(SEDP, unit=to_server, per_unit=3, hops=hops, answers=None)
+    found = ds.simulate(fleet, ds.Protocol("own", (row,)), RADIO.wifi(), queue=None, recovery=False)
+    assert found.counts["expected"] == found.counts["arrived"] == 3 * 8
+    assert (found.airtime[0, 0, :2] > 0).tolist() == ["up" in hops, "down" in hops]
+    wired = replace(row, unit=PROCESS, hops=hops)
+    if len(hops) == 1:
+        table = ds.Protocol("own", (wired,))
+        found = ds.simulate(fleet, table, RADIO.wifi(), queue=None, recovery=False)
+        assert found.counts["arrived"] == 3 * 10
+
+
+def test_who_learns_from_a_server_does_not_recover() -> None:
+    with pytest.raises(ValueError, match=r"recovery must be False .* 'Fast DDS Discovery Server'"):
+        ds.simulate(SWARM, ds.PROTOCOLS["Fast DDS Discovery Server"], RADIO.wifi())
+
+
+def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
+    spdp, *others = ds.DDS.messages
+    again = ds.Schedule((0.0, 0.1), 3.0)
+    unicast = replace(spdp, cast="unicast", unit=PAIR, schedule=again)
+    table = ds.Protocol("peers", (unicast, *others))
+    found = ds.simulate(SWARM, table, RADIO.wifi(), loss=0.05, runs=2)
+    assert np.isfinite(found.convergence_time).all()
+
+
+def test_answers_in_a_circle_are_refused() -> None:
+    spdp, sedp, heartbeat, acknack = ds.DDS.messages
+    rows = (
+        *(spdp, sedp, heartbeat),
+        replace(acknack, name="ping", phase="Ping", answers="pong"),
+        replace(acknack, name="pong", phase="Ping", answers="ping"),
+    )
+    with pytest.raises(ValueError, match="must not lead back to itself; got ping answers pong"):
+        ds.simulate(SWARM, ds.Protocol("own", rows), RADIO.wifi())
 
 
 # ---------------------------------------------------------------- saturation
@@ -290,7 +428,8 @@ def test_nothing_is_lost_without_limits_and_collisions() -> None:
 
 
 def test_everybody_knows_everybody_in_the_end() -> None:
-    for name in COUNTED_AS_THE_PAPER:
+    assert len(BY_ONESELF) > 10
+    for name in BY_ONESELF:
         found = ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi(), loss=0.05, runs=2)
         assert np.isfinite(found.convergence_time).all(), name
         assert found.pair_times.shape == (2, 10 * 8)
@@ -395,11 +534,15 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         ds.simulate(SWARM, ds.DDS, replace(wifi, radio=None))
     odd = ds.Unit("odd", ds.Fleet.pairs)
     table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
-    with pytest.raises(ValueError, match=r"message 'SEDP': unit must be one of .*; got 'odd'"):
+    with pytest.raises(ValueError, match=r"message 'SEDP': unit must declare its senders.*'odd'"):
         ds.simulate(SWARM, table, wifi)
-    table = ds.Protocol("own", (replace(SEDP, per_unit=0.5, answers=None),))
-    with pytest.raises(ValueError, match=r"per_unit must be a whole number; got 0.5"):
+    odd = ds.Unit("odd", ds.Fleet.processes, PROCESS.senders)
+    table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
+    with pytest.raises(ValueError, match=r"'SEDP': cast must be 'multicast', or hops only one"):
         ds.simulate(SWARM, table, wifi)
+    twice = ds.Protocol("own", (ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
+    with pytest.raises(ValueError, match="a process must send at most 16384 to each other"):
+        ds.simulate(ds.Fleet.swarm(2, 1, 16_000), twice, wifi)
 
 
 def test_package_does_not_load_what_only_the_simulator_needs() -> None:

@@ -53,7 +53,7 @@ def plan_of(row: Row) -> Plan:
         False,
     )
     # ns-3's frames have the length of Table II with their QoS Control field.
-    return replace(what, kinds=kind_records(protocol, replace(wifi, aggregation=None)))
+    return replace(what, kinds=kind_records(protocol, replace(wifi, aggregation=None), what.hosts))
 
 
 def error_of_median(spread: float, runs: int) -> float:

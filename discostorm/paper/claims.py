@@ -352,6 +352,26 @@ def payloads_measured(protocol: Protocol) -> float:
     return len(within) / len(protocol.messages)
 
 
+def _death_times(arrangement: str, event: str, *what: str) -> list[float]:
+    """Return the times of the runs of a staging whose name has _ for a space [s]."""
+    names = (name.replace("_", " ") for name in (arrangement, event, *what))
+    return [float(time) for time in measured.death_times(*names)]
+
+
+@_quantity
+def runs_found(arrangement: str, event: str) -> float:
+    """Return the part of the runs in which a newcomer found the living before the dead was back."""
+    times = _death_times(arrangement, event, "newcomer", "newcomer", "found")
+    return sum(map(math.isfinite, times)) / len(times)
+
+
+@_quantity
+def runs_undisturbed(arrangement: str, event: str, who: str) -> float:
+    """Return the part of the runs in which these lost no match and heard each other all along."""
+    times = _death_times(arrangement, event, "death", who, "settled")
+    return times.count(0) / len(times)
+
+
 def _simulated(table: str, **wanted: object) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
     named = {

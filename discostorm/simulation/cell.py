@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from discostorm.simulation._compile import njit, shared
 
 Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+#: Numbers of stations, as short as they go: all are needed all the time.
+Places = NDArray[np.int32]
 
 #: Later than anything.
 NEVER = np.int64(2**62)
@@ -19,7 +22,7 @@ NEVER = np.int64(2**62)
 
 #: Bits of kind, destination process, source process and item, from the lowest on.
 KIND_BITS, PROCESS_BITS, ITEM_BITS = 6, 20, 14
-_KINDS, _PROCESSES, _ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
+_KINDS, _PROCESSES, ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
 _TO = KIND_BITS
 _FROM = _TO + PROCESS_BITS
 _ITEM = _FROM + PROCESS_BITS
@@ -32,7 +35,7 @@ REPAIR = STEADY << 1
 @njit
 def compose(kind, source, destination, item):
     """Return a frame."""
-    return kind | (destination << _TO) | (source << _FROM) | ((item & _ITEMS) << _ITEM)
+    return kind | (destination << _TO) | (source << _FROM) | ((item & ITEMS) << _ITEM)
 
 
 @njit
@@ -56,11 +59,27 @@ def source_of(frame):
 @njit
 def item_of(frame):
     """Return which of the like messages of a pair of processes it is."""
-    return (frame >> _ITEM) & _ITEMS
+    return (frame >> _ITEM) & ITEMS
 
 
-def _record(*names: str, floats: tuple[str, ...] = ()) -> np.dtype[np.void]:
-    return np.dtype([(name, np.float64 if name in floats else np.int64) for name in names])
+#: Octets of a line of the processor's cache: what is needed together should be in one.
+LINE = 64
+
+
+def _record(*names: str, floats: tuple[str, ...] = (), lines: int = 0) -> np.dtype[np.void]:
+    """Return a record of whole numbers, but for floats; as long as some lines of cache."""
+    fields = [(name, np.float64 if name in floats else np.int64) for name in names]
+    if lines:
+        rest = lines * LINE // 8 - len(fields)
+        fields += [(f"_{number}", np.int64) for number in range(rest)]
+    return np.dtype(fields)
+
+
+def aligned(count: int, record: np.dtype[np.void]) -> NDArray[np.void]:
+    """Return zeros that begin with a line of cache."""
+    octets = np.zeros(count * record.itemsize + LINE, np.uint8)
+    begin = -octets.ctypes.data % LINE
+    return octets[begin : begin + count * record.itemsize].view(record)
 
 
 #: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
@@ -88,17 +107,19 @@ NOW = _record(
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
 FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 
-#: A station: the slot in which it sends, whether it waits for it, who waits behind it for the
-#: same; failures in a row; frames that it holds, has just sent, has numbered; whether it has
-#: to ask for a block acknowledgement; its queue; who it is; where it is in making a burst; how
-#: many were to receive its processes' frames, and for how many they are lost for good. The
-#: access point's frames for host h hang on ``to_head`` and ``to_tail`` of h.
+#: A station: the slot in which it sends, whether it waits for it; failures in a row; frames that it
+#: holds, has just sent, has numbered; whether it has to ask for a block acknowledgement; its
+#: queue; who it is; where it is in making a burst, ``made`` frames, ``times`` of ``number`` that
+#: are alike; how many were to receive its processes' frames, and for how many they are lost for
+#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h. What each
+#: transmission needs comes first, in one line of cache.
 STATION = _record(
-    *("send_slot", "waits", "behind", "failures", "held", "sent", "length", "must_ask"),
-    *("head", "tail", "following", "to_head", "to_tail", "processes", "endpoints", "first", "loss"),
+    *("send_slot", "waits", "failures", "held", "sent", "length", "must_ask", "number"),
+    *("head", "tail", "following", "to_head", "to_tail", "processes", "first", "loss"),
     *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
     *("sought", "missed"),
     floats=("loss",),
+    lines=4,
 )
 
 #: A frame that a station is sending, the tick at which it came, its number, its failures.
@@ -117,31 +138,26 @@ SENDER = _record("station", "end", "base", "slots", "frame")
 #: What happens later.
 EVENT = _record("time", "what")
 
-#: A row of the protocol's table; see `discostorm.simulation.traffic`.
+#: A row of the protocol's table; see `discostorm.simulation.traffic`. ``to_all``: it is counted by
+#: its sender, not by who receives it; ``set``: who receives it, a row of `Cell.before`; ``whole``:
+#: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
+#: ``of_host``: a process sends it for all of its host. ``when``: of what
+#: it answers all, only what comes later than ``since`` after the other's start, or only before.
 KIND = _record(
-    *(
-        "octets",
-        "multicast",
-        "to_all",
-        "up",
-        "down",
-        "per",
-        "each_endpoint",
-        "time_up",
-        "time_down",
-    ),
-    *("role", "informs", "trigger", "answers", "each_answer", "before", "tcp", "gap_first"),
-    *("gap_number",),
+    *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
+    *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
+    *("to_unknown", "gap_first", "gap_number"),
 )
 
 #: What a message is for: `role`; and when it is sent: `trigger`.
 OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
 CLOCK, ANSWER, DISCOVERY = range(3)
+ALWAYS, LATER, FIRST = range(3)
 
 #: How the middleware repairs, in ticks; see `discostorm.simulation.recovery`.
 REPAIRS = _record(
     *("announce_first", "announce_most", "heartbeat_first", "heartbeat_most", "lease", "topics"),
-    *("items", "heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
+    *("heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
 )
 
 #: What process x holds of process y, at [x, y]: whether x knows y, when it heard of it last, how
@@ -153,7 +169,7 @@ OF_PAIR = _record(
 )
 
 #: A process.
-PROCESS = _record("host", "endpoints", "start", "announce", "heartbeat", "beating")
+PROCESS = _record("host", "start", "announce", "heartbeat", "beating")
 
 #: A transmission.
 SENT = _record("start", "end", "station", "kind", "frames", "outcome")
@@ -172,7 +188,9 @@ class Cell(NamedTuple):
     now: Records
     stations: Records
     window: Records
-    wheel: Ints
+    #: Who waits for a slot, and who waits behind them for the same.
+    wheel: Places
+    behind: Places
     strays: Records
     senders: Records
     pool: Records
@@ -180,6 +198,13 @@ class Cell(NamedTuple):
     kinds: Records
     batches: Ints
     processes: Records
+    #: Of each message that a process sends, at [process, row]: how many to each receiver, and to
+    #: all or in all; where in its fractions it begins.
+    each: Floats
+    to_all: Floats
+    part: Floats
+    #: How many processes before one receive what is for a set of them, at [set, process].
+    before: Ints
     repairs: Records
     pairs: Records
     has: Ints
@@ -196,26 +221,40 @@ SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT = (np.int64(n) << _EVENT for n in 
 
 
 @njit
-def random_bits(now):
-    """Return 64 random bits (xorshift64*, Vigna 2016)."""
-    x = np.uint64(now.random)
+def next_random(x):
+    """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
     x ^= x >> np.uint64(12)
     x ^= x << np.uint64(25)
     x ^= x >> np.uint64(27)
-    now.random = np.int64(x)
+    return x
+
+
+@njit
+def random_bits(x):
+    """Return the 64 random bits of a state."""
     return x * np.uint64(2685821657736338717)
+
+
+@njit
+def scaled(x, number):
+    """Return a whole number from 0 to below ``number``, all alike, of a state."""
+    return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
 
 
 @njit
 def below(now, number):
     """Return a whole number from 0 to below ``number``, all alike."""
-    return (np.int64(random_bits(now) >> np.uint64(33)) * number) >> 31
+    x = next_random(np.uint64(now.random))
+    now.random = np.int64(x)
+    return scaled(x, number)
 
 
 @njit
 def uniform(now):
     """Return a number from 0 to below 1."""
-    return np.float64(np.int64(random_bits(now) >> np.uint64(11))) * 2.0**-53
+    x = next_random(np.uint64(now.random))
+    now.random = np.int64(x)
+    return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
 
 
 # ---------------------------------------------------------------- events

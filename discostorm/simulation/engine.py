@@ -16,6 +16,8 @@ from discostorm.simulation.cell import (
     destination_of,
     kind_of,
     next_event,
+    next_random,
+    scaled,
     uniform,
 )
 from discostorm.simulation.medium import (
@@ -361,6 +363,81 @@ def send_unicast(cell, station, time, end):
 
 
 @shared
+def collide_hosts(cell, count, time):
+    """Do what `collide` does for hosts that send a frame each of which nothing is to be noted.
+
+    In a storm nearly all that happens is this, so that what many need is looked up once.
+    """
+    now, radio = cell.now[0], cell.radio[0]
+    senders, stations, window = cell.senders, cell.stations, cell.window
+    wheel, behind = cell.wheel, cell.behind
+    timeout, aifs, attempts = radio.timeout, radio.aifs, radio.attempts
+    least_window, most_window = radio.cw_min + 1, radio.cw_max + 1
+    last, retried, drained = np.int64(0), np.int64(0), now.drained
+    for place in range(count):
+        sender = senders[place]
+        held = window[sender.station, 0]
+        kind = kind_of(held.frame)
+        duration = cell.kinds[kind].time_up
+        cell.airtime[kind, FAILED] += duration * PARTS
+        sender.end = time + duration
+        last = max(last, sender.end)
+        if not held.frame & STEADY:
+            drained = max(drained, sender.end)
+    now.idle, now.base = last, last + aifs
+    now.collisions += 1
+    now.collided += count
+    now.busy += last - time
+    now.wasted += last - time
+    least, random = NEVER, np.uint64(now.random)
+    for place in range(count):
+        sender = senders[place]
+        its, held = stations[sender.station], window[sender.station, 0]
+        retried += held.tries > 0
+        its.sent = 1
+        its.failures = its.failures + 1 if its.failures < attempts else 0
+        held.tries += 1
+        if held.tries >= attempts:
+            lose(cell, held.frame, sender.station, RETRY)
+            its.held = 0
+            change_length(cell, sender.station, -1)
+        random = next_random(random)
+        slots = min(least_window << its.failures, most_window)
+        sender.slots = scaled(random, slots)
+        sender.base = max(sender.end + timeout, last) + aifs
+        if its.length == 0:
+            wait(cell, sender.station, sender.base, sender.slots)
+            sender.base = NEVER
+        least = min(least, sender.base)
+    now.random = np.int64(random)
+    now.ppdus += count
+    now.mpdus += count
+    now.retried += retried
+    now.drained = drained
+    if least == NEVER:
+        return
+    slot = first_to_send(cell, least)
+    if slot < 0:
+        for place in range(count):
+            if senders[place].base < NEVER:
+                wait(cell, senders[place].station, senders[place].base, senders[place].slots)
+        return
+    slot += radio.edca
+    mask, waiting, ahead = wheel.size - 1, now.waiting, now.ahead
+    for place in range(count):
+        sender = senders[place]
+        if sender.base < NEVER:
+            its, turn = stations[sender.station], slot + sender.slots
+            its.send_slot = turn
+            behind[sender.station] = wheel[turn & mask]
+            its.waits = 1
+            wheel[turn & mask] = sender.station
+            waiting += 1
+            ahead = min(ahead, turn)
+    now.waiting, now.ahead = waiting, ahead
+
+
+@shared
 def collide(cell, count, time):
     """Let several stations send at once: nothing arrives."""
     now, radio = cell.now[0], cell.radio[0]
@@ -379,23 +456,12 @@ def collide(cell, count, time):
     now.collided += count
     now.busy += last - time
     now.wasted += last - time
-    # Of single frames of hosts there is nothing to note but how many; the rest goes by `note`.
-    brief = radio.mpdus == 1 and now.logged == cell.log.size
-    noted, retried, drained = np.int64(0), np.int64(0), now.drained
     least = NEVER
     for place in range(count):
         sender = cell.senders[place]
         station, base = sender.station, last + radio.aifs
         its, held = cell.stations[station], cell.window[station, 0]
-        if brief and station < now.hosts:
-            noted += 1
-            retried += held.tries > 0
-            if not held.frame & STEADY:
-                drained = max(drained, sender.end)
-            cell.airtime[kind_of(held.frame), FAILED] += (sender.end - time) * PARTS
-        else:
-            note(cell, station, time, sender.end, COLLISION)
-            drained = max(drained, now.drained)
+        note(cell, station, time, sender.end, COLLISION)
         if is_multicast(cell, station):
             # Nobody would have acknowledged it: the sender does not know.
             lose(cell, held.frame, station, AIR)
@@ -409,10 +475,6 @@ def collide(cell, count, time):
             wait(cell, station, base, sender.slots)
             sender.base = NEVER
         least = min(least, sender.base)
-    now.ppdus += noted
-    now.mpdus += noted
-    now.retried += retried
-    now.drained = drained
     if least == NEVER:
         return
     slot = first_to_send(cell, least)
@@ -423,6 +485,20 @@ def collide(cell, count, time):
                 enter(cell, sender.station, slot + radio.edca + sender.slots)
             else:
                 wait(cell, sender.station, sender.base, sender.slots)
+
+
+@njit
+def alike(cell, count):
+    """Return whether only hosts send, a frame each, and nobody takes note of it."""
+    radio = cell.radio[0]
+    if radio.mpdus > 1 or radio.heard > 0 or radio.timeout == 0:
+        return False
+    if cell.now[0].logged < cell.log.size:
+        return False
+    hosts = np.int64(0)
+    for place in range(count):
+        hosts += cell.senders[place].station < cell.now[0].hosts
+    return hosts == count
 
 
 @njit
@@ -442,11 +518,11 @@ def transmit(cell, time, slot):
     count = np.int64(0)
     if slot >= 0:
         place = slot & (cell.wheel.size - 1)
-        station = cell.wheel[place]
+        station = np.int64(cell.wheel[place])
         cell.wheel[place] = -1
         while station >= 0:
             now.waiting -= 1
-            following = cell.stations[station].behind
+            following = np.int64(cell.behind[station])
             count = add_sender(cell, station, time, count)
             station = following
     if time >= now.stray_time:
@@ -463,7 +539,10 @@ def transmit(cell, time, slot):
         return
     synchronize(cell, time, slot)
     if count > 1:
-        collide(cell, count, time)
+        if alike(cell, count):
+            collide_hosts(cell, count, time)
+        else:
+            collide(cell, count, time)
         return
     station = cell.senders[0].station
     end = time + ppdu(cell, station)

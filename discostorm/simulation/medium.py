@@ -35,7 +35,7 @@ def enter(cell, station, slot):
     now, its = cell.now[0], cell.stations[station]
     place = slot & (cell.wheel.size - 1)
     its.send_slot = slot
-    its.behind = cell.wheel[place]
+    cell.behind[station] = cell.wheel[place]
     its.waits = 1
     cell.wheel[place] = station
     now.waiting += 1

@@ -3,10 +3,19 @@
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS, Message, Protocol
+from discostorm.messages import (
+    ENDPOINT_PAIR,
+    HOPS,
+    HOST,
+    MATCHED_WRITER,
+    PAIR,
+    UNMATCHED,
+    Message,
+    Protocol,
+)
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Records
-from discostorm.simulation.traffic import ticks
+from discostorm.simulation.traffic import Shares, ticks
 
 #: Timer of TCP before the first round trip [s] (RFC 6298, 2.1).
 RTO_FIRST = 1.0
@@ -30,7 +39,23 @@ def clock_only(protocol: Protocol) -> Protocol:
 
 
 def _announcements(protocol: Protocol) -> list[Message]:
-    return [m for m in protocol.messages if m.unit == PROCESS and m.answers is None]
+    """Return what the clock sends to all, in the first phase that has such messages.
+
+    If nothing is multicast, that is what goes to each, known or not.
+    """
+    by_clock = [m for m in protocol.messages if m.answers is None and m.frames]
+    found = [m for m in by_clock if m.cast == "multicast"]
+    found = found or [m for m in by_clock if m.unit == PAIR and m.hops == HOPS]
+    return [m for m in found if m.phase == found[0].phase]
+
+
+def check_announced(protocol: Protocol) -> None:
+    """Refuse to let those recover who do not announce themselves to each other."""
+    if not _announcements(protocol):
+        raise ValueError(
+            f"recovery must be False for the protocol {protocol.name!r}: its processes learn of "
+            "each other from a server, and when that knows what is not simulated"
+        )
 
 
 def _phases(protocol: Protocol) -> set[str]:
@@ -40,16 +65,34 @@ def _phases(protocol: Protocol) -> set[str]:
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return when a message is sent: by the clock, in answer to each, or on discovery."""
     phases = _phases(protocol)
+    heartbeat = _heartbeat(protocol)
+    if message in _data(protocol) or (heartbeat is not None and message == heartbeat[0]):
+        return _cell.DISCOVERY
     if message.answers is None:
         once = message.schedule.period == np.inf
-        sent_by_clock = message.unit == PROCESS or message.phase in phases or not once
+        to_all = message.unit.receivers is None
+        sent_by_clock = to_all or message.phase in phases or not once
         return _cell.CLOCK if sent_by_clock else _cell.DISCOVERY
     answered = protocol.message(message.answers)
     if message.phase in phases:
         # With a schedule of its own it is for those that were not known.
-        same = message.schedule == answered.schedule
-        return _cell.ANSWER if same else _cell.DISCOVERY
+        return _cell.ANSWER if _at_times_of(message, answered) else _cell.DISCOVERY
     return _cell.DISCOVERY if answered.phase in phases else _cell.ANSWER
+
+
+def _at_times_of(message: Message, answered: Message) -> bool:
+    """Return whether a message is sent each time that another is, or some of these times."""
+    own, other = message.schedule, answered.schedule
+    return set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
+
+
+def _when(protocol: Protocol, message: Message) -> int:
+    """Return which of the messages it answers it does: all, the later ones, or the first."""
+    assert message.answers is not None
+    own, other = message.schedule, protocol.message(message.answers).schedule
+    if message.phase not in _phases(protocol) or own == other:
+        return _cell.ALWAYS
+    return _cell.LATER if own.starts[0] > other.starts[0] else _cell.FIRST
 
 
 def _informs(protocol: Protocol) -> set[str]:
@@ -58,18 +101,31 @@ def _informs(protocol: Protocol) -> set[str]:
     for message in protocol.messages:
         if _trigger(protocol, message) == _cell.DISCOVERY and message.answers is not None:
             answered = protocol.message(message.answers)
-            if answered.unit == PROCESS:  # all of the phase announce the same
+            if answered.unit.receivers is None:  # all of the phase announce the same
                 informing |= {m.name for m in protocol.messages if m.phase == answered.phase}
             else:
-                informing.add(answered.name)
+                informing |= {m.name for m in protocol.messages if m.kind == answered.kind}
     if not informing:
         informing = {message.name for message in _announcements(protocol)}
     # Who sends on a connection has one.
     return informing | {m.name for m in _data(protocol) if m.transport == "TCP"}
 
 
+#: What is sent for each endpoint but tells nothing of it, by the last word of its kind.
+_CONTROL = ("Heartbeat", "ACKNACK", "ACK", "KeepAlive", "Frame")
+
+
 def _data(protocol: Protocol) -> list[Message]:
-    return [message for message in protocol.messages if message.unit == ENDPOINT_PAIR]
+    """Return what tells of endpoints."""
+    phases = _phases(protocol)
+    return [
+        message
+        for message in protocol.messages
+        if message.unit in (ENDPOINT_PAIR, UNMATCHED, MATCHED_WRITER)
+        and message.frames
+        and message.phase not in phases
+        and not message.kind.endswith(_CONTROL)
+    ]
 
 
 def _heartbeat(protocol: Protocol) -> tuple[Message, Message] | None:
@@ -86,38 +142,62 @@ def _heartbeat(protocol: Protocol) -> tuple[Message, Message] | None:
 def fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
-    pair = _heartbeat(protocol)
-    before = 0
+    pair, data, informs = _heartbeat(protocol), _data(protocol), _informs(protocol)
+    announced = _announcements(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
         record["trigger"] = _trigger(protocol, message)
-        record["informs"] = message.name in _informs(protocol)
+        record["to_unknown"] = message in announced
+        record["informs"] = message.name in informs
+        record["of_host"] = message.unit == HOST
         record["tcp"] = message.transport == "TCP"
         record["answers"] = -1
-        if message.answers is not None:
-            answered = protocol.message(message.answers)
-            record["answers"] = names.index(answered.name)
-            times = answered.per_unit if answered.unit == message.unit else 1
-            record["each_answer"] = max(1, round(message.per_unit / times))
+        if message.answers is not None and message.answers in names:
+            record["answers"] = names.index(message.answers)
+            record["when"] = _when(protocol, message)
+            answered = protocol.message(message.answers).schedule
+            # Half-way to the second time, as queues delay what is sent at first.
+            second = (*answered.starts, answered.starts[-1] + answered.period)[1]
+            record["since"] = ticks((answered.starts[0] + second) / 2)
             starts = message.schedule.starts
             if record["trigger"] == _cell.DISCOVERY and len(starts) > 1:
                 record["gap_number"] = len(starts) - 1
                 record["gap_first"] = ticks(starts[1] - starts[0])
-        if message.unit == ENDPOINT_PAIR:
+        if message in data:
             record["role"] = _cell.DATA
-            record["before"] = before
-            before += int(message.per_unit)
         elif pair is not None and message.name == pair[0].name:
             record["role"] = _cell.HEARTBEAT
         elif pair is not None and message.name == pair[1].name:
             record["role"] = _cell.ACKNACK
+    for row in range(kinds.size):
+        chain = [row]
+        while kinds["trigger"][row] == _cell.ANSWER:
+            row = kinds["answers"][row]
+            if row in chain:
+                raise ValueError(
+                    f"protocol {protocol.name!r}, message {names[row]!r}: answers must not lead "
+                    f"back to itself; got {' answers '.join(names[n] for n in [*chain, row])}"
+                )
+            chain.append(row)
+
+
+def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
+    """Refuse more announcements of endpoints for a process than are told apart."""
+    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
+        if (most := shares.each[:, row].max()) > 2**_cell.ITEM_BITS:
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {protocol.messages[row].name!r}: a process "
+                f"must send at most {2**_cell.ITEM_BITS} to each other to be simulated with "
+                f"recovery; got {most:g}"
+            )
 
 
 def repair_record(protocol: Protocol) -> Records:
     """Return the timers of a middleware; see `FAMILY`."""
     data = _data(protocol)
     transport = data[0].transport if data else "UDP"
-    product = protocol.name.rpartition("periods of ")[2]
-    vendor = _defaults(product) or _defaults(FAMILY[transport])
+    name = protocol.name.rpartition("periods of ")[2]
+    products = {row["protocol"]: row["defaults"] for row in read_data("vendors/products.csv")}
+    vendor = _defaults(products.get(name, name)) or _defaults(FAMILY[transport])
     names = [message.name for message in protocol.messages]
     pair = _heartbeat(protocol)
     record = np.zeros(1, _cell.REPAIRS)
@@ -136,8 +216,7 @@ def repair_record(protocol: Protocol) -> Records:
         seconds["heartbeat_first"] = period
         seconds["heartbeat_most"] = vendor.get("heartbeat_most", period)
         record["heartbeat"], record["acknack"] = (names.index(m.name) for m in pair)
-        record["topics"] = int(pair[0].per_unit)
+        record["topics"] = max(1, round(pair[0].per_unit * pair[0].frames))
     for name, value in seconds.items():
         record[name] = ticks(value)
-    record["items"] = sum(int(message.per_unit) for message in data)
     return record

@@ -199,32 +199,100 @@ def lose_burst(cell, station, entry):
         count_lost(cell, left + multicast * (cell.now[0].links - 1), station, station, AGE)
 
 
+@shared
+def number_to_all(cell, source, kind):
+    """Return how many of a message a process sends to all; see `discostorm.simulation.traffic`."""
+    wanted = cell.to_all[source, kind]
+    if cell.kinds[kind].whole:
+        return np.int64(wanted)
+    return np.int64(np.floor(wanted + cell.part[source, kind]))
+
+
 @njit
-def each(cell, host, kind):
-    """Return how often a message is sent for each process or pair of processes."""
-    row = cell.kinds[kind]
-    return row.per * cell.stations[host].endpoints if row.each_endpoint else row.per
+def rank(cell, source, to, kind):
+    """Return how many processes on other hosts receive a message before one does."""
+    here = cell.processes[source].host
+    before = cell.before[cell.kinds[kind].set]
+    if cell.processes[to].host < here:
+        return before[to]
+    first = cell.stations[here].first
+    return before[to] - before[first + cell.stations[here].processes] + before[first]
+
+
+@shared
+def number(cell, source, to, kind):
+    """Return how many of a message a process sends to one on another host."""
+    before = cell.before[cell.kinds[kind].set]
+    if before[to + 1] == before[to]:
+        return np.int64(0)
+    wanted = cell.each[source, kind]
+    if cell.kinds[kind].whole:
+        return np.int64(wanted)
+    place, part = rank(cell, source, to, kind), cell.part[source, kind]
+    return np.int64(np.floor((place + 1) * wanted + part) - np.floor(place * wanted + part))
+
+
+@shared
+def number_to_each(cell, source, kind):
+    """Return how many of a message a process sends to all its receivers together."""
+    host = cell.processes[source].host
+    before, first = cell.before[cell.kinds[kind].set], cell.stations[host].first
+    own = before[first + cell.stations[host].processes] - before[first]
+    wanted = (before[-1] - own) * cell.each[source, kind]
+    if cell.kinds[kind].whole:
+        return np.int64(wanted)
+    return np.int64(np.floor(wanted + cell.part[source, kind]))
 
 
 @shared
 def frames_to_all(cell, host, batch):
     """Return how many frames, counted by process, a host sends in a burst."""
-    total = np.int64(0)
+    total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.now[0].kinds):
         if cell.kinds[kind].to_all and cell.batches[batch, kind]:
-            total += each(cell, host, kind)
-    return total * cell.stations[host].processes
+            for process in range(its.first, its.first + its.processes):
+                total += number_to_all(cell, process, kind)
+    return total
 
 
 @njit
 def burst_frames(cell, host, batch):
     """Return how many frames a host sends in a burst."""
-    total = np.int64(0)
-    own = cell.stations[host].processes
+    total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.now[0].kinds):
         if cell.batches[batch, kind] and not cell.kinds[kind].to_all:
-            total += each(cell, host, kind)
-    return frames_to_all(cell, host, batch) + total * own * (cell.processes.size - own)
+            for process in range(its.first, its.first + its.processes):
+                total += number_to_each(cell, process, kind)
+    return frames_to_all(cell, host, batch) + total
+
+
+@njit
+def ahead(cell, host, steps):
+    """Return the host so many after one; the first follows the last."""
+    other = host + steps
+    return other if other < cell.now[0].hosts else other - cell.now[0].hosts
+
+
+@njit
+def target(cell, host):
+    """Return the process that the next frame of a burst is for; what is for all is for itself."""
+    maker = cell.stations[host]
+    if not maker.stage:
+        return maker.first + maker.process
+    return cell.stations[ahead(cell, host, maker.steps)].first + maker.there
+
+
+@njit
+def count_next(cell, host, batch):
+    """Note how many frames of a burst there are of the row of the table that is next."""
+    maker = cell.stations[host]
+    kind, process = maker.kind, maker.first + maker.process
+    maker.times, maker.number = 0, 0
+    if cell.batches[batch, kind] and cell.kinds[kind].to_all != maker.stage:
+        if maker.stage:
+            maker.number = number(cell, process, target(cell, host), kind)
+        else:
+            maker.number = number_to_all(cell, process, kind)
 
 
 @shared
@@ -237,36 +305,25 @@ def make(cell, host, batch):
     maker, hosts, kinds = cell.stations[host], cell.now[0].hosts, cell.now[0].kinds
     if not maker.begun:
         maker.begun, maker.made, maker.stage = 1, 0, 0
-        maker.process, maker.steps, maker.there, maker.kind, maker.times = 0, 1, 0, 0, 0
-    while True:
-        kind = maker.kind
-        if kind < kinds:
-            if (
-                cell.batches[batch, kind]
-                and cell.kinds[kind].to_all != maker.stage
-                and maker.times < each(cell, host, kind)
-            ):
-                to = maker.first + maker.process
-                if maker.stage:
-                    to = cell.stations[(host + maker.steps) % hosts].first + maker.there
-                frame = compose(kind, maker.first + maker.process, to, maker.times)
-                maker.times += 1
-                maker.made += 1
-                return frame | STEADY if is_steady(cell, batch) else frame
-            maker.kind += 1
-            maker.times = 0
-            continue
-        maker.kind = 0
-        if maker.stage:
-            maker.there += 1
-            if maker.there < cell.stations[(host + maker.steps) % hosts].processes:
-                continue
-            maker.there = 0
-            maker.steps += 1
-            if maker.steps < hosts:
-                continue
-            maker.steps = 1
-        maker.process += 1
-        if maker.process == maker.processes:
-            maker.process = 0
-            maker.stage = 1
+        maker.process, maker.steps, maker.there, maker.kind = 0, 1, 0, 0
+        count_next(cell, host, batch)
+    while maker.times == maker.number:
+        maker.kind += 1
+        if maker.kind == kinds:
+            maker.kind = 0
+            if maker.stage:
+                maker.there += 1
+                if maker.there == cell.stations[ahead(cell, host, maker.steps)].processes:
+                    maker.there = 0
+                    maker.steps += 1
+            if maker.steps == hosts or not maker.stage:
+                maker.steps = 1
+                maker.process += 1
+                if maker.process == maker.processes:
+                    maker.process = 0
+                    maker.stage = 1
+        count_next(cell, host, batch)
+    frame = compose(maker.kind, maker.first + maker.process, target(cell, host), maker.times)
+    maker.times += 1
+    maker.made += 1
+    return frame | STEADY if is_steady(cell, batch) else frame

@@ -13,6 +13,7 @@ import numpy as np
 
 from discostorm.simulation._compile import njit, shared
 from discostorm.simulation.cell import (
+    ACKNACK,
     ANNOUNCE,
     ANSWER,
     BEAT,
@@ -20,7 +21,10 @@ from discostorm.simulation.cell import (
     DATA,
     DISCOVERY,
     EXPIRE,
+    FIRST,
     HEARTBEAT,
+    ITEMS,
+    LATER,
     OTHER,
     PROCESS_BITS,
     REPAIR,
@@ -33,11 +37,15 @@ from discostorm.simulation.cell import (
     kind_of,
     later,
     source_of,
+    uniform,
 )
 from discostorm.simulation.medium import offer_burst, offer_new
+from discostorm.simulation.queues import number, number_to_all
 
 _MASK = (1 << PROCESS_BITS) - 1
 _WORD = 64
+#: Item of an acknowledgement that says nothing new.
+EMPTY = np.int64(ITEMS)
 
 
 @njit
@@ -46,10 +54,20 @@ def pair_event(what, one, other, row):
     return what | one | (other << PROCESS_BITS) | (row << (2 * PROCESS_BITS))
 
 
-@njit
-def items(cell, process):
-    """Return how many items a process sends to each other."""
-    return cell.repairs[0].items * cell.processes[process].endpoints
+@shared
+def first_of(cell, source, to, row):
+    """Return how many items of the rows before one a process sends to another."""
+    total = np.int64(0)
+    for before in range(row):
+        if cell.kinds[before].role == DATA:
+            total += number(cell, source, to, before)
+    return total
+
+
+@shared
+def items(cell, source, to):
+    """Return how many items a process sends to another."""
+    return first_of(cell, source, to, cell.now[0].kinds)
 
 
 @njit
@@ -59,30 +77,28 @@ def has_item(cell, reader, writer, item):
 
 
 @njit
-def first_item(cell, writer, topic):
+def first_item(cell, writer, reader, topic):
     """Return the first item of a topic; those of the next one begin where it ends."""
-    return items(cell, writer) * topic // max(cell.repairs[0].topics, 1)
+    return items(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
 
 
 @shared
 def send_items(cell, row, source, to, time, flag):
     """Send all messages of a row for a pair of processes."""
-    kind = cell.kinds[row]
-    times = kind.per * cell.processes[source].endpoints if kind.each_endpoint else kind.per
-    for item in range(times):
+    for item in range(number(cell, source, to, row)):
         offer_new(cell, compose(row, source, to, item) | flag, time)
 
 
 @shared
 def send_item(cell, source, to, item, time):
     """Send one item again."""
-    endpoints = cell.processes[source].endpoints
+    place = item
     for row in range(cell.now[0].kinds):
-        kind = cell.kinds[row]
-        if kind.role == DATA:
-            place = item - kind.before * endpoints
-            if 0 <= place < kind.per * endpoints:
+        if cell.kinds[row].role == DATA:
+            times = number(cell, source, to, row)
+            if 0 <= place < times:
                 offer_new(cell, compose(row, source, to, place) | REPAIR, time)
+            place -= times
 
 
 @shared
@@ -150,7 +166,7 @@ def end_timer(cell, source, to, time):
         pair.armed = 1
         later(cell, pair.due, pair_event(TIMEOUT, source, to, 0))
         return
-    for item in range(items(cell, source)):
+    for item in range(items(cell, source, to)):
         if not has_item(cell, to, source, item):
             send_item(cell, source, to, item, time)
             break
@@ -172,13 +188,13 @@ def measure(cell, pair, sent_for):
     pair.rto = min(max(wanted, repairs.rto_least), repairs.rto_most)
 
 
-@njit
+@shared
 def acknowledge_tcp(cell, source, to, place, frame, time):
     """Let the sender of an item know that it has arrived."""
     pair = cell.pairs[source, to]
     if frame & REPAIR:
         again = 0
-        for item in range(place + 1, items(cell, source)):
+        for item in range(place + 1, items(cell, source, to)):
             if again < 2 and not has_item(cell, to, source, item):
                 send_item(cell, source, to, item, time)
                 again += 1
@@ -205,7 +221,7 @@ def discover(cell, finder, found, time):
                 what = pair_event(REPEAT, finder, found, row)
                 for number in range(1, kind.gap_number + 1):
                     later(cell, time + number * kind.gap_first, what)
-    if items(cell, finder) > 0:
+    if items(cell, finder, found) > 0:
         start_beating(cell, finder, time)
         if tcp:
             arm(cell, finder, found, time)
@@ -221,7 +237,7 @@ def forget(cell, reader, writer, time):
     if pair.done:
         cell.now[0].finished -= 1
     pair.known, pair.done, pair.offered = 0, 0, 0
-    pair.missing = items(cell, writer)
+    pair.missing = items(cell, writer, reader)
     for word in range(cell.has.shape[2]):
         cell.has[reader, writer, word] = 0
     cell.now[0].expired += 1
@@ -259,11 +275,11 @@ def send_by_clock(cell, host, batch, time):
             if not cell.batches[batch, row] or kind.trigger != CLOCK:
                 continue
             if kind.to_all:
-                for item in range(kind.per):
+                for item in range(number_to_all(cell, process, row)):
                     offer_new(cell, compose(row, process, process, item) | flag, time)
                 continue
             for other in range(cell.processes.size):
-                if cell.pairs[process, other].known:
+                if cell.pairs[process, other].known or kind.to_unknown:
                     send_items(cell, row, process, other, time, flag)
 
 
@@ -274,67 +290,129 @@ def announce(cell, process, time):
     for row in range(cell.now[0].kinds):
         kind = cell.kinds[row]
         if kind.to_all and kind.trigger == CLOCK:
-            frame = compose(row, process, process, 0)
-            offer_new(cell, frame | STEADY, time)
+            for item in range(number_to_all(cell, process, row)):
+                offer_new(cell, compose(row, process, process, item) | STEADY, time)
     its.announce = min(2 * its.announce, repairs.announce_most)
     later(cell, time + its.announce, ANNOUNCE | process)
 
 
-@njit
+@shared
+def answers(cell, row, process, source):
+    """Return how many messages of a row a process sends in answer to one of another's.
+
+    On average as many as the table has of the one for each of the other.
+    """
+    answered = cell.kinds[row].answers
+    wanted = cell.each[process, row]
+    heard = cell.each[source, answered]
+    if cell.kinds[answered].to_all:
+        heard = cell.to_all[source, answered]
+    before = cell.before[cell.kinds[row].set]
+    if heard == 0 or before[source + 1] == before[source]:
+        return np.int64(0)
+    times = np.int64(wanted / heard)
+    if times < wanted / heard:
+        times += uniform(cell.now[0]) < wanted / heard - times
+    return times
+
+
+@shared
 def answer(cell, frame, process, time):
     """Send what answers a message each time."""
     row, source = kind_of(frame), source_of(frame)
     for other in range(cell.now[0].kinds):
         kind = cell.kinds[other]
-        if kind.trigger == ANSWER and kind.answers == row:
-            for item in range(kind.each_answer):
-                reply = compose(other, process, source, item)
-                offer_new(cell, reply | (frame & STEADY), time)
+        if kind.trigger != ANSWER or kind.answers != row or kind.role == ACKNACK:
+            continue
+        early = time < cell.processes[source].start + kind.since
+        if kind.when == (LATER if early else FIRST):
+            continue
+        for item in range(answers(cell, other, process, source)):
+            reply = compose(other, process, source, item)
+            offer_new(cell, reply | (frame & STEADY), time)
 
 
-@njit
+@shared
+def acknowledge(cell, frame, process, time):
+    """Answer a Heartbeat: whether something is missing; as often again as the table says."""
+    repairs, source = cell.repairs[0], source_of(frame)
+    topic = item_of(frame) % repairs.topics
+    missing = False
+    for item in range(
+        first_item(cell, source, process, topic), first_item(cell, source, process, topic + 1)
+    ):
+        missing |= not has_item(cell, process, source, item)
+    reply = compose(repairs.acknack, process, source, 2 * topic + (not missing))
+    offer_new(cell, reply | (frame & REPAIR), time)
+    if not frame & REPAIR:
+        for _ in range(1, answers(cell, repairs.acknack, process, source)):
+            offer_new(cell, compose(repairs.acknack, process, source, EMPTY), time)
+
+
+@shared
 def take_item(cell, frame, process, time):
     """Let a process take in an item of another."""
-    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
-    place = kind.before * cell.processes[source].endpoints + item_of(frame)
+    row, source = kind_of(frame), source_of(frame)
+    if item_of(frame) >= number(cell, source, process, row):  # of a multicast for others
+        return
+    place = first_of(cell, source, process, row) + item_of(frame)
     if not has_item(cell, process, source, place):
         cell.has[process, source, place // _WORD] |= np.int64(1) << (place % _WORD)
         cell.pairs[process, source].missing -= 1
         complete(cell, process, source, time)
-    if kind.tcp:
+    if cell.kinds[row].tcp:
         acknowledge_tcp(cell, source, process, place, frame, time)
+
+
+@shared
+def take_acknowledgement(cell, frame, process, time):
+    """Send again what a reader says is missing, or note that nothing is."""
+    source, topic = source_of(frame), item_of(frame) >> 1
+    if item_of(frame) == EMPTY:
+        return
+    if item_of(frame) & 1:
+        cell.pairs[process, source].acknowledged |= 1 << topic
+        return
+    for item in range(
+        first_item(cell, process, source, topic), first_item(cell, process, source, topic + 1)
+    ):
+        if not has_item(cell, source, process, item):
+            send_item(cell, process, source, item, time)
+
+
+@shared
+def hear(cell, frame, process, time):
+    """Let a process learn of those that a message tells of."""
+    kind, source = cell.kinds[kind_of(frame)], source_of(frame)
+    first, last = source, source + 1
+    if kind.of_host:
+        its = cell.stations[cell.processes[source].host]
+        first, last = its.first, its.first + its.processes
+    for other in range(first, last):
+        if kind.informs and not cell.pairs[process, other].known:
+            discover(cell, process, other, time)
+        cell.pairs[process, other].heard = time
 
 
 @shared
 def arrive(cell, frame, process, time):
     """Let a process take in a message."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
-    if time < cell.processes[process].start:
+    its = cell.processes[process]
+    if time < its.start or cell.processes[source].host == its.host:
         return
-    pair = cell.pairs[process, source]
-    if kind.informs and not pair.known:
-        discover(cell, process, source, time)
-    pair.heard = time
-    if kind.role == OTHER:
+    hear(cell, frame, process, time)
+    # What is not matched yet is not taken.
+    if kind.role != OTHER and not cell.pairs[process, source].known:
+        return
+    if not frame & REPAIR:
         answer(cell, frame, process, time)
-    elif not pair.known:  # nothing is matched yet, so nothing is taken
-        return
-    elif kind.role == DATA:
+    if kind.role == DATA:
         take_item(cell, frame, process, time)
     elif kind.role == HEARTBEAT:
-        topic = item_of(frame)
-        missing = False
-        for item in range(first_item(cell, source, topic), first_item(cell, source, topic + 1)):
-            missing |= not has_item(cell, process, source, item)
-        reply = compose(cell.repairs[0].acknack, process, source, 2 * topic + (not missing))
-        offer_new(cell, reply | (frame & REPAIR), time)
-    elif item_of(frame) & 1:
-        pair.acknowledged |= 1 << (item_of(frame) >> 1)
-    else:
-        topic = item_of(frame) >> 1
-        for item in range(first_item(cell, process, topic), first_item(cell, process, topic + 1)):
-            if not has_item(cell, source, process, item):
-                send_item(cell, process, source, item, time)
+        acknowledge(cell, frame, process, time)
+    elif kind.role == ACKNACK:
+        take_acknowledgement(cell, frame, process, time)
 
 
 @njit

@@ -7,16 +7,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm.fleet import Fleet
+from discostorm.fleet import Fleet, Hosts
 from discostorm.messages import Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
 from discostorm.simulation.engine import MEMORY, OVER, PARTS, advance
-from discostorm.simulation.middleware import clock_only, fill_kinds, repair_record
+from discostorm.simulation.middleware import (
+    check_announced,
+    check_items,
+    clock_only,
+    fill_kinds,
+    repair_record,
+)
 from discostorm.simulation.result import CAUSES, COUNTS, Run
 from discostorm.simulation.traffic import (
     Bursts,
-    Hosts,
+    Shares,
     bursts_of,
     delays,
     grown,
@@ -24,6 +30,7 @@ from discostorm.simulation.traffic import (
     kind_records,
     new_cell,
     radio_record,
+    shares_of,
     ticks,
 )
 from discostorm.wifi import Wifi
@@ -41,6 +48,7 @@ class Plan:
 
     hosts: Hosts
     kinds: Records
+    shares: Shares
     bursts: Bursts
     radio: Records
     repairs: Records | None
@@ -51,17 +59,19 @@ class Plan:
 
     def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, float]:
         """Return a cell at the start of a run, and when the last host starts [s]."""
-        for_start, for_run = seed.spawn(2)
+        for_start, for_run, for_parts = seed.spawn(3)
         count = self.hosts.processes.size
         starts = delays(self.start, count, np.random.default_rng(for_start))
         cell = new_cell(
             self.hosts,
             self.kinds.copy(),
+            self.shares,
             self.bursts,
             self.radio,
             starts,
             self.loss,
             for_run,
+            for_parts,
             self.repairs,
         )
         return cell, float(starts.max())
@@ -69,29 +79,26 @@ class Plan:
     @property
     def reserve(self) -> int:
         """How many frames and events one step adds at most."""
-        count = self.hosts.host_of.size
-        each = self.kinds["per"] * np.where(
-            self.kinds["each_endpoint"] > 0, self.hosts.endpoints.max(), 1
-        )
+        count, each = self.hosts.host_of.size, self.shares.most()
+        most = int(self.hosts.processes.max()) * count
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
-            sent = int((each * one_hop).sum()) * int(self.hosts.processes.max()) * count
-            return 1024 + sent + int(self.radio["mpdus"][0])
-        most = int(self.hosts.processes.max()) * count
+            return 1024 + int((each * one_hop).sum()) * most + int(self.radio["mpdus"][0])
         return 1024 + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
     def estimate(self) -> tuple[float, float]:
         """Return about how long a run takes [s], and how much memory [MB]."""
         count = self.hosts.host_of.size
-        endpoints = self.hosts.endpoints[self.hosts.host_of]
-        each = self.kinds["per"] * np.where(self.kinds["each_endpoint"] > 0, endpoints.mean(), 1)
-        to_all = self.kinds["to_all"] > 0
+        alone = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
-        frames = float(count * (each[to_all].sum() + remote * each[~to_all].sum()))
+        frames = float(
+            self.shares.to_all[:, alone].sum() + remote * self.shares.each[:, ~alone].sum()
+        )
         held = min(frames, self.queue[0] * (1 + self.hosts.processes.size))
         carried = frames if self.repairs is not None else min(frames, 4 * held)
         seconds = 2 * carried * _ATTEMPTS * _PER_TRANSMISSION
-        pairs = 0 if self.repairs is None else count**2 * (96 + endpoints.max() // 8)
+        items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
+        pairs = 0 if self.repairs is None else count**2 * (96 + items // 8)
         return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * 48) / 1e6
 
 
@@ -117,10 +124,12 @@ def plan_runs(
     if (errors >= 1).any():
         raise ValueError(f"loss must be below 1; got {errors.max():g}")
     radio = radio_record(wifi, queue, eifs)
-    kinds = kind_records(protocol, wifi)
+    kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
     repairs, table = None, protocol
     if recovery:
+        check_announced(protocol)
         fill_kinds(protocol, kinds)
+        check_items(protocol, kinds, shares)
         repairs, table = repair_record(protocol), clock_only(protocol)
     names = [message.name for message in protocol.messages]
     rows = [names.index(message.name) for message in table.messages]
@@ -133,6 +142,7 @@ def plan_runs(
     plan = Plan(
         hosts,
         kinds,
+        shares,
         bursts,
         radio,
         repairs,
@@ -150,10 +160,14 @@ def compiled() -> None:
     cell = new_cell(
         Hosts(np.ones(2, np.int64), np.zeros(2, np.int64)),
         np.zeros(1, _cell.KIND),
+        Shares(
+            np.zeros((2, 1)), np.zeros((2, 1)), np.zeros((1, 3), np.int64), np.zeros(1, np.int64)
+        ),
         Bursts((), (), ()),
         np.zeros(1, _cell.RADIO),
         np.zeros(2),
         np.zeros(2),
+        np.random.SeedSequence(0),
         np.random.SeedSequence(0),
     )
     advance(cell, 0, 0, 0)

@@ -1,14 +1,24 @@
-"""From fleet, protocol and channel to the arrays that a run reads and changes."""
+"""From fleet, protocol and channel to the arrays that a run reads and changes.
 
-from dataclasses import dataclass
+Who sends a message and who receives it is what its `discostorm.messages.Unit` declares. Where
+a process is to send x of it to each receiver, a fraction, it numbers them i = 0, 1, 2 ... and sends
+floor((i + 1) x + u) - floor(i x + u) to the i-th, with u between 0 and 1 drawn once a run for
+each process and row of the table. So each receives x in the mean over runs, all together
+less than one more or fewer than x times their number, and a whole x is x in every run. Of
+messages that share frames the frames are sent: x is that of their parts.
+"""
+
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, Fleet, is_symbolic
-from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS, Message, Protocol
+from discostorm.fleet import COUNTS, Fleet, Hosts, is_symbolic
+from discostorm.messages import Message, Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
 from discostorm.wifi import Padding, Radio, Wifi
@@ -20,8 +30,6 @@ ATTEMPTS = 7
 RX_START_DELAY = 20e-6
 #: How many frames a block acknowledgement looks back at least (10.25).
 WINDOW = 64
-#: A block acknowledgement request has 24 octets, which take as long as 32 at 24 Mbit/s.
-_UNITS = (PROCESS, PAIR, ENDPOINT_PAIR)
 _MOST_PROCESSES = 2**_cell.PROCESS_BITS
 _MOST_ENDPOINTS = 2**_cell.ITEM_BITS
 _MOST_MESSAGES = 2**_cell.KIND_BITS
@@ -32,24 +40,6 @@ _SAMPLES, _LOG, _POOL = 512, 4096, 4096
 def ticks(seconds: float) -> int:
     """Return a time in whole ticks."""
     return int(_cell.NEVER) if np.isinf(seconds) else round(seconds / TICK)
-
-
-@dataclass(frozen=True)
-class Hosts:
-    """The fleet host by host: processes on each, and endpoints of each of its processes."""
-
-    processes: NDArray[np.int64]
-    endpoints: NDArray[np.int64]
-
-    @property
-    def first(self) -> NDArray[np.int64]:
-        """The number of the first process of each host."""
-        return np.cumsum(self.processes) - self.processes
-
-    @property
-    def host_of(self) -> NDArray[np.int64]:
-        """The host of each process."""
-        return np.repeat(np.arange(self.processes.size), self.processes)
 
 
 def hosts_of(fleet: Fleet) -> Hosts:
@@ -71,7 +61,12 @@ def hosts_of(fleet: Fleet) -> Hosts:
             f"fleet must have at most {_MOST_PROCESSES} processes to simulate; "
             f"got {(numbers * processes).sum()}"
         )
-    return Hosts(np.repeat(processes, numbers), np.repeat(endpoints, numbers))
+    return Hosts(
+        np.repeat(processes, numbers),
+        np.repeat(endpoints, numbers),
+        np.repeat(np.arange(numbers.size), numbers),
+        fleet.matching,
+    )
 
 
 def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
@@ -127,7 +122,108 @@ def _ppdu_ticks(octets: int, padding: Padding, preamble: int) -> int:
     return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
 
 
-def kind_records(protocol: Protocol, wifi: Wifi) -> Records:
+@dataclass(frozen=True)
+class Shares:
+    """How many of each message each process sends, and to whom; see `cell.Cell`."""
+
+    each: NDArray[np.float64]
+    to_all: NDArray[np.float64]
+    before: NDArray[np.int64]
+    sets: NDArray[np.int64]
+
+    @property
+    def whole(self) -> NDArray[np.bool_]:
+        """Of which rows of the table nobody sends a fraction."""
+        fractions: NDArray[np.bool_] = ((self.each % 1 != 0) | (self.to_all % 1 != 0)).any(axis=0)
+        return ~fractions
+
+    def most(self) -> NDArray[np.int64]:
+        """Return how many of each message a process sends at most, at once, to one or to all."""
+        most: NDArray[np.float64] = np.maximum(self.each, self.to_all).max(axis=0)
+        return np.ceil(most).astype(np.int64)
+
+
+def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
+    """Return how many frames of each message each process sends, and to whom."""
+    everyone = tuple(hosts.every)
+    sets = {everyone: 0}
+    remote = hosts.every.size - hosts.processes[hosts.host_of]
+    shape = (hosts.every.size, len(protocol.messages))
+    each, to_all, of_row = np.zeros(shape), np.zeros(shape), np.zeros(shape[1], np.int64)
+    for row, message in enumerate(protocol.messages):
+        unit = message.unit
+        if unit.senders is None:
+            raise ValueError(
+                f"{_where(protocol, message)}: unit must declare its senders to be simulated; "
+                f"got {unit.name!r}"
+            )
+        sent = message.per_unit * message.frames * unit.senders(hosts)
+        if unit.receivers is None:
+            to_all[:, row] = sent
+            each[:, row] = sent / remote
+            continue
+        taking = np.asarray(unit.receivers(hosts), np.int64)
+        each[:, row] = sent
+        own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
+        to_all[:, row] = sent * (taking.sum() - own) * (message.cast == "multicast")
+        of_row[row] = sets.setdefault(tuple(taking), len(sets))
+    before = np.zeros((len(sets), hosts.every.size + 1), np.int64)
+    before[:, 1:] = np.cumsum(list(sets), axis=1)
+    return Shares(each, to_all, before, of_row)
+
+
+def _where(protocol: Protocol, message: Message) -> str:
+    return f"protocol {protocol.name!r}, message {message.name!r}"
+
+
+def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
+    """Return the octets in each frame of a message that rows without frames put inside it.
+
+    They are in frames of the same phase, of the row that is most like theirs, alike in each.
+    """
+    shares = shares_of(protocol, hosts)
+    octets = np.zeros(len(protocol.messages))
+    for message in protocol.messages:
+        if message.frames:
+            continue
+        outer = [m for m in protocol.messages if m.frames and m.phase == message.phase]
+        if not outer:
+            raise ValueError(
+                f"{_where(protocol, message)}: frames must be above 0 for one message of the phase "
+                f"{message.phase!r} to be simulated; got none"
+            )
+        carrier = protocol.messages.index(max(outer, key=partial(_alike, message)))
+        alone = Protocol("inside", (replace(message, frames=1.0),))
+        counts = [
+            _sent(shares_of(alone, hosts), hosts, 0),
+            _sent(shares, hosts, carrier),
+        ]
+        octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
+    return octets
+
+
+def _alike(one: Message, other: Message) -> tuple[int, ...]:
+    """Return how much two rows have in common: by what, and how much of their names' ends."""
+    same = (
+        one.cast == other.cast,
+        one.answers == other.answers,
+        one.schedule.period == other.schedule.period,
+    )
+    ends = zip(reversed(one.name), reversed(other.name), strict=False)
+    return (*same, len(list(takewhile(lambda pair: pair[0] == pair[1], ends))))
+
+
+def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
+    """Return how many frames of a row the fleet sends [1]."""
+    to_all = shares.to_all[:, row].sum()
+    if to_all:
+        return float(to_all)
+    taking = np.diff(shares.before[shares.sets[row]])
+    own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
+    return float((shares.each[:, row] * (taking.sum() - own)).sum())
+
+
+def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
     """Return the rows of a protocol's table; refuse what cannot be simulated."""
     radio = wifi.radio
     assert radio is not None
@@ -138,38 +234,29 @@ def kind_records(protocol: Protocol, wifi: Wifi) -> Records:
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
     slow_preamble = ticks(radio.wifi().multicast.overhead - waiting)
     fast_preamble = ticks(radio.preamble + radio.signal_extension)
+    shares, inside = shares_of(protocol, hosts), _inside(protocol, hosts)
     records = np.zeros(len(protocol.messages), _cell.KIND)
-    for record, message in zip(records, protocol.messages, strict=True):
-        _refuse(protocol, message)
+    records["set"], records["whole"] = shares.sets, shares.whole
+    for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
+        multicast, paired = message.cast == "multicast", message.unit.receivers is not None
+        if len(message.hops) > 1 and not (multicast or paired):
+            raise ValueError(
+                f"{_where(protocol, message)}: cast must be 'multicast', or hops only one of them, "
+                f"for what is counted by {message.unit.name!r}, which has no receivers; "
+                f"got {message.cast!r}"
+            )
         # Under a block acknowledgement each frame has a QoS Control field.
-        octets = round(message.frame_bytes) + 2 * (wifi.aggregation is not None)
-        multicast = message.cast == "multicast"
+        octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         record["octets"] = octets
         record["multicast"] = multicast
-        record["to_all"] = message.unit == PROCESS
+        record["to_all"] = multicast or not paired
         record["up"] = "up" in message.hops
         record["down"] = "down" in message.hops
-        record["per"] = message.per_unit
-        record["each_endpoint"] = message.unit == ENDPOINT_PAIR
         record["time_up"] = _ppdu_ticks(octets, fast, fast_preamble)
         record["time_down"] = (
             _ppdu_ticks(octets, slow, slow_preamble) if multicast else record["time_up"]
         )
     return records
-
-
-def _refuse(protocol: Protocol, message: Message) -> None:
-    where = f"protocol {protocol.name!r}, message {message.name!r}"
-    if message.unit not in _UNITS:
-        known = ", ".join(repr(unit.name) for unit in _UNITS)
-        raise ValueError(f"{where}: unit must be one of {known}; got {message.unit.name!r}")
-    if (message.cast == "multicast") != (message.unit == PROCESS) and len(message.hops) > 1:
-        raise ValueError(
-            f"{where}: cast must be 'multicast' for what is counted by process and 'unicast' for "
-            f"what is counted by pairs of them; got {message.cast!r}"
-        )
-    if message.per_unit % 1:
-        raise ValueError(f"{where}: per_unit must be a whole number; got {message.per_unit!r}")
 
 
 @dataclass(frozen=True)
@@ -204,28 +291,29 @@ def bursts_of(protocol: Protocol) -> Bursts:
 def new_cell(
     hosts: Hosts,
     kinds: Records,
+    shares: Shares,
     bursts: Bursts,
     radio: Records,
     starts: NDArray[np.float64],
     loss: NDArray[np.float64],
     seed: np.random.SeedSequence,
+    for_parts: np.random.SeedSequence,
     repairs: Records | None = None,
 ) -> Cell:
     """Return a cell at the start of a run."""
     count, rows = hosts.processes.size, kinds.size
-    stations = np.zeros(count + 1, _cell.STATION)
-    for name in ("head", "tail", "to_head", "to_tail", "behind"):
+    stations = _cell.aligned(count + 1, _cell.STATION)
+    for name in ("head", "tail", "to_head", "to_tail"):
         stations[name] = -1
     stations["processes"][:count] = hosts.processes
-    stations["endpoints"][:count] = hosts.endpoints
     stations["first"][:count] = hosts.first
     stations["loss"][:count] = loss
     processes = np.zeros(hosts.host_of.size, _cell.PROCESS)
     processes["host"] = hosts.host_of
-    processes["endpoints"] = hosts.endpoints[hosts.host_of]
-
     processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
-    pairs, has = _pairs(hosts, repairs)
+    # A whole number and such a part of one stay that number.
+    part = np.random.default_rng(for_parts).integers(2**20, size=shares.each.shape) / 2**20
+    pairs, has = _pairs(hosts, kinds, shares, part, repairs)
 
     now = np.zeros(1, _cell.NOW)
     now["base"] = radio["slot"]
@@ -265,8 +353,9 @@ def new_cell(
         radio=radio,
         now=now,
         stations=stations,
-        window=np.zeros((count + 1, mpdus), _cell.HELD),
-        wheel=np.full(wheel, -1, np.int64),
+        window=_cell.aligned((count + 1) * mpdus, _cell.HELD).reshape(count + 1, mpdus),
+        wheel=np.full(wheel, -1, np.int32),
+        behind=np.full(count + 1, -1, np.int32),
         strays=np.zeros(count + 1, _cell.STRAY),
         senders=np.zeros(max(count + 1, mpdus), _cell.SENDER),
         pool=pool,
@@ -274,6 +363,10 @@ def new_cell(
         kinds=kinds,
         batches=sets,
         processes=processes,
+        each=shares.each,
+        to_all=shares.to_all,
+        part=part,
+        before=shares.before,
         repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         has=has,
@@ -283,15 +376,26 @@ def new_cell(
     )
 
 
-def _pairs(hosts: Hosts, repairs: Records | None) -> tuple[Records, NDArray[np.int64]]:
+def _pairs(
+    hosts: Hosts,
+    kinds: Records,
+    shares: Shares,
+    part: NDArray[np.float64],
+    repairs: Records | None,
+) -> tuple[Records, NDArray[np.int64]]:
     """Return what each process holds of each other at the start: nothing."""
     if repairs is None:
         return np.zeros((1, 1), _cell.OF_PAIR), np.zeros((1, 1, 1), np.int64)
-    count = hosts.host_of.size
-    items = repairs["items"][0] * hosts.endpoints[hosts.host_of]
+    count, host = hosts.every.size, hosts.host_of
     pairs = np.zeros((count, count), _cell.OF_PAIR)
-    pairs["missing"] = items
-    return pairs, np.zeros((count, count, 1 + int(items.max()) // 64), np.int64)
+    remote = host[:, None] != host
+    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
+        taking = np.diff(shares.before[shares.sets[row]]) * remote
+        rank = np.cumsum(taking, axis=1) - taking  # at [writer, reader]
+        wanted, begin = shares.each[:, row, None], part[:, row, None]
+        sent = np.floor((rank + 1) * wanted + begin) - np.floor(rank * wanted + begin)
+        pairs["missing"] += (sent * taking).astype(np.int64).T
+    return pairs, np.zeros((count, count, 1 + int(pairs["missing"].max()) // 64), np.int64)
 
 
 def _first_events(processes: Records, repairs: Records) -> list[tuple[int, int]]:

@@ -11,14 +11,17 @@ import os
 import statistics
 import subprocess
 import sys
+import time
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
+import numpy as np
 from tqdm import tqdm
 
 import discostorm as ds
 from discostorm.messages import ENDPOINT_PAIR
+from discostorm.simulation.run import compiled, one_run, plan_runs
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -42,6 +45,9 @@ LIBRARIES = (
     "spectrum",
     "energy",
 )
+
+#: Runs of ours to each of ns-3 whose time is measured: one is too short for the clock.
+AGAIN = 20
 
 #: What is not added up over runs: it is no count, or another one each time.
 SECONDS = ("drain_time_s", "cpu_s")
@@ -364,6 +370,62 @@ def write_tables() -> None:
     write("ns3_times.csv", times(complete))
 
 
+#: Bursts whose CPU time is measured in both simulators: Fig. 2 of the paper at its last host.
+TIMED = [
+    Burst(protocol=protocol, hosts=12, ampdu=ampdu)
+    for protocol in PROTOCOLS
+    for ampdu in (0, 65535)
+]
+
+
+def ours(run: Burst) -> Callable[[int], object]:
+    """Return what simulates a burst here, from a seed, with nothing made before but its plan."""
+    plan = plan_runs(
+        ds.Fleet.swarm(run.hosts, run.processes, run.endpoints),
+        PROTOCOLS[run.protocol],
+        ds.Radio("802.11n", streams=2, aifsn=run.aifsn, mpdus=64 if run.ampdu else 1).wifi(),
+        (float("inf"), float("inf")),
+        0.0,
+        0.0,
+        False,
+        1.0,
+        False,
+    )
+    return lambda seed: one_run(plan, np.random.SeedSequence(seed))
+
+
+def time_both(rounds: int) -> None:
+    """Measure both simulators side by side, one after the other in each round."""
+    compiled()
+    rows: list[dict[str, object]] = []
+    for run in TIMED:
+        simulate = ours(run)
+        simulate(0)
+        theirs_s, ours_s = [], []
+        for seed in range(1, rounds + 1):
+            answer = json.loads(storm(dataclasses.replace(run, seed=seed).options()))
+            theirs_s.append(answer["cpu_s"])
+            begin = time.process_time()
+            for number in range(AGAIN):
+                simulate(AGAIN * seed + number)
+            ours_s.append((time.process_time() - begin) / AGAIN)
+        fastest = min(theirs_s), min(ours_s)
+        rows.append(
+            {
+                "protocol": run.protocol,
+                "hosts": run.hosts,
+                "ampdu": run.ampdu,
+                "rounds": rounds,
+                "ns3_cpu_s": f"{fastest[0]:.3g}",
+                "simulate_cpu_s": f"{fastest[1]:.3g}",
+                "ratio": f"{fastest[0] / fastest[1]:.3g}",
+                "source": f"ns-3 {VERSION}: time --rounds {rounds}; the fastest round of each",
+            }
+        )
+        say(", ".join(f"{name} {value}" for name, value in rows[-1].items() if name != "source"))
+    write("ns3_speed.csv", rows)
+
+
 def cost(run: Run) -> float:
     """Return about how long a run takes, in no unit: frames sent times stations that hear them."""
     if isinstance(run, Saturation):
@@ -409,6 +471,8 @@ def main() -> None:
     kinds = parser.add_subparsers(dest="kind", required=True)
     every = kinds.add_parser("sweep", help="all scenarios and their tables (the default)")
     kinds.add_parser("tables", help="write the tables from the runs that are cached")
+    both = kinds.add_parser("time", help="the CPU time of ns-3 and of ds.simulate, side by side")
+    both.add_argument("--rounds", type=int, default=5, help="default: 5")
     every.add_argument("--jobs", type=int, default=2, help="runs side by side, default: 2")
     every.add_argument("--only", help="one scenario, or saturation")
     add_options(kinds.add_parser("burst", help="one burst, not cached, with its CPU time"), Burst)
@@ -419,6 +483,9 @@ def main() -> None:
     CACHE.mkdir(parents=True, exist_ok=True)
     if kind == "tables":
         write_tables()
+        return
+    if kind == "time":
+        time_both(arguments["rounds"])
         return
     if kind == "sweep":
         sweep(arguments["jobs"], arguments["only"])

@@ -1,0 +1,642 @@
+"""The rules of the hybrid discovery: what a speaker does, when, and with what it hears.
+
+Stated once: `discostorm.simulation.hybrid` lets all speakers of a fleet follow them on a simulated
+medium, `lab/hybrid.py` lets a process follow them that speaks UDP.
+
+A host's *set* is what its processes and endpoints are, in as many parts as it takes datagrams;
+hosts are numbered by their addresses. Each speaker keeps which parts it holds and which it knows to
+exist, and acts by four clocks:
+
+- ANNOUNCE: its own set, by multicast, after a random time that grows with the number of hosts
+  heard of (timer reconsideration). Who has heard a description equal to its own sends the hash.
+- DIGEST: what it holds, lacks and has given up, by multicast, once it has announced itself and
+  nothing new has come for a while, unless others have asked for as much, or have shown the same.
+- REPAIR: the exclusive-or of a random choice of the parts that others have asked for and that it
+  holds; it stops when it has heard as many as the neediest lacks.
+- BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
+
+A newcomer asks the first settled host that it hears for all sets, by unicast. Who has heard the
+channel carry its share of discovery within the last second puts digests and repairs off.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm.data import read_data
+from discostorm.fleet import Fleet
+from discostorm.messages import header_bytes
+from discostorm.simulation.channel import Timing
+from discostorm.simulation.traffic import hosts_of
+
+Bits = NDArray[np.uint64]
+Indices = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+ANNOUNCE, DIGEST, REPAIR, BEAT = range(4)
+NEVER = np.inf
+WORD = 64
+ONE = np.uint64(1)
+PLACES = np.arange(WORD, dtype=np.uint64)
+#: In how many bins a speaker counts the airtime of the last second.
+BINS = 10
+
+
+@cache
+def parameters() -> dict[str, float]:
+    """Return the protocol's sizes [B], times [s] and counts by name, from its data file."""
+    return {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
+
+
+@dataclass(eq=False)
+class Speakers:
+    """What speakers hold: row h is host h.
+
+    Bits are parts of sets, 64 hosts to a word: first the words of part 0 of all hosts, then
+    those of part 1, and so on.
+    """
+
+    hosts: int
+    start: NDArray[np.float64]
+    parts: Indices
+    own: Bits = field(init=False)
+    held: Bits = field(init=False)
+    known: Bits = field(init=False)
+    gone: Bits = field(init=False)
+    wanted: Bits = field(init=False)
+    asked: Bits = field(init=False)
+    need: Indices = field(init=False)
+    asked_for: Indices = field(init=False)
+    basis: Bits = field(init=False)
+    heard: NDArray[np.float64] = field(init=False)
+    direct: NDArray[np.float64] = field(init=False)
+    due: NDArray[np.float64] = field(init=False)
+    wait: NDArray[np.float64] = field(init=False)
+    pulled: NDArray[np.float64] = field(init=False)
+    seen_equal: Bools = field(init=False)
+    seen_description: Bools = field(init=False)
+    alive: Bools = field(init=False)
+    sent: Indices = field(init=False)
+    part: Indices = field(init=False)
+    announced: NDArray[np.float64] = field(init=False)
+    denied: NDArray[np.float64] = field(init=False)
+    repeats: NDArray[np.float64] = field(init=False)
+    air: NDArray[np.float64] = field(init=False)
+
+    def __post_init__(self) -> None:
+        count = self.hosts
+        self.blocks = -(-count // WORD)
+        words = self.blocks * int(self.parts.max())
+        self.own = np.zeros((count, words), np.uint64)
+        index = np.arange(count)
+        for part in range(int(self.parts.max())):
+            some = index[self.parts > part]
+            place = ONE << (some % WORD).astype(np.uint64)
+            self.own[some, part * self.blocks + some // WORD] = place
+        self.held, self.known = self.own.copy(), self.own.copy()
+        for name in ("gone", "wanted", "asked"):
+            setattr(self, name, np.zeros((count, words), np.uint64))
+        for name in ("need", "asked_for"):
+            setattr(self, name, np.zeros((count, words), np.int64))
+        self.basis = np.zeros((count, words, WORD), np.uint64)
+        # When each was heard last, by itself or in what another says of late; and by itself.
+        self.heard = np.full((count, count), -np.inf)
+        self.direct = np.full((count, count), -np.inf)
+        self.due = np.full((4, count), NEVER)
+        self.wait = np.full(count, parameters()["retry"])
+        self.pulled = np.full(count, -np.inf)
+        self.seen_equal = np.zeros(count, bool)
+        self.seen_description = np.zeros(count, bool)
+        self.alive = np.ones(count, bool)
+        self.sent = np.zeros(count, np.int64)
+        # Which part of its own set is announced next.
+        self.part = np.zeros(count, np.int64)
+        self.announced = np.full(count, -np.inf)
+        # How many have shown that they do not know it; not a number once somebody does.
+        self.denied = np.zeros(count)
+        self.repeats = np.zeros(count)
+        # Airtime heard and sent, by tenths of the last second.
+        self.air = np.zeros((count, BINS))
+
+    def bits_of(self, hosts: Any) -> Bits:
+        """Return the words in which the bits of all parts of these hosts are set."""
+        found: Bits = np.bitwise_or.reduce(self.own[hosts], axis=0)
+        return found
+
+    def hosts_in(self, bits: Bits) -> Bits:
+        """Return the words of hosts of which any part is set, one bit a host."""
+        parts = bits.reshape(*bits.shape[:-1], -1, self.blocks)
+        found: Bits = np.bitwise_or.reduce(parts, axis=-2)
+        return found
+
+    def learn(self, who: Indices, word: int, mask: np.uint64) -> Bools:
+        """Let hosts receive the exclusive-or of the parts in a mask; return to whom it was news.
+
+        What a host cannot resolve yet stays as an equation, in reduced echelon form.
+        """
+        value = mask & ~self.held[who, word]
+        rows = self.basis[who, word]
+        chosen = ((value[:, None] >> PLACES) & ONE).astype(bool)
+        value ^= np.bitwise_xor.reduce(np.where(chosen, rows, np.uint64(0)), axis=1)
+        news = value != 0
+        if news.any():
+            value, rows, some = value[news], rows[news], who[news]
+            low = value & (~value + ONE)
+            place = np.bitwise_count(low - ONE).astype(np.int64)
+            hit = ((rows >> place[:, None].astype(np.uint64)) & ONE).astype(bool)
+            rows ^= np.where(hit, value[:, None], np.uint64(0))
+            rows[np.arange(some.size), place] = value
+            solved = (rows != 0) & ((rows & (rows - ONE)) == 0)
+            new = np.bitwise_or.reduce(np.where(solved, rows, np.uint64(0)), axis=1)
+            rows[solved] = 0
+            self.basis[some, word] = rows
+            self.held[some, word] |= new
+            self.known[some, word] |= new
+        found: Bools = news
+        return found
+
+    def lacks(self, who: Any) -> Bits:
+        """Return which parts hosts lack that they know to exist."""
+        found: Bits = self.known[who] & ~self.held[who] & ~self.gone[who]
+        return found
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """Octets of the frames of a fleet on the air, with the headers of UDP and below.
+
+    ``whole`` has a row a host and a column a part, 0 where it has fewer; ``hashed`` is of a set
+    that has the hash of its endpoints.
+    """
+
+    whole: Indices
+    hashed: Indices
+    headers: int
+
+    def coded(self, sets: Indices, many: int) -> int:
+        """Return the octets of so many repairs in a frame, each as long as the longest part."""
+        value = parameters()
+        above = self.headers + value["header"]
+        return int(above + many * (sets.max() - above + value["coded"]))
+
+    def together(self, sets: Indices) -> int:
+        """Return how many repairs share a frame."""
+        one = self.coded(sets, 1) - self.coded(sets, 0)
+        return max(1, int(parameters()["packed"] // one))
+
+    def digest(self, listed: int) -> int:
+        """Return the octets of a digest that lists so many parts."""
+        value = parameters()
+        return int(np.ceil(self.headers + value["header"] + value["listed"] * listed))
+
+    def heartbeat(self, hosts: int) -> int:
+        """Return the octets of a heartbeat that tells of so many hosts."""
+        value = parameters()
+        return int(np.ceil(self.headers + value["header"] + np.ceil(value["claimed"] * hosts)))
+
+
+def sizes_of(fleet: Fleet) -> Sizes:
+    """Return the octets of each part of each host's set; refuse what no digest can list."""
+    value, hosts, headers = parameters(), hosts_of(fleet), header_bytes()["UDP"]
+    processes = value["process"] * hosts.processes
+    told = np.ceil(processes + value["endpoint"] * hosts.processes * hosts.endpoints)
+    room = int(value["datagram"] - value["header"])
+    parts = np.maximum(1, np.ceil(told / room)).astype(np.int64)
+    base = headers + value["header"]
+    number = np.arange(parts.max())
+    whole = np.where(
+        number < parts[:, None],
+        base + np.clip(told[:, None] - room * number, 0, room),
+        0,
+    )
+    listed = value["listed"] * parts.size * parts.max()
+    if listed > room:
+        raise ValueError(
+            f"fleet must be one whose digest is at most {value['datagram']:g} B, so that it is a "
+            f"frame; {parts.size} hosts with sets of up to {parts.max()} datagrams take "
+            f"{listed + value['header']:g} B"
+        )
+    hashed = np.ceil(base + processes + value["software"])
+    if hashed.max() > headers + value["datagram"]:
+        raise ValueError(
+            f"fleet must have at most {(room - value['software']) // value['process']:g} processes "
+            f"a host, so that a set without its endpoints is a frame; got {hosts.processes.max()}"
+        )
+    return Sizes(whole.astype(np.int64), hashed.astype(np.int64)[:, None], headers)
+
+
+def beat_period(known: Any) -> Any:
+    """Return the time between two heartbeats of a host that knows so many [s]."""
+    return parameters()["heartbeat"] * np.maximum(1.0, np.asarray(known) / 100)
+
+
+@dataclass(frozen=True)
+class Message:
+    """What a speaker says: to one, or to all; with what stands in every header."""
+
+    kind: str
+    sender: int
+    octets: int
+    settled: bool
+    holds: int
+    content: Any
+    to: int | None = None
+
+
+@dataclass(eq=False)
+class Rules:
+    """Speakers that follow the rules: all of a fleet, or one of them, whose rows alone change.
+
+    Parameters
+    ----------
+    speakers : Speakers
+        What they hold, and their clocks.
+    sizes : Sizes
+        Of the frames.
+    timing : Timing
+        Of the channel, for pauses that are multiples of airtimes.
+    rng : numpy.random.Generator
+        Draws times and choices.
+    alike : bool
+        Whether all hosts run the same software.
+    send : callable
+        Takes a message.
+    busy : callable
+        Whether the last message of a host still waits for the channel.
+    changed : callable
+        Is told of hosts that hold more, or less.
+    now : float, optional
+        Time [s]; whoever lets them act or hear sets it before.
+    """
+
+    speakers: Speakers
+    sizes: Sizes
+    timing: Timing
+    rng: np.random.Generator
+    alike: bool
+    send: Callable[[Message], None]
+    busy: Callable[[int], bool]
+    changed: Callable[[Indices], None]
+    now: float = 0.0
+
+    def __post_init__(self) -> None:
+        speakers = self.speakers
+        self.value = parameters()
+        self.sets = self.sizes.hashed if self.alike else self.sizes.whole
+        self.part_of_window = self.rng.random(speakers.hosts)
+        young = speakers.start >= 0
+        first = speakers.start + self.part_of_window * self.value["first_window"]
+        speakers.due[ANNOUNCE, young] = first[young]
+        # Announcements come ever more slowly, until one in twice its airtime over their share.
+        self.quiet = self.value["quiet"] * self.spacing(int(self.sets.max()), "announce_share")
+        self.bin = 0
+
+    # ------------------------------------------------------------ what pauses are made of
+
+    def both_hops(self, octets: int) -> float:
+        """Return the airtime of a multicast, up to the access point and down to all [s]."""
+        return self.timing.cost(octets, False) + self.timing.cost(octets, True)
+
+    def spacing(self, octets: int, share: str, least: float | None = None) -> float:
+        """Return the mean time between multicasts of this size that take a share [s]."""
+        least = self.value["least_spacing"] if least is None else least
+        return max(least, self.both_hops(octets) / self.value[share])
+
+    def known_to(self, who: Any) -> Any:
+        """Return how many hosts some know to exist."""
+        return np.bitwise_count(self.speakers.hosts_in(self.speakers.known[who])).sum(axis=-1)
+
+    def span(self, who: Any) -> Any:
+        """Return up to which address hosts list who exists, or is gone."""
+        speakers = self.speakers
+        words = speakers.hosts_in(speakers.known[who] | speakers.gone[who])
+        bits = np.unpackbits(words.view(np.uint8), axis=-1, bitorder="little")
+        return bits.shape[-1] - bits[..., ::-1].argmax(axis=-1)
+
+    def listed(self, who: Any) -> Any:
+        """Return how many parts a digest lists: all that a host of the range may have."""
+        return self.span(who) * (self.speakers.own.shape[1] // self.speakers.blocks)
+
+    def note_air(self, who: Any, octets: int) -> None:
+        """Let hosts count the airtime of a multicast."""
+        number = max(self.bin, int(self.now * BINS))
+        past = np.arange(max(self.bin, number - BINS) + 1, number + 1) % BINS
+        self.speakers.air[:, past] = 0
+        self.bin = number
+        self.speakers.air[who, number % BINS] += self.both_hops(octets)
+
+    def full(self, host: int) -> bool:
+        """Return whether a host has heard as much discovery as a second may have."""
+        self.note_air([], 0)
+        return bool(self.speakers.air[host].sum() > self.value["ceiling"])
+
+    # ------------------------------------------------------------ the clocks of a speaker
+
+    def act(self, kind: int, host: int) -> None:
+        """Do what a clock says that is due."""
+        due, one = self.speakers.due, np.array([host])
+        due[kind, host] = NEVER
+        if self.busy(host):
+            due[kind, host] = self.now + self.quiet * (0.5 + self.rng.random())
+        elif kind == DIGEST and self.full(host):
+            spread = max(self.quiet, float(self.digest_spread(one)[0]))
+            due[kind, host] = self.now + self.quiet / 2 + self.rng.random() * spread
+        elif kind == REPAIR and self.full(host):
+            due[kind, host] = self.now + self.repair_delay(one)[0]
+        else:
+            (self.announce, self.digest, self.repair, self.beat)[kind](host)
+
+    def say(self, kind: str, host: int, octets: int, content: Any, to: int | None = None) -> None:
+        """Send a message."""
+        speakers = self.speakers
+        speakers.sent[host] += 1
+        if to is None:
+            self.note_air([host], octets)
+        settled = bool(self.now - speakers.start[host] >= self.value["settled"])
+        holds = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
+        self.send(Message(kind, host, octets, settled, holds, content, to))
+
+    def announce(self, host: int) -> None:
+        """Tell the next part of its own set, unless more have been heard of since."""
+        speakers, value = self.speakers, self.value
+        part = int(speakers.part[host])
+        whole = part > 0 or not (self.alike and speakers.seen_description[host])
+        sizes = self.sizes.whole if whole else self.sizes.hashed
+        octets = int(sizes[host, part])
+        parts = int((sizes[host] > 0).sum())
+        spacing = self.spacing(octets, "announce_share")
+        window = max(value["first_window"], spacing * parts * int(self.known_to(host)))
+        wanted = speakers.start[host] + (part + self.part_of_window[host]) / parts * window
+        if wanted > self.now:  # more hosts have been heard of since the time was drawn
+            speakers.due[ANNOUNCE, host] = wanted
+            return
+        self.say("Announce", host, octets, (part, whole))
+        if part + 1 < parts:
+            speakers.part[host] += 1
+            speakers.due[ANNOUNCE, host] = self.now + spacing
+            return
+        speakers.part[host] = 0
+        speakers.announced[host], speakers.denied[host] = self.now, 0
+        speakers.due[BEAT, host] = self.now + beat_period(self.known_to(host)) * (
+            0.5 + self.rng.random() / 2
+        )
+        if speakers.due[DIGEST, host] == NEVER:
+            self.soon(np.array([host]))
+
+    def soon(self, who: Indices) -> None:
+        """Let hosts that have announced themselves send a digest once nothing new has come."""
+        speakers = self.speakers
+        who = who[speakers.due[ANNOUNCE, who] == NEVER]
+        if not who.size:
+            return
+        spread = self.digest_spread(who)
+        lacking = speakers.lacks(who).any(axis=1)
+        spread = np.where(lacking, spread / 2, spread)
+        # Others may have begun with it, and announce themselves as long as it does.
+        earliest = speakers.start[who] + self.value["first_window"]
+        begin = np.maximum(self.now + self.quiet, earliest)
+        speakers.due[DIGEST, who] = begin + self.rng.random(who.size) * spread
+
+    def digest_spread(self, who: Indices) -> NDArray[np.float64]:
+        """Return the time in which all hosts together may send a digest each [s]."""
+        octets = self.sizes.digest(int(self.listed(who).max()))
+        spread: NDArray[np.float64] = self.known_to(who) * self.spacing(octets, "digest_share", 0)
+        return spread
+
+    def digest(self, host: int) -> None:
+        """Show what it holds and lacks, unless others have."""
+        speakers = self.speakers
+        lacks = speakers.lacks(host)
+        many = np.bitwise_count(lacks).astype(np.int64)
+        if not lacks.any() and speakers.seen_equal[host]:
+            return
+        asked = ((lacks & ~speakers.asked[host]) == 0) & (many <= speakers.asked_for[host])
+        covered = bool(lacks.any() and asked.all())
+        speakers.asked[host], speakers.asked_for[host] = 0, 0
+        if not covered:
+            content = (speakers.held[host].copy(), lacks.copy(), speakers.gone[host].copy())
+            self.say("Digest", host, self.sizes.digest(int(self.listed(host))), content)
+        if lacks.any():
+            wait = max(speakers.wait[host], float(self.digest_spread(np.array([host]))[0]))
+            speakers.due[DIGEST, host] = self.now + wait * (1 + self.rng.random())
+            speakers.wait[host] = min(2 * speakers.wait[host], self.value["retry_most"])
+        else:
+            speakers.seen_equal[host] = True
+
+    def repair_delay(self, who: Indices) -> NDArray[np.float64]:
+        """Draw how long hosts wait before a repair [s]."""
+        octets = self.sizes.coded(self.sets, self.sizes.together(self.sets))
+        spread = self.known_to(who) * self.spacing(octets, "share")
+        delay: NDArray[np.float64] = self.rng.random(who.size) * spread
+        return delay
+
+    def repair(self, host: int) -> None:
+        """Send combinations of what others lack most, unless others have."""
+        speakers = self.speakers
+        able = speakers.wanted[host] & speakers.held[host]
+        open_ = (speakers.need[host] > 0) & (able != 0)
+        if not open_.any():
+            speakers.need[host], speakers.wanted[host] = 0, 0
+            return
+        word = int(np.where(open_, speakers.need[host], -1).argmax())
+        sets = self.part_sizes(word, able[word])
+        room = self.sizes.together(sets)
+        masks = [able[word]]
+        if sets.size > 1:
+            masks = []
+            while len(masks) < min(room, int(speakers.need[host, word])):
+                mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
+                if mask:
+                    masks.append(mask)
+        self.say("Repair", host, self.sizes.coded(sets, len(masks)), (word, masks))
+        speakers.need[host, word] -= len(masks)
+        if (speakers.need[host] > 0).any():
+            speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
+
+    def part_sizes(self, word: int, mask: np.uint64) -> Indices:
+        """Return the octets of the parts of a word that are in a mask."""
+        part, block = divmod(word, self.speakers.blocks)
+        among = np.flatnonzero((mask >> PLACES) & ONE) + WORD * block
+        found: Indices = self.sets[among, part]
+        return found
+
+    def beat(self, host: int) -> None:
+        """Say that it lives, and whom it has heard."""
+        speakers = self.speakers
+        period = float(beat_period(self.known_to(host)))
+        speakers.due[BEAT, host] = self.now + period
+        self.give_up(host, period)
+        recent = speakers.direct[host] > self.now - period
+        recent[host] = True
+        content = (speakers.held[host].copy(), np.flatnonzero(recent))
+        self.say("Heartbeat", host, self.sizes.heartbeat(int(self.span(host))), content)
+
+    def give_up(self, host: int, period: float) -> None:
+        """Drop the sets of those of whom nobody has said for a lease that he heard them."""
+        speakers = self.speakers
+        lease = self.value["lease"] * period / self.value["heartbeat"]
+        never = speakers.heard[host] == -np.inf  # who was only told of counts from now on
+        speakers.heard[host, never] = self.now
+        late = speakers.heard[host] < self.now - lease
+        late[host] = False
+        lost = speakers.bits_of(late) & speakers.known[host]
+        if not lost.any():
+            return
+        for array in (speakers.held, speakers.known, speakers.wanted):
+            array[host] &= ~lost
+        speakers.gone[host] |= lost
+        speakers.basis[host, lost != 0] = 0
+        self.changed(np.array([host]))
+
+    # ------------------------------------------------------------ what arrives
+
+    def hear(self, who: Indices, message: Message) -> None:
+        """Let hosts hear a message."""
+        speakers, sender, content = self.speakers, message.sender, message.content
+        speakers.heard[who, sender] = self.now
+        speakers.direct[who, sender] = self.now
+        if message.to is None:
+            self.note_air(who, message.octets)
+        if message.kind == "Announce":
+            self.hear_announcement(who, sender, *content)
+        elif message.kind == "Repair":
+            word, masks = content
+            for mask in masks:
+                fresh = (mask & ~speakers.known[who, word] & ~speakers.gone[who, word]) != 0
+                useful = (mask & speakers.wanted[who, word]) != 0
+                speakers.known[who, word] |= mask & ~speakers.gone[who, word]
+                speakers.need[who[useful], word] -= 1
+                self.take(who, word, mask, fresh)
+        elif message.kind == "Data":
+            for word in np.flatnonzero(content):
+                for place in np.flatnonzero((content[word] >> PLACES) & ONE):
+                    bit = ONE << np.uint64(place)
+                    self.take(who, int(word), bit, np.ones(who.size, bool))
+        elif message.kind == "Pull":
+            self.serve(int(who[0]), sender, content)
+        elif message.kind == "Digest":
+            self.compare(who, content)
+        else:
+            self.hear_beat(who, content)
+        if message.settled:
+            self.pull(who, sender, message.holds)
+
+    def hear_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
+        """Let hosts have a part of a set, and know of the others."""
+        speakers, own = self.speakers, self.speakers.own[sender]
+        back = (speakers.gone[who] & own).any(axis=1)
+        speakers.gone[who[back]] &= ~own
+        if whole:
+            speakers.seen_description[who] = True
+        if self.alike and part:  # more of a description that each of them has
+            return
+        word = part * speakers.blocks + sender // WORD
+        new = (own & ~speakers.known[who]).any(axis=1)
+        speakers.known[who] |= own
+        self.take(who, word, own[word], new)
+
+    def take(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
+        """Let hosts have a part, or an equation of several."""
+        speakers = self.speakers
+        news = speakers.learn(who, word, mask) | fresh
+        if not news.any():
+            return
+        some = who[news]
+        speakers.seen_equal[some] = False
+        speakers.wait[some] = self.value["retry"]
+        self.soon(some)
+        self.changed(some)
+
+    def compare(self, who: Indices, content: tuple[Bits, Bits, Bits]) -> None:
+        """Let hosts read a digest: what it has that they lack, and what it lacks."""
+        speakers = self.speakers
+        held, lacks, gone = content
+        there = (held | lacks) & ~speakers.gone[who]
+        fresh = (there & ~speakers.known[who]).any(axis=1)
+        speakers.known[who] |= there
+        speakers.asked[who] |= ~held
+        missing = np.bitwise_count(lacks).astype(np.int64)
+        speakers.asked_for[who] = np.maximum(speakers.asked_for[who], missing)
+        equal = (speakers.held[who] == held).all(axis=1) & (speakers.known[who] == held).all(axis=1)
+        speakers.seen_equal[who[equal]] = True
+        self.hear_of_oneself(who, held)
+        wants = speakers.held[who] & ~held & ~gone
+        # What is about to be announced is no repair.
+        pending = speakers.due[ANNOUNCE, who] < NEVER
+        wants &= ~np.where(pending[:, None], speakers.own[who], np.uint64(0))
+        many = np.bitwise_count(wants).astype(np.int64)
+        many += np.where(many > 1, int(self.value["surplus"]), 0)
+        speakers.need[who] = np.maximum(speakers.need[who], many)
+        speakers.wanted[who] |= wants
+        start = who[wants.any(axis=1) & (speakers.due[REPAIR, who] == NEVER)]
+        if start.size:
+            speakers.due[REPAIR, start] = self.now + self.repair_delay(start)
+        if fresh.any():
+            some = who[fresh]
+            speakers.seen_equal[some] = False
+            speakers.wait[some] = self.value["retry"]
+            self.soon(some)
+        forgotten = who[(speakers.own[who] & gone).any(axis=1)]
+        speakers.due[ANNOUNCE, forgotten] = self.now
+
+    def hear_beat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
+        """Let hosts read a heartbeat: who lives, and whether something differs."""
+        speakers = self.speakers
+        held, recent = content
+        block = np.ix_(who, recent)
+        speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
+        self.hear_of_oneself(who, speakers.bits_of(recent))
+        unlike = (speakers.held[who] != held).any(axis=1)
+        idle = unlike & (speakers.due[DIGEST, who] == NEVER)
+        if idle.any():
+            speakers.seen_equal[who[idle]] = False
+            self.soon(who[idle])
+
+    def hear_of_oneself(self, who: Indices, listed: Bits) -> None:
+        """Let hosts announce themselves again that several do not know, and nobody does."""
+        speakers, value = self.speakers, self.value
+        known = (speakers.own[who] & listed).any(axis=1)
+        late = self.now - speakers.announced[who] > self.quiet * 2 ** speakers.repeats[who]
+        late &= speakers.due[ANNOUNCE, who] == NEVER
+        speakers.denied[who[late & ~known]] += 1
+        speakers.denied[who[known]] = np.nan
+        again = who[late & (speakers.denied[who] >= value["denials"])]
+        speakers.repeats[again] += 1
+        speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
+
+    def pull(self, who: Indices, sender: int, count: int) -> None:
+        """Let newcomers ask a settled host for all that they lack."""
+        speakers, value = self.speakers, self.value
+        young = self.now - speakers.start[who] < value["settled"]
+        young &= self.now - speakers.pulled[who] > value["retry"]
+        for host in who[young]:
+            held = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
+            if count - held > value["pull_from"]:
+                speakers.pulled[host] = self.now
+                octets = self.sizes.digest(int(self.listed(host)))
+                at_once = self.now + self.rng.random() * self.quiet
+                if speakers.due[ANNOUNCE, host] < NEVER:  # the fleet is there: no need to spread
+                    speakers.due[ANNOUNCE, host] = min(at_once, speakers.due[ANNOUNCE, host])
+                    self.part_of_window[host] = -np.inf
+                self.say("Pull", int(host), octets, speakers.held[host].copy(), sender)
+                speakers.due[DIGEST, host] = self.now + 2 * value["retry"]
+
+    def serve(self, host: int, to: int, held: Bits) -> None:
+        """Send a newcomer what it lacks, several sets in a datagram."""
+        speakers, headers = self.speakers, self.sizes.headers
+        lacked = speakers.held[host] & ~held
+        packed, octets = np.zeros(lacked.size, np.uint64), 0
+        for word in np.flatnonzero(lacked):
+            places = np.flatnonzero((lacked[word] >> PLACES) & ONE)
+            for place, size in zip(places, self.part_sizes(int(word), lacked[word]), strict=True):
+                if octets + size - headers > self.value["datagram"]:
+                    self.say("Data", host, octets + headers, packed, to)
+                    packed, octets = np.zeros(lacked.size, np.uint64), 0
+                packed[word] |= ONE << np.uint64(place)
+                octets += int(size) - headers
+        if octets:
+            self.say("Data", host, octets + headers, packed, to)
