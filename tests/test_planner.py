@@ -296,10 +296,10 @@ def test_what_cannot_be_changed_is_named() -> None:
     best = ds.Radio("802.11ax", width=160e6, streams=2, multicast_rate=24e6, mpdus=64).wifi()
     kinds = {found.kind for found in ds.plan(NAV2, ds.DDS, best).remedies}
     usual = {"endpoints", "channels", "domains", "middleware"}
-    assert kinds - {row["kind"] for row in ARRANGEMENTS} == usual | {"staggered start", "hybrid"}
+    assert kinds - {row["kind"] for row in ROWS_ARRANGED} == usual | {"staggered start", "hybrid"}
 
 
-ARRANGEMENTS = [row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"]]
+ROWS_ARRANGED = [row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"]]
 CHANNEL = {"radio", "multicast rate", "aggregation"}
 
 
@@ -491,7 +491,7 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
         )
         switched = [r.protocol for r in ds.plan(FIG3, table).remedies if r.kind == "middleware"]
         # Neither a wire nor a proposal is what one can switch to on Wi-Fi.
-        never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ARRANGEMENTS)}
+        never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ROWS_ARRANGED)}
         never |= {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
         expected = set() if name.startswith("hybrid") else others - never
         assert {other.name for other in switched} == expected
@@ -698,7 +698,7 @@ def test_the_picture_has_a_bar_and_a_name_for_each_remedy() -> None:
     names = {
         r.what
         + (", by the standard's timing" if r.kind in CHANNEL else "")
-        + (", as built" if r.kind in {row["kind"] for row in ARRANGEMENTS} else "")
+        + (", as built" if r.kind in {row["kind"] for row in ROWS_ARRANGED} else "")
         for r in drawn
     }
     assert names <= set(texts)
