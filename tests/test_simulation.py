@@ -100,12 +100,14 @@ UNLIKE = ds.Fleet(
     (ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)), matching=0.25
 )
 QUEUES = ((500, 0.5), (20, 0.05), None)
-#: Tables of those who learn of each other without a server.
+#: Tables of those who announce themselves to each other: by multicast, without a server or list.
 BY_ONESELF = [
     name
     for name, table in ds.PROTOCOLS.items()
-    if any(m.phase in ("SPDP", "Scouting", "Sets") and m.hops == HOPS for m in table.messages)
-    and "Server" not in name
+    if any(
+        m.phase in ("SPDP", "Scouting", "Sets") and m.cast == "multicast" and m.hops == HOPS
+        for m in table.messages
+    )
 ]
 
 
@@ -249,9 +251,13 @@ def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) 
         assert found.counts["arrived"] == 3 * 10
 
 
-def test_who_learns_from_a_server_does_not_recover() -> None:
-    with pytest.raises(ValueError, match=r"recovery must be False .* 'Fast DDS Discovery Server'"):
-        ds.simulate(SWARM, ds.PROTOCOLS["Fast DDS Discovery Server"], RADIO.wifi())
+def test_who_announces_itself_to_servers_routers_or_listed_hosts_does_not_recover() -> None:
+    others = [name for name in ds.PROTOCOLS if name not in BY_ONESELF]
+    assert {"Fast DDS Discovery Server", "Zenoh router", "Cyclone DDS peers"} < set(others)
+    for name in others:
+        wanted = f"recovery must be False for the protocol '{name}': its processes announce"
+        with pytest.raises(ValueError, match=wanted):
+            ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi())
 
 
 def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:

@@ -41,11 +41,14 @@ def clock_only(protocol: Protocol) -> Protocol:
 def _announcements(protocol: Protocol) -> list[Message]:
     """Return what the clock sends to all, in the first phase that has such messages.
 
-    If nothing is multicast, that is what goes to each, known or not.
+    If nothing is multicast, that is what goes to each, known or not, from the first phase on:
+    nobody is known from what comes after announcements to others, such as servers or hosts.
     """
     by_clock = [m for m in protocol.messages if m.answers is None and m.frames]
     found = [m for m in by_clock if m.cast == "multicast"]
-    found = found or [m for m in by_clock if m.unit == PAIR and m.hops == HOPS]
+    if not found:
+        first = {m.phase for m in by_clock[:1]}
+        found = [m for m in by_clock if m.unit == PAIR and m.hops == HOPS and m.phase in first]
     return [m for m in found if m.phase == found[0].phase]
 
 
@@ -53,8 +56,9 @@ def check_announced(protocol: Protocol) -> None:
     """Refuse to let those recover who do not announce themselves to each other."""
     if not _announcements(protocol):
         raise ValueError(
-            f"recovery must be False for the protocol {protocol.name!r}: its processes learn of "
-            "each other from a server, and when that knows what is not simulated"
+            f"recovery must be False for the protocol {protocol.name!r}: its processes announce "
+            "themselves to servers, routers or listed hosts instead of to each other, and who "
+            "learns what from these, and when, is not simulated"
         )
 
 
