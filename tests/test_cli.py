@@ -209,8 +209,8 @@ def test_plan(folder: Path) -> None:
     assert run(*arguments).output == expected.advice() + "\n"
     assert read_json(run(*arguments, "--json")) == expected.to_dict()
     rows = read_csv(run(*arguments, "--csv"))
-    assert [row["remedy"] for row in rows] == list(expected.table().index)
-    assert [float(row["saved"]) for row in rows] == expected.table()["saved"].tolist()
+    assert [row["remedy"] for row in rows] == list(expected.to_frame().index)
+    assert [float(row["saved"]) for row in rows] == expected.to_frame()["saved"].tolist()
     assert run("plan", "fleet.toml").output == ds.plan(fleet).advice() + "\n"
 
 
