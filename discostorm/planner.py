@@ -902,7 +902,7 @@ def _simulated(protocol: Protocol) -> str:
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
     robot = starts["rule"]
     return (
-        "but queues lose less of it: simulated, robots of "
+        "but queues lose less of it: simulated by the paper's tables, robots of "
         f"{robot['processes']} processes with {robot['endpoints']} endpoints all know each other, "
         f"{words.listed(gains)}"
     )

@@ -314,8 +314,6 @@ def test_what_cannot_be_changed_is_named() -> None:
     assert kinds - {row["kind"] for row in ROWS_ARRANGED} == usual | {"staggered start", "hybrid"}
 
 
-
-
 def test_a_channel_changed_by_hand_is_compared_with_no_radio() -> None:
     preset = ds.WIFI["802.11n 20 MHz 2x2"]
     changed = (
