@@ -1,7 +1,7 @@
 """A discovery protocol is a table of messages; its load and utilization follow from it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Literal, get_args
 
@@ -58,9 +58,10 @@ class Unit:
     """
 
     name: str
-    count: Callable[[Fleet], Count]
-    senders: OfProcesses | None = None
-    receivers: OfProcesses | None = None
+    # How a function is shown has its address in it, which is another one each time.
+    count: Callable[[Fleet], Count] = field(repr=False)
+    senders: OfProcesses | None = field(default=None, repr=False)
+    receivers: OfProcesses | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)

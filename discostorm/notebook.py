@@ -101,11 +101,14 @@ def answer(*paragraphs: str) -> Markdown:
     return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Advice:
     """The advice of a plan: as HTML in cards, elsewhere as text."""
 
     plan: Plan
+
+    def __repr__(self) -> str:
+        return self.plan.advice()
 
     def _repr_markdown_(self) -> str:
         return "\n\n".join(map(_block, self.plan.advice().split("\n\n")))
