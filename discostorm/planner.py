@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Literal
@@ -575,16 +575,22 @@ def plan(
     own = _nodes(fleet, nodes)
     guessed = nodes is None and any(group.nodes is None for group in fleet.groups)
 
+    costs_of: dict[tuple[int, Protocol, Wifi], float] = {}
+
     def cost(members: Fleet, table: Protocol = protocol, channel: Wifi = wifi) -> float:
-        return float(utilization(table, members, wifi=channel, window=window))
+        # By identity, as to compare fleets of many groups takes longer than to count.
+        key = (id(members), table, channel)
+        if key not in costs_of:
+            costs_of[key] = float(utilization(table, members, wifi=channel, window=window))
+        return costs_of[key]
 
     base = _Setting(fleet, protocol, wifi)
     found = tuple(_changes(base, own, " (assumed)" if guessed else ""))
-    counted: dict[Fleet, dict[Unit, float]] = {}
+    counted: dict[int, dict[Unit, float]] = {}
 
     def roughly(setting: _Setting) -> float:
         """As `cost`, but for the order in which numbers are added up: units are counted once."""
-        units = counted.setdefault(setting.fleet, {})
+        units = counted.setdefault(id(setting.fleet), {})
         prices = unit_costs(setting.protocol, setting.wifi, float(window))
         for unit in prices:
             if unit not in units:
@@ -657,20 +663,28 @@ class _Setting:
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
+    #: The fleet with some changes, made once.
+    fleets: dict[tuple[_Change, ...], Fleet] = field(default_factory=dict, compare=False)
 
-    def after(self, steps: Iterable[_Change]) -> _Setting:
+    def after(self, steps: Sequence[_Change]) -> _Setting:
         """Return it with all of these changes."""
-        fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
+        protocol, radio = self.protocol, self.wifi.radio
+        changing = tuple(step for step in steps if step.fleet)
+        if changing not in self.fleets:
+            fleet = self.fleet
+            for step in changing:
+                assert step.fleet is not None
+                fleet = step.fleet(fleet)
+            self.fleets[changing] = fleet
         for step in steps:
-            fleet = step.fleet(fleet) if step.fleet else fleet
             protocol = step.table or protocol
             if step.radio:
                 assert radio is not None
                 radio = step.radio(radio)
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
-        return _Setting(fleet, protocol, wifi)
+        return _Setting(self.fleets[changing], protocol, wifi)
 
-    def before(self, steps: Iterable[_Change]) -> _Setting:
+    def before(self, steps: Sequence[_Change]) -> _Setting:
         """Return what these changes are compared with: tables and channels of the same kind."""
         protocol = next((step.base for step in steps if step.base), self.protocol)
         wifi = self.wifi
