@@ -440,14 +440,20 @@ def test_what_grows_linearly_is_solved() -> None:
     assert ds.utilization(announced, hosts, 2, 10) == pytest.approx(1, rel=1e-12)
 
 
-@pytest.mark.parametrize(
-    "count",
-    [lambda fleet: sum(group.hosts**4 for group in fleet.groups), lambda _: 1],
-    ids=["as the fourth power", "constant"],
-)
-def test_what_does_not_grow_as_a_cube_at_most_is_not_solved(count: Any) -> None:
-    unit = ds.Unit("own", count)
-    own = ds.Protocol("own", (replace(ds.DDS.messages[0], unit=unit),))
+def with_count(count: Any) -> ds.Protocol:
+    return ds.Protocol("own", (replace(ds.DDS.messages[0], unit=ds.Unit("own", count)),))
+
+
+def test_what_does_not_grow_is_not_solved() -> None:
+    own = with_count(lambda _: 1)
     assert ds.utilization(own, 3, 2, 10) > 0
-    with pytest.raises(ValueError, match="utilization must grow with hosts, at most as"):
+    with pytest.raises(ValueError, match="utilization must grow with hosts"):
         ds.saturation_hosts(own, 2, 10, limit=100)
+
+
+def test_what_grows_as_the_fourth_power_is_solved_in_numbers_alone() -> None:
+    own = with_count(lambda fleet: sum(group.hosts**4 for group in fleet.groups))
+    hosts = ds.saturation_hosts(own, 2, 10, limit=[1, 100])
+    assert ds.utilization(own, hosts, 2, 10) == pytest.approx([1, 100], rel=1e-12)
+    with pytest.raises(ValueError, match="utilization must grow with hosts, at most as"):
+        saturation(own)
