@@ -5,6 +5,7 @@ import re
 import subprocess
 from pathlib import Path
 
+import numpy as np
 from pypdf import PageObject, PdfReader
 from pypdf.generic import Destination
 
@@ -26,6 +27,12 @@ def overfull(log: str) -> list[str]:
     ]
 
 
+def words(pdf: Path) -> list[str]:
+    """Return the text of each page."""
+    done = subprocess.run(["pdftotext", str(pdf), "-"], capture_output=True, text=True, check=True)
+    return done.stdout.split("\f")[:-1]
+
+
 def filled(pdf: Path) -> list[float]:
     """Return how far down each page is printed, as a share of what can be."""
     done = subprocess.run(
@@ -39,7 +46,7 @@ def filled(pdf: Path) -> list[float]:
         assert head, "pdftoppm has written something else than PGM"
         width, height = int(head[1]), int(head[2])
         start, end = head.end(), head.end() + width * height
-        rows = [min(data[start + row * width :][:width]) for row in range(height)]
+        rows = np.frombuffer(data[start:end], np.uint8).reshape(height, width).min(axis=1)
         first, last = round(HEAD * height), round(FOOT * height)
         ink = [row for row in range(first, last) if rows[row] < 200]
         shares.append((ink[-1] - first) / (last - first) if ink else 0.0)

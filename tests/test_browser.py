@@ -1,7 +1,7 @@
 """Every page of the book as a browser shows it: over http and straight from the file system.
 
-Each page is visited once each way; what was seen there is what the tests look at. Its tests
-run in one process, see conftest.py.
+Each page is visited from the file system, and one of each kind over http; what was seen there is
+what the tests look at. Its tests run in one process, see conftest.py.
 """
 
 import colorsys
@@ -190,18 +190,23 @@ def visit(visitor: Visitor, page: str, by: str) -> Visit:
 
 every_page = pytest.mark.parametrize("page", [*PAGES, "search"])
 both_ways = pytest.mark.parametrize("by", ["http", "file"])
+#: Of those that come by http, too, one of each kind: all are the same files with the same scripts.
+KINDS = ("book/index", "book/calculator", "notebooks/06_hosts", "notebooks/17_claims", "search")
+EACH = [*((page, "file") for page in [*PAGES, "search"]), *((page, "http") for page in KINDS)]
+each_visit = pytest.mark.parametrize(("page", "by"), EACH)
+each_chapter = pytest.mark.parametrize(
+    ("page", "by"), [(page, by) for page, by in EACH if page != "search"]
+)
 
 
-@every_page
-@both_ways
+@each_visit
 def test_nothing_is_requested_from_elsewhere(visit: Visit) -> None:
     elsewhere = [url for url in visit.requests if not url.startswith((visit.base, "data:"))]
     assert not elsewhere
     assert len(visit.requests) > 10  # else nobody listened
 
 
-@every_page
-@both_ways
+@each_visit
 def test_nothing_goes_wrong(visit: Visit) -> None:
     assert not visit.errors
 
@@ -218,8 +223,7 @@ def source(page: str) -> tuple[str, set[str]]:
     return prose, set(filter(None, figures)) | set(re.findall(r"name: (fig-[\w-]+)", prose))
 
 
-@pytest.mark.parametrize("page", PAGES)
-@both_ways
+@each_chapter
 def test_mathematics_is_rendered(visit: Visit, page: str) -> None:
     prose, _ = source(page)
     if re.search(r"\$\S[^$`]*\$", prose):
@@ -228,8 +232,7 @@ def test_mathematics_is_rendered(visit: Visit, page: str) -> None:
     assert not visit.phone["raw_tex"]
 
 
-@pytest.mark.parametrize("page", PAGES)
-@both_ways
+@each_chapter
 def test_figures_are_there_and_described(visit: Visit, page: str) -> None:
     _, expected = source(page)
     assert expected <= set(visit.phone["figures"])
@@ -237,8 +240,7 @@ def test_figures_are_there_and_described(visit: Visit, page: str) -> None:
     assert not visit.phone["images_without_alt"]
 
 
-@every_page
-@both_ways
+@each_visit
 def test_the_page_fits_a_phone(visit: Visit) -> None:
     assert visit.phone["width"] == PHONE["width"]
     assert not visit.phone["clipped"]
