@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from death_log import all_well, read_log
-from stage import CLEAN, build_host, quiet, say
+from stage import CLEAN, build_bridge, build_host, say
 
 LEAD = 1.0  # s from the first program's start to the time 0 of the steps
 
@@ -24,10 +24,7 @@ def main() -> None:
     out = Path(job["out"])
     for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
         path.unlink()
-    quiet()
-    say("ip link set lo up")
-    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
-    say("ip link set br0 address 02:00:00:00:01:00 up")
+    build_bridge()
     holders = {number: build_host(number) for number in job["places"]}
     running: dict[str, subprocess.Popen[bytes]] = {}
     killed: set[str] = set()

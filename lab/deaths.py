@@ -8,7 +8,6 @@ import argparse
 import csv
 import json
 import os
-import signal
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from death_log import evaluate, read_log
-from run import ALONE, BUILD, LAB, PYTHON, run, version
+from run import ALONE, BUILD, LAB, PYTHON, run, start, version
 
 from discostorm.data import data_path
 from discostorm.protocols.defaults import defaults
@@ -371,9 +370,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    try:
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)
+    start(main)

@@ -26,12 +26,13 @@ from typing import Any
 import hybrid_speaker as wire
 import stage
 from hybrid_speaker import PORT
-from run import BUILD, STAGE, remove
-from stage import build_host, quiet, say, wait_for_tcpdump
+from run import ALONE, BUILD, run, start
+from stage import begin_capture, build_bridge, build_host, end_capture, say
 
 from discostorm.simulation.speaker import parameters
 
 LAB = Path(__file__).resolve().parent
+STAGE = [*ALONE, str(LAB / "hybrid.py"), "--play"]
 CAPACITY = 64  # addresses of a cell
 START = 3.0  # s from the last speaker's readiness to the start
 LATE = 0.1  # s; a clock that rings later spoils the run
@@ -117,21 +118,12 @@ def begin(host: int, holder: int, job: dict[str, Any], log: Path, zero: float) -
 def play(job: dict[str, Any]) -> None:
     """Play one run, as the first process of its namespaces."""
     out, hosts = Path(job["out"]), job["hosts"]
-    quiet()
-    say("ip link set lo up")
-    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
-    say("ip link set br0 address 02:00:00:00:01:00 up")
+    build_bridge()
     holders = [build_host(number) for number in range(1, hosts + 1)]
     if "loss" in job:
         for holder in holders:
             lose(holder, *job["loss"])
-    capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
-    with report.open("w") as stderr:
-        dump = subprocess.Popen(
-            ["tcpdump", "-i", "br0", "-n", "-s", "0", "-B", "8192", "-Z", "root", "-w", capture],
-            stderr=stderr,
-        )
-    wait_for_tcpdump(report)
+    dump = begin_capture(out, 8192)
     zero, wall = time.monotonic() + START, time.time() + START
     job["starts"] = [0.0] * hosts + [-1.0] * (CAPACITY - hosts)
     for host in range(hosts - job.get("late", 0), hosts):
@@ -158,11 +150,7 @@ def play(job: dict[str, Any]) -> None:
             told = error.read_text() if error.exists() else f"ended with {status}"
             raise SystemExit(f"host {host}: {told}")
     time.sleep(stage.TAIL)
-    dump.send_signal(signal.SIGINT)
-    dump.wait()
-    if "\n0 packets dropped by kernel" not in report.read_text():
-        raise SystemExit(f"tcpdump has lost packets: {report.read_text()}")
-    report.unlink()
+    end_capture(out, dump)
     lines = [log.read_text().splitlines() for log in logs]
     if latest(lines) > LATE:
         raise SystemExit(f"a clock rang {latest(lines):.3f} s late: machine too busy")
@@ -249,8 +237,8 @@ def rows(out: Path) -> list[dict[str, Any]]:
     size: Counter[tuple[str, str]] = Counter()
     for when, payload in datagrams(out.with_suffix(".pcap")):
         kind = wire.KINDS[wire.HEADER.unpack_from(payload)[0] & 0x0F]
-        for window, (start, end) in windows.items():
-            if start <= when - job["wall"] < end:
+        for window, (begins, until) in windows.items():
+            if begins <= when - job["wall"] < until:
                 count[window, kind] += 1
                 size[window, kind] += len(payload)
     head = {name: job[name] for name in (*GRID[:5], "run")} | judged(job)
@@ -277,13 +265,13 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
     with grid.open(newline="") as file:
         points = list(csv.DictReader(file))
     found = []
-    for run in range(1, max(int(point["runs"]) for point in points) + 1):
+    for turn in range(1, max(int(point["runs"]) for point in points) + 1):
         for number, point in enumerate(points):
-            if run > int(point["runs"]):
+            if turn > int(point["runs"]):
                 continue
             hosts, processes, endpoints = (int(point[name]) for name in GRID[:3])
             scenario, software = point["scenario"], point["software"]
-            name = f"hybrid-{software}-h{hosts}p{processes}e{endpoints}-{scenario}-r{run}"
+            name = f"hybrid-{software}-h{hosts}p{processes}e{endpoints}-{scenario}-r{turn}"
             found.append(
                 {
                     "name": name.replace(" ", "_").replace(".", ""),
@@ -293,53 +281,14 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
                     "software": software,
                     "alike": software == "alike",
                     "scenario": scenario,
-                    "run": run,
+                    "run": turn,
                     "seconds": float(point["seconds"]),
-                    "seed": 1000 * number + run,
+                    "seed": 1000 * number + turn,
                     "capacity": CAPACITY,
                 }
                 | SCENARIOS[scenario]
             )
     return found
-
-
-def play_all(todo: list[dict[str, Any]], folder: Path, side_by_side: int) -> int:
-    """Play what is to be done; return how many failed for good."""
-    running: dict[subprocess.Popen[str], dict[str, Any]] = {}
-    waiting, failed, done = list(todo), 0, 0
-    command = [*STAGE[:-1], str(LAB / "hybrid.py"), "--play"]
-    try:
-        while waiting or running:
-            for one in [one for one in running if one.poll() is not None]:
-                job = running.pop(one)
-                _, error = one.communicate()
-                news = "captured"
-                if one.returncode:
-                    remove(folder / job["name"])
-                    news = f"tried again later: {error.strip()}"
-                    if job["tries"] < 3:
-                        waiting.append(job)
-                    else:
-                        failed += 1
-                        news = f"FAILED {job['tries']} times: {error.strip()}"
-                done += not one.returncode or "FAILED" in news
-                print(f"[{done}/{len(todo)}] {job['name']}: {news}", flush=True)
-            if waiting and len(running) < side_by_side:
-                job = waiting.pop(0)
-                job["tries"] = job.get("tries", 0) + 1
-                told = json.dumps(job | {"out": str(folder / job["name"])})
-                one = subprocess.Popen(
-                    [*command, told], stderr=subprocess.PIPE, text=True, start_new_session=True
-                )
-                running[one] = job
-            time.sleep(0.2)
-    finally:
-        for one in running:  # its end is the end of all it has started
-            one.kill()
-            one.wait()
-        for job in running.values():
-            remove(folder / job["name"])
-    return failed
 
 
 def write(path: Path, folder: Path, done: list[dict[str, Any]]) -> None:
@@ -377,7 +326,15 @@ def main() -> int:
     there = [job for job in todo if (given.captures / job["name"]).with_suffix(".json").exists()]
     if there:
         print(f"{len(there)} of {len(todo)} runs are in {given.captures} already", flush=True)
-    failed = play_all([job for job in todo if job not in there], given.captures, given.side_by_side)
+    failed = run(
+        [job for job in todo if job not in there],
+        given.captures,
+        given.side_by_side,
+        0.0,
+        STAGE,
+        lambda _: "captured",
+        lambda _: 1,
+    )
     if not failed and given.out:
         write(
             given.out,
@@ -389,9 +346,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGINT, signal.default_int_handler)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    try:
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)
+    start(main)

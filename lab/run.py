@@ -16,7 +16,7 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 LAB = Path(__file__).resolve().parent
 BUILD = LAB.parent / "build" / "lab"
@@ -176,6 +176,11 @@ def remove(out: Path) -> None:
         path.unlink()
 
 
+def processes_of(job: dict[str, Any]) -> int:
+    """How many processes a run has."""
+    return int(job["hosts"] * job["processes"])
+
+
 def run(
     todo: list[dict[str, Any]],
     folder: Path,
@@ -183,8 +188,9 @@ def run(
     spacing: float,
     stage_of: list[str] = STAGE,
     finish: Callable[[Path], str] = finish,
+    weight: Callable[[dict[str, Any]], int] = processes_of,
 ) -> int:
-    """Run all jobs, some side by side; how many failed for good."""
+    """Run all jobs, side by side what weighs no more than the crowd; how many failed for good."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
     waiting, failed, done, total = list(todo), 0, 0, len(todo)
     begun, next_start = time.monotonic(), 0.0
@@ -207,10 +213,10 @@ def run(
                         news = f"FAILED {TRIES} times: {error.strip()}"
                 left = (time.monotonic() - begun) / max(done, 1) * (total - done) / 60
                 print(f"[{done}/{total}] {job['name']}: {news}; {left:.0f} min left", flush=True)
-            here = sum(job["hosts"] * job["processes"] for job in running.values())
+            here = sum(map(weight, running.values()))
             if waiting and time.monotonic() >= next_start:
                 job = waiting[0]
-                if not running or here + job["hosts"] * job["processes"] <= crowd:
+                if not running or here + weight(job) <= crowd:
                     waiting.pop(0)
                     job["tries"] = job.get("tries", 0) + 1
                     told = json.dumps(job | {"out": str(folder / job["name"])})
@@ -263,10 +269,15 @@ def main() -> int:
     )
 
 
-if __name__ == "__main__":
+def start(main: Callable[[], int]) -> NoReturn:
+    """Run a program of the lab, so that Ctrl-C and SIGTERM end what it has begun, too."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:
         sys.exit(main())
     except KeyboardInterrupt:
         sys.exit(130)
+
+
+if __name__ == "__main__":
+    start(main)

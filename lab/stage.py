@@ -70,12 +70,36 @@ def build_host(number: int) -> int:
     return pid
 
 
-def wait_for_tcpdump(log: Path) -> None:
+def build_bridge() -> None:
+    """The one network of all hosts, with loopback beside it."""
+    quiet()
+    say("ip link set lo up")
+    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
+    say("ip link set br0 address 02:00:00:00:01:00 up")
+
+
+def begin_capture(out: Path, buffer: int) -> subprocess.Popen[bytes]:
+    """Begin to capture what crosses the bridge, with a buffer of so many KiB; once it listens."""
+    capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
+    flags = shlex.split(f"-i br0 -n -s 0 -B {buffer} -Z root")
+    with report.open("w") as stderr:
+        dump = subprocess.Popen(["tcpdump", *flags, "-w", capture], stderr=stderr)
     for _ in range(500):
-        if "listening on" in log.read_text():
-            return
+        if "listening on" in report.read_text():
+            return dump
         time.sleep(0.01)
-    raise SystemExit(f"tcpdump does not listen: {log.read_text()}")
+    raise SystemExit(f"tcpdump does not listen: {report.read_text()}")
+
+
+def end_capture(out: Path, dump: subprocess.Popen[bytes]) -> None:
+    """End the capture; fail if packets are missing."""
+    report = out.with_suffix(".tcpdump")
+    dump.send_signal(signal.SIGINT)
+    dump.wait()
+    text = report.read_text()
+    if "\n0 packets dropped by kernel" not in text:
+        raise SystemExit(f"tcpdump has lost packets: {text}")
+    report.unlink()
 
 
 def serve(
@@ -95,22 +119,13 @@ def main() -> None:
     out = Path(job["out"])
     hosts, processes = job["hosts"], job["processes"]
     program_name = Path(job["command"][-1]).name
-    quiet()
-    say("ip link set lo up")
-    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
-    say("ip link set br0 address 02:00:00:00:01:00 up")
+    build_bridge()
     # What serves the others runs on one of the hosts, or on one of its own behind them.
     numbers = sorted({*range(1, hosts + 1), *(number for number, _ in job["servers"])})
     built = {number: build_host(number) for number in numbers}
     pids = [built[number] for number in range(1, hosts + 1)]
 
-    capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
-    with report.open("w") as stderr:
-        dump = subprocess.Popen(
-            ["tcpdump", "-i", "br0", "-n", "-s", "0", "-B", "32768", "-Z", "root", "-w", capture],
-            stderr=stderr,
-        )
-    wait_for_tcpdump(report)
+    dump = begin_capture(out, 32768)
     served = [serve(out, built[number], number, command) for number, command in job["servers"]]
     time.sleep(SERVING if served else 0)
 
@@ -159,15 +174,10 @@ def main() -> None:
     for number, server in served:
         if server.poll() is not None:
             raise SystemExit(f"the server on host {number} ended with {server.returncode}")
-    dump.send_signal(signal.SIGINT)
-    dump.wait()
-    text = report.read_text()
-    if "\n0 packets dropped by kernel" not in text:
-        raise SystemExit(f"tcpdump has lost packets: {text}")
+    end_capture(out, dump)
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
     job |= {"start": start, "times": times, "cpu_s": round(spent.ru_utime + spent.ru_stime, 3)}
     out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
-    report.unlink()
     for path in out.parent.glob(f"{out.name}.*.log"):
         if not path.stat().st_size:
             path.unlink()
