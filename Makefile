@@ -32,7 +32,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@sh scripts/setup.sh
 
-build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.idl lab/*.lock lab/*.sh)
+build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
 .PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths hybrid mutation ns3 simulate test-oldest test-newest serve lock clean

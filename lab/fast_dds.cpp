@@ -21,6 +21,8 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 
+#include "fast_dds.hpp"
+
 using namespace eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using Clock = std::chrono::system_clock;
@@ -98,13 +100,6 @@ void tell(const char* what) {
     std::fflush(stdout);
 }
 
-void must(const void* thing, const char* what) {
-    if (thing == nullptr) {
-        std::fprintf(stderr, "fast_dds: no %s\n", what);
-        std::_Exit(1);
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,18 +129,10 @@ int main(int argc, char** argv) {
         discovery.static_edp_xml_config(everybody(names, pairs).c_str());
     }
     DataWriterQos writer_qos = DATAWRITER_QOS_DEFAULT;
-    writer_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-    writer_qos.durability().kind = VOLATILE_DURABILITY_QOS;
-    writer_qos.history().kind = KEEP_LAST_HISTORY_QOS;
-    writer_qos.history().depth = 10;
-    writer_qos.data_sharing().off();
+    as_ros(writer_qos);
     writer_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     DataReaderQos reader_qos = DATAREADER_QOS_DEFAULT;
-    reader_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-    reader_qos.durability().kind = VOLATILE_DURABILITY_QOS;
-    reader_qos.history().kind = KEEP_LAST_HISTORY_QOS;
-    reader_qos.history().depth = 10;
-    reader_qos.data_sharing().off();
+    as_ros(reader_qos);
     reader_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 
     tell("ready");

@@ -21,6 +21,8 @@
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
 
+#include "fast_dds.hpp"
+
 using namespace eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using Clock = std::chrono::steady_clock;
@@ -107,13 +109,6 @@ class OfReader : public DataReaderListener {
     }
 };
 
-void must(const void* thing, const char* what) {
-    if (thing == nullptr) {
-        std::fprintf(stderr, "watch_fast_dds: no %s\n", what);
-        std::_Exit(1);
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,17 +117,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     DataWriterQos writer_qos = DATAWRITER_QOS_DEFAULT;
-    writer_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-    writer_qos.durability().kind = VOLATILE_DURABILITY_QOS;
-    writer_qos.history().kind = KEEP_LAST_HISTORY_QOS;
-    writer_qos.history().depth = 10;
-    writer_qos.data_sharing().off();
+    as_ros(writer_qos);
     DataReaderQos reader_qos = DATAREADER_QOS_DEFAULT;
-    reader_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-    reader_qos.durability().kind = VOLATILE_DURABILITY_QOS;
-    reader_qos.history().kind = KEEP_LAST_HISTORY_QOS;
-    reader_qos.history().depth = 10;
-    reader_qos.data_sharing().off();
+    as_ros(reader_qos);
 
     auto* participant =
         DomainParticipantFactory::get_instance()->create_participant(0, PARTICIPANT_QOS_DEFAULT);
