@@ -425,7 +425,7 @@ class Fleet:
 
     def matched_endpoints(self) -> Count:
         """Return the number of pairs of a matched endpoint and another process, on any host."""
-        return self.endpoints() * (self.processes() - 1) * plain(self.matching)
+        return self.endpoint_processes() * plain(self.matching)
 
     def away(self) -> Count:
         """Return the number of processes on other hosts than one of the first group."""

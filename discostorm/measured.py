@@ -348,12 +348,15 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
     )
 
 
+#: What tells the rows of ``data/measured/deaths.csv`` apart, but for the runs.
+_OF_DEATHS = ("arrangement", "event", "phase", "who", "quantity")
+
+
 @cache
 def _seconds() -> dict[tuple[str, ...], list[dict[str, str]]]:
     found: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in read_data("measured/deaths.csv"):
-        key = ("arrangement", "event", "phase", "who", "quantity")
-        found[tuple(row[name] for name in key)].append(row)
+        found[tuple(row[name] for name in _OF_DEATHS)].append(row)
     return dict(found)
 
 
@@ -382,7 +385,7 @@ def death_times(
     """
     key = (arrangement, event, phase, who, quantity)
     if key not in _seconds():
-        for position, name in enumerate(("arrangement", "event", "phase", "who", "quantity")):
+        for position, name in enumerate(_OF_DEATHS):
             known = {other[position] for other in _seconds() if other[:position] == key[:position]}
             _checks.choice(name, key[position], sorted(known))
     return np.array([float(row["seconds"]) for row in _seconds()[key]])
@@ -406,15 +409,11 @@ def deaths() -> pd.DataFrame:
     import pandas as pd
 
     rows = []
-    for (arrangement, event, phase, who, quantity), runs in _seconds().items():
+    for key, runs in _seconds().items():
         seconds = np.array([float(row["seconds"]) for row in runs])
         rows.append(
-            {
-                "arrangement": arrangement,
-                "event": event,
-                "phase": phase,
-                "who": who,
-                "quantity": quantity,
+            dict(zip(_OF_DEATHS, key, strict=True))
+            | {
                 "since_s": float(runs[0]["since_s"]),
                 "watched_s": float(runs[0]["watched_s"]),
                 "runs": len(runs),

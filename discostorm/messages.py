@@ -135,10 +135,6 @@ def _matched_endpoints(hosts: Hosts) -> NDArray[Any]:
     return _endpoint_processes(hosts) * hosts.matching
 
 
-def _server(hosts: Hosts) -> NDArray[Any]:
-    return _once(hosts)
-
-
 def _away(hosts: Hosts) -> NDArray[Any]:
     away: NDArray[Any] = hosts.every * (hosts.host_of > 0)
     return away
@@ -238,21 +234,19 @@ MATCHED_ENDPOINT = Unit(
 )
 #: Of a server on a host of the first group: what is on that host takes no air on its way to it.
 #: Who simulates these takes the first host, and has both ways sent by who is away.
-AWAY = Unit("process away from the server", Fleet.away, _away, _server)
-ENDPOINT_AWAY = Unit(
-    "endpoint away from the server", Fleet.endpoints_away, _endpoints_away, _server
-)
+AWAY = Unit("process away from the server", Fleet.away, _away, _once)
+ENDPOINT_AWAY = Unit("endpoint away from the server", Fleet.endpoints_away, _endpoints_away, _once)
 MATCHED_PROCESS_PAIR_AWAY = Unit(
     "ordered pair of matched processes, one away from the server",
     Fleet.matched_process_pairs_away,
     _matched_others_away,
-    _server,
+    _once,
 )
 MATCHED_ENDPOINT_AWAY = Unit(
     "matched endpoint and other process away from the server",
     Fleet.matched_endpoints_away,
     _matched_endpoints_away,
-    _server,
+    _once,
 )
 
 #: All of them by name.
