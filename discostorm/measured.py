@@ -293,7 +293,7 @@ def _reason(
 
 #: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with
 #: its timestamps.
-_AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
+AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 
 
 def published() -> pd.DataFrame:
@@ -339,7 +339,7 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
         float(message.load(fleet))
         * float(np.asarray(message.schedule.sent(window)))
         * (
-            message.payload.nominal + _AROUND[message.transport]
+            message.payload.nominal + AROUND[message.transport]
             if row["quantity"] == "bytes"
             else 1
         )
