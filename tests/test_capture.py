@@ -426,19 +426,39 @@ def test_up_and_down_again_is_one_message(read: Read) -> None:
     assert list(scouts["way"].unique()) == ["up", "down"]
 
 
+def view_of(address: bytes, found: list[Packet]) -> list[Packet]:
+    """Return what the host of an address sees of IPv4."""
+    return [
+        packet
+        for packet in found
+        if packet[1][12:14] == b"\x08\x00"
+        and (address in (packet[1][26:30], packet[1][30:34]) or packet[1][30] >= 224)
+    ]
+
+
+def with_matches(found: list[Packet], writers: int) -> list[Packet]:
+    """Return packets, and acknowledgements of so many user writers by all processes elsewhere."""
+    hosts = captured("fast_dds").processes()["host"].items()
+    address = {process: bytes(map(int, host.split("."))) for process, host in hosts}
+    more = []
+    for process, here in address.items():
+        for peer, there in address.items():
+            for writer in range(writers * (here != there)):
+                body = rtps(
+                    submessage(0x0E, bytes.fromhex(peer)),
+                    control(6, writer << 8 | 0x03, reader=writer << 8 | 0x04),
+                    prefix=bytes.fromhex(process),
+                )
+                frame = (
+                    found[0][1][:12] + b"\x08\x00" + udp(body)[:12] + here + there + udp(body)[20:]
+                )
+                more.append((found[-1][0], frame, len(frame)))
+    return found + more
+
+
 def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> None:
     everybody = captured("fast_dds")
-    mine = [
-        packet
-        for packet in packets("fast_dds")
-        if packet[1][12:14] == b"\x08\x00"
-        and (
-            packet[1][26:30] == b"\x0a\x4d\0\1"
-            or packet[1][30:34] == b"\x0a\x4d\0\1"
-            or packet[1][30] >= 224
-        )
-    ]
-    capture = read(pcap(mine))
+    capture = read(pcap(view_of(b"\x0a\x4d\0\1", packets("fast_dds"))))
     assert capture.view() == "10.77.0.1"
     assert everybody.view() is None
     assert capture.fleet() == everybody.fleet()
@@ -447,6 +467,24 @@ def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> 
     assert table.loc["SEDP", "units"] == whole.loc["SEDP", "units"] * 4 / 6
     assert table.loc["SPDP", "units"] == whole.loc["SPDP", "units"]
     assert table.loc["SEDP", "per_unit"] == pytest.approx(whole.loc["SEDP", "per_unit"], rel=0.03)
+
+
+@pytest.mark.parametrize("writers", [0, 2, 5])
+def test_one_robots_view_tells_how_far_all_match(writers: int, read: Read) -> None:
+    found = with_matches(packets("fast_dds"), writers)
+    for content, pairs in ((found, 24), (view_of(b"\x0a\x4d\0\1", found), 16)):
+        table = read(pcap(content)).compare(ds.PROTOCOLS["Fast DDS"])
+        assert table.loc["User ACKNACK", "units"] == pytest.approx(pairs * writers)
+        assert table.loc["User ACKNACK", "unicast"] == pairs * writers
+
+
+def test_one_robots_view_of_zenoh_expects_what_it_shows_of_all(read: Read) -> None:
+    found = packets("zenoh_data")
+    for name in ("Zenoh peer", "Zenoh peer, tokens"):
+        mine = read(pcap(view_of(b"\x0a\x4d\0\1", found))).compare(ds.PROTOCOLS[name])
+        whole = captured("zenoh_data").compare(ds.PROTOCOLS[name])
+        for kind in ("Declare", "Declare key expression"):
+            assert mine.loc[kind, "expected"] == pytest.approx(whole.loc[kind, "expected"] * 4 / 6)
 
 
 # ---------------------------------------------------------------- TCP and Zenoh
