@@ -1,8 +1,12 @@
 """Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
 
+import bz2
 import csv
 import gzip
+import io
+import json
 import lzma
+import os
 import random
 import shutil
 import struct
@@ -10,6 +14,7 @@ import subprocess
 import time
 from collections import Counter
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -803,7 +808,12 @@ NG = pcapng(packets("cyclone_dds_010"))
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),
         (gzip.compress(PLAIN) + b"more", "compressed data"),
-        (gzip.compress(b"not a capture"), "neither pcap nor pcapng"),
+        (gzip.compress(b"not a capture"), "neither a pcap nor a pcapng file"),
+        (gzip.compress(b""), "it is empty"),
+        (bz2.compress(PLAIN), "compressed by bzip2: expand it first"),
+        (b"\x28\xb5\x2f\xfd" + PLAIN, "compressed by zstd: expand it first"),
+        (b"\x04\x22\x4d\x18" + PLAIN, "compressed by lz4: expand it first"),
+        (gzip.compress(b"PK\x03\x04" + PLAIN), "compressed by zip: expand it first"),
         (lzma.compress(PLAIN[:24] + bytes(200_000_000), preset=0), "expands to more than"),
     ],
     # Not the bytes of the files: those of gzip hold the time.
@@ -830,6 +840,74 @@ def test_a_folder_and_a_missing_file(tmp_path: Path) -> None:
         read_capture(tmp_path / "none")
     done = CliRunner().invoke(main, ["capture", str(tmp_path / "none")])
     assert (done.exit_code, "No such file" in done.output) == (2, True)
+
+
+def test_streams_are_read_to_their_end(tmp_path: Path) -> None:
+    expected = facts(captured("cyclone_dds_010"))
+    for content in (PLAIN, NG, gzip.compress(PLAIN)):
+        pd.testing.assert_frame_equal(facts(read_capture(io.BytesIO(content))), expected)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor(1) as pool:
+        written = pool.submit(pipe.write_bytes, PLAIN)
+        pd.testing.assert_frame_equal(facts(read_capture(pipe)), expected)
+        written.result()
+    done = CliRunner().invoke(main, ["capture", "-", "--json"], input=PLAIN)
+    assert json.loads(done.output)["packets"] == 69
+    for content, words in ((PLAIN[:-1], "packet 69 is cut"), (b"", "it is empty")):
+        with pytest.raises(CaptureError, match=words):
+            read_capture(io.BytesIO(content))
+    done = CliRunner().invoke(main, ["capture", "-", "--fleet", "-"], input=PLAIN)
+    assert (done.exit_code, "for standard input" in done.output) == (2, True)
+
+
+@pytest.mark.parametrize("path", [None, 3, b"bytes", io.StringIO("text")])
+def test_what_is_no_path_is_named(path: Any) -> None:
+    with pytest.raises(TypeError, match=r"^path must be"):
+        read_capture(path)
+
+
+def test_pppoe_is_read_and_other_types_are_noted(read: Read) -> None:
+    found = packets("cyclone_dds_010")
+    ethernet = bytes(12)
+    session = b"\x88\x64\x11\0\0\1\0\0"
+    same = read(pcap(rewrap(found, lambda ip: ethernet + session + b"\0\x21" + ip)))
+    pd.testing.assert_frame_equal(facts(same), facts(captured("cyclone_dds_010")))
+    others = {b"\x88\x47": 3, b"\x08\x06": 2, b"\x89\x0d": 1, session + b"\xc0\x21": 4}
+    more = [
+        frame for kind, count in others.items() for frame in [ethernet + kind + bytes(60)] * count
+    ]
+    # Of ARP and of PPP's echoes nothing is said: there is never anything in them.
+    assert read(pcap(at(more))).notes == (
+        "3 frames of EtherType 0x8847, which is not read",
+        "1 frames of EtherType 0x890d, which is not read",
+    )
+    broken = [ethernet + b"\x08\0" + first + bytes(40) for first in (b"\x41", b"\x15", b"\x95")]
+    assert read(pcap(at(broken))).notes == (
+        "2 packets that are said to be IP, and are not",
+        "1 IP packets with a broken header",
+    )
+
+
+def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
+    def notes_and_kinds(pieces: list[bytes]) -> tuple[tuple[str, ...], list[str]]:
+        capture = read(pcap(at(pieces), 229))
+        notes = tuple(note for note in capture.notes if "fragments" in note)
+        return notes, list(capture.messages()["kind"])
+
+    whole = udp(rtps(data(0x100C2), data(0x3C2)))
+    kinds_ = ["SPDP", "SEDP"]
+    missing = ("1 IP datagrams of which fragments are missing",)
+    one, two, _ = pieces = ipv6_fragments(whole, 40, 1)
+    for turns in (pieces, pieces[::-1]):
+        assert notes_and_kinds(turns * 2) == ((), kinds_ * 2)
+        assert notes_and_kinds([piece for piece in turns for _ in range(2)]) == ((), kinds_ * 2)
+        for again in pieces:
+            assert notes_and_kinds([*turns, again]) == ((), kinds_)
+            assert notes_and_kinds([again, *turns]) == ((), kinds_)
+    assert notes_and_kinds([one, one, two, two]) == (missing, [])
+    other = ipv6_fragments(udp(rtps(data(0x3C2), data(0x100C2))), 40, 1)
+    assert notes_and_kinds([*pieces, *other[:2]]) == (missing, kinds_)
 
 
 def test_a_link_type_that_is_not_read_is_noted(read: Read) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from os import PathLike
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 import sympy as sp
@@ -428,15 +428,16 @@ def _airtime(lengths: np.ndarray, cast: Cast, wifi: Wifi) -> Any:
     return evaluate(expression, given | wifi.values())
 
 
-def read_capture(path: str | PathLike[str]) -> Capture:
+def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     """Read a capture of discovery traffic.
 
     Parameters
     ----------
-    path : str or path-like
+    path : str, path-like or binary file
         A file of tcpdump, Wireshark or dumpcap: pcap or pcapng, also as gz or xz; of Ethernet
         (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
-        radiotap. It may hold other traffic as well.
+        radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
+        open, such as ``sys.stdin.buffer``, is read to its end.
 
     Returns
     -------
@@ -450,6 +451,8 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     CaptureError
         If it is no capture, is broken or ends inside of a packet; the message names the
         file and the place. It is a ValueError.
+    TypeError
+        If `path` is neither a path nor a file opened in binary mode.
 
     Examples
     --------
@@ -462,10 +465,7 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     """
     import pandas as pd
 
-    name = fspath(path)
-    if not isinstance(name, str):
-        raise TypeError(f"path must be text; got {path!r}")
-    found = reader.read(name)
+    found = reader.read(path)
     rows, time = found.rows, found.time
     addresses = ip.names(found.addresses)
     multicast = ip.multicast(found.addresses)
@@ -525,7 +525,7 @@ def read_capture(path: str | PathLike[str]) -> Capture:
         index=pd.Index(processes, name="process", dtype=object),
     )
     return Capture(
-        path=name,
+        path=found.name,
         packets=found.packets,
         start=begin * NANOSECOND,
         duration=float(since.max()) if len(time) else 0.0,
