@@ -902,7 +902,8 @@ def capture(
 ) -> None:
     """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
 
-    FILE is pcap or pcapng, also as .gz or .xz. Per unit is what was captured for each
+    FILE is pcap or pcapng, also as .gz or .xz, or - for standard input, which is read to its
+    end. Per unit is what was captured for each
     process, pair of processes or endpoint of the fleet that the capture itself tells of;
     airtime is that on the paper's channel. Record with:
 
@@ -913,9 +914,12 @@ def capture(
     Examples:
       discostorm capture discovery.pcap
       discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
+      timeout 60 tcpdump -i wlan0 -s 0 -w - udp | discostorm capture -
     """
     with _bad_input(), _working("reading"):
-        found = ds.read_capture(file)
+        if file == fleet == "-":
+            raise click.UsageError("either FILE or --fleet may be -, for standard input")
+        found = ds.read_capture(sys.stdin.buffer if file == "-" else file)
         members = None if fleet is None else _read(fleet)
         spoken = set(found.processes()["protocol"])
         papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
@@ -956,8 +960,9 @@ def _show_capture(
 ) -> None:
     click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
     for group in groups:
-        hosts, processes, endpoints = map(_plain, group.counts())
-        click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
+        hosts, processes, endpoints = group.counts()
+        each = words.many(processes, "process", "es")
+        click.echo(f"hosts: {_plain(hosts)} with {each} of {_plain(endpoints)} endpoints each")
     if rows:
         _print(
             [{key: row[key] for key in row if key != "protocol"} for row in rows],

@@ -147,7 +147,7 @@ def _added_up(costs: Costs, fleet: Fleet) -> Any:
 
 
 def _of_fleet(costs: Costs, fleet: Fleet, shape: tuple[int, ...]) -> Value:
-    if shape and len(fleet.groups) == 1 and not _shared_counts(costs, fleet.groups[0]):
+    if len(fleet.groups) == 1 and not _shared_counts(costs, fleet.groups[0]):
         counts = dict(zip(COUNTS, fleet.counts(), strict=True))
         return _of_swarms(costs, counts, shape, fleet.matching)
     with np.errstate(under="ignore"):
