@@ -390,7 +390,7 @@ def _without(fleet: Fleet, processes: pd.DataFrame) -> Fleet | None:
     mine = min(fleet.groups, key=unlike)
     rest = [group for group in fleet.groups if group is not mine]
     if mine.hosts > 1:
-        rest.append(HostGroup(mine.hosts - 1, mine.processes, mine.endpoints, mine.name))
+        rest.append(replace(mine, hosts=mine.hosts - 1))
     return Fleet(tuple(rest), fleet.matching) if rest else None
 
 
