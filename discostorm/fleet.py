@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import accumulate
 from operator import add
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -280,10 +280,11 @@ class Fleet:
         ValueError
             If it is not TOML, or a key is missing, unknown or has a wrong value; the
             message names the file, the group, the key, the value and the allowed range.
+        TypeError
+            If `path` is neither text nor path-like.
         """
-        if not fspath(path):
-            raise ValueError("path must name a TOML file; got ''")
-        return cls.from_bytes(Path(path).read_bytes(), str(path))
+        name = _checks.path("path", path, "a TOML file")
+        return cls.from_bytes(Path(name).read_bytes(), name)
 
     @classmethod
     def from_bytes(cls, content: bytes, name: str) -> "Fleet":

@@ -1139,7 +1139,7 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
     again = measured.death_times(
         "Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found"
     )
-    stuck = f"in {np.isinf(again).sum()} of {again.size} runs"
+    stuck = f"{np.isinf(again).sum()} of {again.size} quick restarts"
     assert stuck in rows["discovery server"]["fails"]
     for kind in ("router", "router on each host"):
         back = np.median(measured.death_times(*MEASURED_DEATHS[kind][-1][:-1]))
@@ -1148,7 +1148,7 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
 
 def test_what_to_mind_is_short() -> None:
     for row in read_data("vendors/remedies.csv"):
-        assert len(f"{row['price']}; {row['fails']}") <= 122, row["title"]
+        assert len(f"{row['price']}; {row['fails']}") <= 126, row["title"]
 
 
 @pytest.mark.parametrize("name", ["DDS", "Zenoh", "Fast DDS", "Cyclone DDS", "Zenoh peer"])
