@@ -485,7 +485,7 @@ def main() -> None:
     """How much Wi-Fi airtime the discovery of ROS 2 robots takes, and what helps.
 
     Utilization is airtime in one second: 1, or 100%, is a channel that does nothing else;
-    2 are two seconds of airtime, which no second has.
+    2 stands for two seconds of airtime, more than a second holds.
 
     \b
     Examples:
@@ -946,8 +946,9 @@ def _show_capture(
 ) -> None:
     click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
     for group in groups:
-        hosts, processes, endpoints = map(_plain, group.counts())
-        click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
+        hosts, processes, endpoints = group.counts()
+        each = words.many(processes, "process", "es")
+        click.echo(f"hosts: {_plain(hosts)} with {each} of {_plain(endpoints)} endpoints each")
     if rows:
         _print(
             [{key: row[key] for key in row if key != "protocol"} for row in rows],
