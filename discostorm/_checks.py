@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterable, Sequence
 from numbers import Real
+from os import PathLike, fspath
 from reprlib import repr as short
 from typing import Any
 
@@ -164,6 +165,15 @@ def first_where(bad: ArrayLike, *values: ArrayLike) -> tuple[float, ...]:
     """Return what the values hold at the first place that is bad; all shapes broadcast."""
     place, *held = np.broadcast_arrays(bad, *values)
     return tuple(float(value[place].item(0)) for value in held)
+
+
+def path(name: str, value: Any, what: str) -> str:
+    """Return ``value`` as text if it is a path that is not empty."""
+    if not isinstance(value, (str, PathLike)) or not isinstance(fspath(value), str):
+        raise TypeError(f"{name} must be the path of {what}, as text; got {short(value)}")
+    if not fspath(value):
+        raise ValueError(f"{name} must name {what}; got ''")
+    return str(fspath(value))
 
 
 def instance(name: str, value: Any, kind: type) -> None:

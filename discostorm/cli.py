@@ -484,8 +484,8 @@ def _working(what: str) -> Iterator[None]:
 def main() -> None:
     """How much Wi-Fi airtime the discovery of ROS 2 robots takes, and what helps.
 
-    Utilization is airtime in one second: 1, or 100%, is a channel that does nothing else;
-    2 are two seconds of airtime, which no second has.
+    Utilization is airtime per second: at 1, or 100%, the channel does nothing else; at 2
+    discovery asks for two seconds of airtime in one, and does not fit.
 
     \b
     Examples:
@@ -703,10 +703,24 @@ def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[s
     help="Nodes with parameter services in each process; with commas, one number for each "
     "group.  [default: those of the file, else 1 where the endpoints are enough]",
 )
+@click.option(
+    "--shared",
+    type=float,
+    metavar="N",
+    help="Endpoints of each process that match one in every other, whatever its namespace; 0 "
+    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node]",
+)
 @wifi_options
 @output_options
-def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Output) -> None:
-    """Advise the fleet of a file: what dominates, and what would help most.
+def plan(
+    file: str,
+    protocol: ds.Protocol,
+    nodes: Any,
+    shared: float | None,
+    wifi: Wifi,
+    output: Output,
+) -> None:
+    """Tell what dominates the discovery of a fleet, and what would help most.
 
     FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
 
@@ -727,7 +741,7 @@ def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Outpu
     with _bad_input(), _working("planning"):
         members = _read(file)
         try:
-            answer = ds.plan(members, protocol, wifi, nodes=nodes)
+            answer = ds.plan(members, protocol, wifi, nodes=nodes, shared=shared)
         except ValueError as error:
             raise ValueError(f"{file}: {error}") from error
     if output.as_csv:
@@ -888,7 +902,8 @@ def capture(
 ) -> None:
     """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
 
-    FILE is pcap or pcapng, also as .gz or .xz. Per unit is what was captured for each
+    FILE is pcap or pcapng, also as .gz or .xz, or - for standard input, which is read to its
+    end. Per unit is what was captured for each
     process, pair of processes or endpoint of the fleet that the capture itself tells of;
     airtime is that on the paper's channel. Record with:
 
@@ -899,9 +914,12 @@ def capture(
     Examples:
       discostorm capture discovery.pcap
       discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
+      timeout 60 tcpdump -i wlan0 -s 0 -w - udp | discostorm capture -
     """
     with _bad_input(), _working("reading"):
-        found = ds.read_capture(file)
+        if file == fleet == "-":
+            raise click.UsageError("either FILE or --fleet may be -, for standard input")
+        found = ds.read_capture(sys.stdin.buffer if file == "-" else file)
         members = None if fleet is None else _read(fleet)
         spoken = set(found.processes()["protocol"])
         papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
@@ -942,8 +960,9 @@ def _show_capture(
 ) -> None:
     click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
     for group in groups:
-        hosts, processes, endpoints = map(_plain, group.counts())
-        click.echo(f"hosts: {hosts} with {processes} processes of {endpoints} endpoints each")
+        hosts, processes, endpoints = group.counts()
+        each = words.many(processes, "process", "es")
+        click.echo(f"hosts: {_plain(hosts)} with {each} of {_plain(endpoints)} endpoints each")
     if rows:
         _print(
             [{key: row[key] for key in row if key != "protocol"} for row in rows],

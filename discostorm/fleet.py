@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import accumulate
 from operator import add
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,10 @@ class HostGroup:
     nodes : float, optional
         Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`; None
         if it is not known.
+    shared : float or sympy.Expr, optional
+        Endpoints of each process that match one in every other process, whatever the names of its
+        others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
+        everywhere: `discostorm.robots.shared_endpoints`.
 
     Raises
     ------
@@ -63,6 +67,7 @@ class HostGroup:
     endpoints: Count
     name: str = ""
     nodes: float | None = None
+    shared: Count = 0.0
 
     def __post_init__(self) -> None:
         for count, least in LEAST.items():
@@ -78,6 +83,10 @@ class HostGroup:
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
             object.__setattr__(self, "nodes", nodes)
+        if not is_symbolic(self.shared):
+            most = _checks.MOST if is_symbolic(self.endpoints) else float(np.min(self.endpoints))
+            shared = _checks.number("shared", self.shared, 0, most)
+            object.__setattr__(self, "shared", shared)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):
@@ -89,10 +98,10 @@ class HostGroup:
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
         # By way of the constructor, which makes the arrays read-only: also those of copies.
-        return HostGroup, (*self.counts(), self.name, self.nodes)
+        return HostGroup, (*self.counts(), self.name, self.nodes, self.shared)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self.name, self.nodes, *map(_comparable, self.counts()))
+        return (self.name, self.nodes, *map(_comparable, (*self.counts(), self.shared)))
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
@@ -106,6 +115,8 @@ class HostGroup:
             parts.append(f"name={self.name!r}")
         if self.nodes is not None:
             parts.append(f"nodes={self.nodes:g}")
+        if np.any(self.shared != 0):
+            parts.append(f"shared={_brief(self.shared)}")
         return f"HostGroup({', '.join(parts)})"
 
 
@@ -121,12 +132,15 @@ class Hosts:
         The number of each host's group; all of one if left out.
     matching : float, optional
         That of the fleet [1].
+    shared : ndarray, optional
+        Of each host's processes, the endpoints that match in every other process [1].
     """
 
     processes: NDArray[np.int64]
     endpoints: NDArray[np.int64]
     group: NDArray[np.int64] | None = None
     matching: float = 0.0
+    shared: NDArray[np.float64] | None = None
 
     @property
     def first(self) -> NDArray[np.int64]:
@@ -142,6 +156,19 @@ class Hosts:
     def endpoints_of(self) -> NDArray[np.int64]:
         """The endpoints of each process [1]."""
         return self.endpoints[self.host_of]
+
+    @property
+    def matched_of(self) -> NDArray[np.float64]:
+        """How many of the endpoints of each process match one in every other [1]."""
+        shared = 0.0 * self.endpoints if self.shared is None else self.shared
+        shared = shared[self.host_of]
+        matched: NDArray[np.float64] = shared + (self.endpoints_of - shared) * self.matching
+        return matched
+
+    @property
+    def matches(self) -> bool:
+        """Whether anything matches."""
+        return self.matching > 0 or (self.shared is not None and bool(self.shared.any()))
 
     @property
     def every(self) -> NDArray[np.int64]:
@@ -170,9 +197,9 @@ class Fleet:
     groups : tuple of HostGroup
         At least one; their names, where given, differ.
     matching : float, optional
-        Share of the endpoints that match one in every other process [1], from 0 to 1. Robots
-        with ROS 2 namespaces of their own have nearly 0, equal robots without have 1. Only
-        tables of what products send depend on it.
+        Share of the endpoints that match one in every other process [1], from 0 to 1, beside
+        those that always do: `HostGroup.shared`. Robots with ROS 2 namespaces of their own have 0,
+        equal robots without have 1. Only tables of what products send depend on it.
 
     Raises
     ------
@@ -225,7 +252,7 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name`` and ``nodes``; see `HostGroup`. Above them it may have
+        and optionally a ``name``, ``nodes`` and ``shared``; see `HostGroup`. Above them it may have
         ``matching``; see `Fleet`::
 
             matching = 0
@@ -253,10 +280,11 @@ class Fleet:
         ValueError
             If it is not TOML, or a key is missing, unknown or has a wrong value; the
             message names the file, the group, the key, the value and the allowed range.
+        TypeError
+            If `path` is neither text nor path-like.
         """
-        if not fspath(path):
-            raise ValueError("path must name a TOML file; got ''")
-        return cls.from_bytes(Path(path).read_bytes(), str(path))
+        name = _checks.path("path", path, "a TOML file")
+        return cls.from_bytes(Path(name).read_bytes(), name)
 
     @classmethod
     def from_bytes(cls, content: bytes, name: str) -> "Fleet":
@@ -305,7 +333,16 @@ class Fleet:
 
     def kinds_endpoints(self) -> Count:
         """Return the number of endpoints of one host of each group, added up."""
-        return reduce(add, (group.processes * group.endpoints for group in self.groups))
+        present = (
+            group.hosts > 0 if isinstance(group.hosts, np.ndarray) else 1 for group in self.groups
+        )
+        return reduce(
+            add,
+            (
+                some * g.processes * g.endpoints
+                for some, g in zip(present, self.groups, strict=True)
+            ),
+        )
 
     def processes(self) -> Count:
         """Return the number of processes in the fleet."""
@@ -352,11 +389,13 @@ class Fleet:
 
         Half of the endpoints are taken for writers.
         """
-        return self.endpoint_pairs() * plain(self.matching / 2)
+        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        return reduce(add, (count * self._matched(group) for count, group in pairs)) / 2
 
     def unmatched(self) -> Count:
         """Return the number of pairs of an unmatched endpoint and a process on another host."""
-        return self.endpoint_pairs() * plain(1 - self.matching)
+        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        return reduce(add, (count * self._unmatched(group) for count, group in pairs))
 
     def endpoint_processes(self) -> Count:
         """Return the number of pairs of an endpoint and another process, on any host."""
@@ -377,11 +416,11 @@ class Fleet:
 
     def unmatched_endpoints(self) -> Count:
         """Return the number of endpoints that match none."""
-        return self.endpoints() * plain(1 - self.matching)
+        return reduce(add, (g.hosts * g.processes * self._unmatched(g) for g in self.groups))
 
     def writers_that_match(self) -> Count:
         """Return the number of endpoints that match and write: half of those that match."""
-        return self.endpoints() * plain(self.matching / 2)
+        return self.matched() / 2
 
     def process_hosts(self) -> Count:
         """Return the number of pairs of a process and another host."""
@@ -393,7 +432,7 @@ class Fleet:
 
     def unmatched_hosts(self) -> Count:
         """Return the number of pairs of an unmatched endpoint and another host."""
-        return self.endpoint_hosts() * plain(1 - self.matching)
+        return self.unmatched_endpoints() * (self.hosts() - 1)
 
     def matched_hosts(self) -> Count:
         """Return the number of pairs of what matches on a host and another host.
@@ -401,8 +440,8 @@ class Fleet:
         What matches one in every other process is the same in all processes of a host, and
         counts once.
         """
-        names = reduce(add, (group.hosts * group.endpoints for group in self.groups))
-        return names * (self.hosts() - 1) * plain(self.matching)
+        names = reduce(add, (group.hosts * self._matched(group) for group in self.groups))
+        return names * (self.hosts() - 1)
 
     def floods(self) -> Count:
         """Return how often hosts that are all linked pass on what is new of a link.
@@ -417,15 +456,15 @@ class Fleet:
 
         If any endpoints match, they do so in every pair; see `matching`.
         """
-        return self.process_pairs() * float(self.matching > 0)
+        return self.process_pairs() * self.matches()
 
     def matched_pairs(self) -> Count:
         """Return the number of ordered pairs of processes on different hosts that match."""
-        return self.pairs() * float(self.matching > 0)
+        return self.pairs() * self.matches()
 
     def matched_endpoints(self) -> Count:
         """Return the number of pairs of a matched endpoint and another process, on any host."""
-        return self.endpoint_processes() * plain(self.matching)
+        return self.matched() * (self.processes() - 1)
 
     def away(self) -> Count:
         """Return the number of processes on other hosts than one of the first group."""
@@ -437,12 +476,34 @@ class Fleet:
 
     def matched_process_pairs_away(self) -> Count:
         """Return the number of pairs that match of a process `away` and another on any host."""
-        return self.away() * (self.processes() - 1) * float(self.matching > 0)
+        return self.away() * (self.processes() - 1) * self.matches()
 
     def matched_endpoints_away(self) -> Count:
         """Return the number of pairs of a matched endpoint and another process `away`."""
-        pairs = self.endpoints() * self.away() - self.endpoints_away()
-        return pairs * plain(self.matching)
+        matched, first = self.matched(), self.groups[0]
+        return matched * self.away() - (matched - first.processes * self._matched(first))
+
+    def matches(self) -> Count:
+        """Return 1 if anything matches, 0 if nothing does."""
+        some: Any = self.matching > 0
+        for group in self.groups:
+            shares = np.not_equal(group.shared, 0) if np.ndim(group.shared) else group.shared != 0
+            # Where a group is left out it has no hosts; see `without`.
+            some = some | (shares & (group.hosts > 0) if np.ndim(group.hosts) else bool(shares))
+        return some * 1.0
+
+    def matched(self) -> Count:
+        """Return the number of endpoints that match one in every other process."""
+        return reduce(add, (g.hosts * g.processes * self._matched(g) for g in self.groups))
+
+    def _matched(self, group: HostGroup) -> Count:
+        """Return how many of the endpoints of a process match one in every other."""
+        shared = plain(group.shared) if isinstance(group.shared, float) else group.shared
+        return shared + (group.endpoints - shared) * plain(self.matching)
+
+    def _unmatched(self, group: HostGroup) -> Count:
+        shared = plain(group.shared) if isinstance(group.shared, float) else group.shared
+        return (group.endpoints - shared) * plain(1 - self.matching)
 
     def without(self, groups: range) -> "Fleet":
         """Return one fleet for each of some groups, which lacks its hosts: as arrays.
@@ -458,6 +519,7 @@ class Fleet:
                 following = self.groups[1]
                 counts["processes"] = np.where(gone, following.processes, group.processes)
                 counts["endpoints"] = np.where(gone, following.endpoints, group.endpoints)
+                counts["shared"] = np.where(gone, following.shared, group.shared)
             copy = object.__new__(HostGroup)
             vars(copy).update(vars(group) | counts)
             lacking.append(copy)
@@ -558,16 +620,17 @@ def _group(number: int, table: Any) -> HostGroup:
     try:
         if not isinstance(table, dict):
             raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {table!r}")
-        _only_keys(table, (*COUNTS, "name", "nodes"))
+        _only_keys(table, (*COUNTS, "name", "nodes", "shared"))
         for key, least in LEAST.items():
             allowed = _checks.wanted(least, _checks.MOST)
             if key not in table:
                 raise ValueError(f"{key} is missing; it must be {allowed}")
             if type(table[key]) not in (int, float):
                 raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
-        if type(table.get("nodes", 0)) not in (int, float):
-            allowed = _checks.wanted(0, _checks.MOST)
-            raise TypeError(f"nodes must be {allowed}; got {table['nodes']!r}")
+        for key in ("nodes", "shared"):
+            if type(table.get(key, 0)) not in (int, float):
+                allowed = _checks.wanted(0, _checks.MOST)
+                raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
         return HostGroup(**table)
     except (TypeError, ValueError) as error:
         name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""

@@ -100,11 +100,11 @@ def _endpoint_thirds(hosts: Hosts) -> NDArray[Any]:
 
 
 def _matched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * (hosts.matching / 2)
+    return hosts.matched_of / 2
 
 
 def _unmatched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * (1 - hosts.matching)
+    return hosts.endpoints_of - hosts.matched_of
 
 
 def _of_kinds(hosts: Hosts) -> NDArray[Any]:
@@ -124,15 +124,15 @@ def _listed(hosts: Hosts) -> NDArray[Any]:
 
 
 def _if_matched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.every * (hosts.matching > 0)
+    return hosts.every * hosts.matches
 
 
 def _matched_others(hosts: Hosts) -> NDArray[Any]:
-    return _others(hosts) * (hosts.matching > 0)
+    return _others(hosts) * hosts.matches
 
 
 def _matched_endpoints(hosts: Hosts) -> NDArray[Any]:
-    return _endpoint_processes(hosts) * hosts.matching
+    return hosts.matched_of * (hosts.every.size - 1)
 
 
 def _away(hosts: Hosts) -> NDArray[Any]:
@@ -151,13 +151,13 @@ def _matched_others_away(hosts: Hosts) -> NDArray[Any]:
 
 
 def _matched_endpoints_away(hosts: Hosts) -> NDArray[Any]:
-    others = hosts.endpoints_of.sum() - hosts.endpoints_of
-    passed: NDArray[Any] = others * _away(hosts) * hosts.matching
+    others = hosts.matched_of.sum() - hosts.matched_of
+    passed: NDArray[Any] = others * _away(hosts)
     return passed
 
 
 def _matched_behind(hosts: Hosts) -> NDArray[Any]:
-    return hosts.speakers * hosts.endpoints_of * hosts.matching
+    return hosts.speakers * hosts.matched_of
 
 
 def _floods(hosts: Hosts) -> NDArray[Any]:

@@ -11,37 +11,40 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks, staggered, words
 from discostorm.data import read_data
-from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, as_fleet
-from discostorm.messages import PAPER_WINDOW, Message, Protocol, Schedule, Unit
-from discostorm.protocols import ARRANGED, DDS, MEASURED, PROTOCOLS, ZENOH
+from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
+from discostorm.messages import PAPER_WINDOW, Protocol, Unit
+from discostorm.protocols import ARRANGED, DDS, MEASURED, ZENOH
 from discostorm.protocols.defaults import defaults
+from discostorm.remedies import (
+    AIR,
+    SLOTS,
+    Change,
+    Setting,
+    changes_of,
+    family,
+    inapplicable,
+    known,
+    nodes_of,
+    of_group,
+    of_paper,
+    of_ros2,
+    product,
+)
 from discostorm.scalability import message_costs, unit_costs, utilization, without_each
 from discostorm.snippets import Snippet, snippets
-from discostorm.wifi import PAPER, Radio, Wifi
+from discostorm.wifi import PAPER, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-#: Parts that a fleet is split into.
-PARTS = (2, 3)
-#: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
-#: 17.2.2.3), and frames in an A-MPDU [1].
-MULTICAST_RATE, MPDUS = 24e6, 64
-#: Other radios: what they change, with at least so many streams.
-RADIOS: tuple[dict[str, Any], ...] = (
-    {"standard": "802.11n", "width": 40e6},
-    {"standard": "802.11ac", "width": 80e6},
-    {"standard": "802.11ax", "width": 160e6},
-)
-STREAMS = 2
 
 #: Groups that are named.
 _GROUPS = 5
@@ -338,7 +341,7 @@ class Plan:
                 continue
             by = ""
             if found.before != self.utilization:
-                on_air = found.kind in _AIR
+                on_air = found.kind in AIR
                 base = str(product(found.protocol))
                 by = ", by the standard's timing" if on_air else f", as {base} was measured"
                 of = self.protocol.name if on_air else base
@@ -420,10 +423,11 @@ class Plan:
             yield (
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
                 "in small swarms that began all at once; of the endpoints "
-                f"{words.percent(self.fleet.matching)} have names that match in all processes."
+                f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} match in "
+                "every process."
             )
         if self.protocol.repeats:
-            papers = [message.name for message in self.protocol.messages if _of_paper(message)]
+            papers = [message.name for message in self.protocol.messages if of_paper(message)]
             if papers:
                 yield (
                     f"The table of {self.protocol.name} counts {words.listed(papers)} as the paper "
@@ -434,7 +438,7 @@ class Plan:
                     "Of what is sent more than once, all of the start is charged to this time, "
                     "and what is repeated counts with its rate: an upper bound of the count."
                 )
-        timed = [r.before for r in self.remedies if r.kind in _AIR]
+        timed = [r.before for r in self.remedies if r.kind in AIR]
         before = next((value for value in timed if value != self.utilization), None)
         if before is not None:
             yield (
@@ -466,43 +470,6 @@ class Plan:
             yield f"    {remedy.caution()}"
 
 
-def family(protocol: Protocol) -> str | None:
-    """Return of which family of ``data/vendors/families.csv`` a table is.
-
-    That is told by its first message, of an arrangement of servers, routers or peers by the
-    product. None if it is of none, as a table of your own may be.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> family(ds.DDS), family(ds.PROTOCOLS["Zenoh peer"])
-    ('DDS', 'Zenoh')
-    """
-    for row in _arrangements():
-        if row["table"] == protocol.name:
-            return row["family"]
-    first = PROTOCOLS.get(protocol.name, protocol).messages[0].name
-    for row in read_data("vendors/families.csv"):
-        if row["first_message"] == first:
-            return row["family"]
-    return None
-
-
-@cache
-def _arrangements() -> tuple[dict[str, str], ...]:
-    """Return the remedies that put the table of another arrangement in place of a product's."""
-    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
-
-
-def product(protocol: Protocol) -> str | None:
-    """Return of which product a table as built is, as ``data/vendors/products.csv`` says."""
-    name = next((row["base"] for row in _arrangements() if row["table"] == protocol.name), None)
-    for row in read_data("vendors/products.csv"):
-        if row["protocol"] == (name or protocol.name):
-            return row["defaults"]
-    return None
-
-
 def plan(
     fleet: Fleet,
     protocol: Protocol = DDS,
@@ -510,11 +477,14 @@ def plan(
     *,
     nodes: float | Sequence[float] | None = None,
     window: float = PAPER_WINDOW,
+    shared: float | None = None,
 ) -> Plan:
     """Return what discovery costs a fleet, what dominates, and what would help.
 
     Each remedy changes one thing and leaves the rest; to combine them, plan again with
     what a `Remedy` holds. Composing keeps the endpoints. Endpoints are counted as DDS does.
+    Processes are taken for those of ROS 2: some of their endpoints match in all others, whatever
+    namespaces there are, and a server introduces each two processes; see `shared`.
 
     Parameters
     ----------
@@ -535,6 +505,11 @@ def plan(
     window : float, optional
         The seconds that are averaged [s], above 0; the paper's one if left out, infinity for
         the steady state.
+    shared : float, optional
+        Endpoints of each process that match one in every other [1], 0 for programs without
+        ROS 2. If left out, at least those that ROS 2 makes for a process and for each of its nodes,
+        `discostorm.robots.shared_endpoints`; more where a group says so. Never more than a process
+        has. Only tables of what products send depend on it.
 
     Returns
     -------
@@ -560,9 +535,9 @@ def plan(
     >>> import discostorm as ds
     >>> plan = ds.plan(ds.Fleet.swarm(hosts=3, processes=8, endpoints=5), ds.DDS)
     >>> plan.remedies[0].sentence()
-    'a Discovery Server cuts 5.74 s to 0.25 s (96%); both as Fast DDS was measured'
-    >>> [found.sentence() for found in plan.remedies if found.kind == "processes"]
-    ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)']
+    'composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)'
+    >>> [found.sentence() for found in plan.remedies if found.kind == "discovery server"]
+    ['a Discovery Server cuts 6.16 s to 1.92 s (69%); both as Fast DDS was measured']
     """
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
@@ -571,8 +546,11 @@ def plan(
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-        _checks.whole(f"hosts{_of(group)}", group.hosts, LEAST["hosts"])
-    own = _nodes(fleet, nodes)
+        _checks.whole(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
+    own = nodes_of(fleet, nodes)
+    if shared is not None:
+        shared = _checks.number("shared", shared, 0, _checks.MOST)
+    fleet = of_ros2(fleet, own, shared)
     guessed = nodes is None and any(group.nodes is None for group in fleet.groups)
 
     costs_of: dict[tuple[int, Protocol, Wifi], float] = {}
@@ -584,11 +562,11 @@ def plan(
             costs_of[key] = float(utilization(table, members, wifi=channel, window=window))
         return costs_of[key]
 
-    base = _Setting(fleet, protocol, wifi)
-    found = tuple(_changes(base, own, " (assumed)" if guessed else ""))
+    base = Setting(fleet, protocol, wifi)
+    found = tuple(changes_of(base, own, " (assumed)" if guessed else ""))
     counted: dict[int, dict[Unit, float]] = {}
 
-    def roughly(setting: _Setting) -> float:
+    def roughly(setting: Setting) -> float:
         """As `cost`, but for the order in which numbers are added up: units are counted once."""
         units = counted.setdefault(id(setting.fleet), {})
         prices = unit_costs(setting.protocol, setting.wifi, float(window))
@@ -597,7 +575,7 @@ def plan(
                 units[unit] = float(unit.count(setting.fleet))
         return sum(price * units[unit] for unit, price in prices.items())
 
-    def remedy(steps: Sequence[_Change]) -> Remedy:
+    def remedy(steps: Sequence[Change]) -> Remedy:
         """Return what these changes lead to together."""
         old, new = base.before(steps), base.after(steps)
         parts = next((step.parts for step in steps if step.parts), (new.fleet,))
@@ -606,7 +584,7 @@ def plan(
         of_all: Callable[[Iterable[float]], float] = sum
         if any(step.kind == "channels" for step in steps):
             of_all = max
-        rows = [_known(kind, new.protocol) for step in steps for kind in step.steps]
+        rows = [known(kind, new.protocol) for step in steps for kind in step.steps]
         note = steps[0].note
         if len(steps) > 1:
             notes = [step.by for step in steps if step.by]
@@ -634,7 +612,7 @@ def plan(
             of_all(spreads),
         )
 
-    singles = {step: remedy([step]) for step in found if isinstance(step, _Change)}
+    singles = {step: remedy([step]) for step in found if isinstance(step, Change)}
     alone = [r for step, r in singles.items() if len(step.steps) == 1]
     return Plan(
         fleet,
@@ -645,7 +623,7 @@ def plan(
         tuple(_shares(fleet, protocol, wifi, float(window), before)),
         tuple(sorted(alone, key=_order)),
         tuple(sorted(map(remedy, _together(base, singles, roughly)), key=_order)),
-        (*(reason for reason in found if isinstance(reason, str)), *_inapplicable(protocol)),
+        (*(reason for reason in found if isinstance(reason, str)), *inapplicable(protocol)),
     )
 
 
@@ -656,85 +634,19 @@ def _order(remedy: Remedy) -> tuple[Any, ...]:
     return not remedy.whole, research, not remedy.now_fits, effort, -remedy.saved
 
 
-@dataclass(frozen=True)
-class _Setting:
-    """A fleet, its middleware and its channel."""
-
-    fleet: Fleet
-    protocol: Protocol
-    wifi: Wifi
-    #: The fleet with some changes, made once.
-    fleets: dict[tuple[_Change, ...], Fleet] = field(default_factory=dict, compare=False)
-
-    def after(self, steps: Sequence[_Change]) -> _Setting:
-        """Return it with all of these changes."""
-        protocol, radio = self.protocol, self.wifi.radio
-        changing = tuple(step for step in steps if step.fleet)
-        if changing not in self.fleets:
-            fleet = self.fleet
-            for step in changing:
-                assert step.fleet is not None
-                fleet = step.fleet(fleet)
-            self.fleets[changing] = fleet
-        for step in steps:
-            protocol = step.table or protocol
-            if step.radio:
-                assert radio is not None
-                radio = step.radio(radio)
-        wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
-        return _Setting(self.fleets[changing], protocol, wifi)
-
-    def before(self, steps: Sequence[_Change]) -> _Setting:
-        """Return what these changes are compared with: tables and channels of the same kind."""
-        protocol = next((step.base for step in steps if step.base), self.protocol)
-        wifi = self.wifi
-        if any(step.radio for step in steps):
-            assert wifi.radio is not None
-            wifi = replace(wifi.radio.wifi(), name=wifi.name)
-        return _Setting(self.fleet, protocol, wifi)
-
-
-@dataclass(frozen=True, eq=False)
-class _Change:
-    """A change to compute; of one ``slot`` a combination has one at most."""
-
-    kind: str
-    what: str
-    slot: str
-    fleet: Callable[[Fleet], Fleet] | None = None
-    parts: tuple[Fleet, ...] = ()
-    table: Protocol | None = None
-    #: The table without the change, if another than the plan's.
-    base: Protocol | None = None
-    radio: Callable[[Radio], Radio] | None = None
-    #: What is to be said of the change alone, and what in a combination, too.
-    note: str = ""
-    by: str = ""
-    steps: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "steps", self.steps or (self.kind,))
-
-
-#: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
-#: and aggregation are those that were asked for.
-_SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
-_AIR = ("radio", "multicast rate", "aggregation")
-
-
 def _together(
-    base: _Setting, singles: dict[_Change, Remedy], cost: Callable[[_Setting], float]
-) -> list[tuple[_Change, ...]]:
+    base: Setting, singles: dict[Change, Remedy], cost: Callable[[Setting], float]
+) -> list[tuple[Change, ...]]:
     """Return the best sets of two or three changes; each is needed for what its set saves.
 
     All sets are tried, but with no more than the best few tables.
     """
-    usable = [c for c, r in singles.items() if c.slot in _SLOTS and "research" not in r.efforts]
+    usable = [c for c, r in singles.items() if c.slot in SLOTS and "research" not in r.efforts]
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -singles[c].saved)
     usable = [c for c in usable if c.slot != "table" or c in tables[:_TABLES]]
-    usable.sort(key=lambda change: _SLOTS.index(change.slot))
-    after: dict[tuple[_Change, ...], float] = {}
-    found: list[tuple[Any, tuple[_Change, ...]]] = []
+    usable.sort(key=lambda change: SLOTS.index(change.slot))
+    after: dict[tuple[Change, ...], float] = {}
+    found: list[tuple[Any, tuple[Change, ...]]] = []
     for many in range(1, _TOGETHER + 1):
         for steps in combinations(usable, many):
             if len({step.slot for step in steps}) < many:
@@ -752,338 +664,6 @@ def _together(
             rank = max(singles[step].rank for step in steps) if fits else 0
             found.append(((not fits, rank, many if fits else 0, -saved), steps))
     return [steps for _, steps in sorted(found, key=lambda item: item[0])[:_KEPT]]
-
-
-def parameter_service_endpoints() -> int:
-    """Return how many endpoints the parameter services of a node have [1]."""
-    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
-
-
-def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
-    """Return parts of a fleet as equal as whole hosts allow: they are dealt out in turn.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer hosts than parts.
-    """
-    hosts = int(sum(group.hosts for group in fleet.groups))
-    _checks.number("parts", parts, 1, hosts)
-    dealt: list[list[HostGroup]] = [[] for _ in range(parts)]
-    before = 0
-    for group in fleet.groups:
-        for part, groups in enumerate(dealt):
-            own = len(range((part - before) % parts, int(group.hosts), parts))
-            if own:
-                groups.append(replace(group, hosts=own))
-        before += int(group.hosts)
-    return tuple(Fleet(tuple(groups), fleet.matching) for groups in dealt)
-
-
-def _changes(base: _Setting, nodes: Sequence[float], assumed: str) -> Iterator[_Change | str]:
-    """Yield each change, or why there is none."""
-    fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
-    yield from _other_fleets(fleet, nodes, assumed)
-    yield from _other_tables(protocol)
-    radio = _radio(wifi)
-    if isinstance(radio, str):
-        yield f"another radio, multicast rate and aggregation: {radio}"
-    else:
-        timed = replace(radio.wifi(), name=wifi.name) != wifi
-        yield from _other_radios(radio, "both by the standard's timing" if timed else "")
-    hosts = sum(group.hosts for group in fleet.groups)
-    row = _row("domains", family(protocol))
-    for parts in PARTS:
-        # A host that is alone on its channel has nobody to find: no remedy but a surrender.
-        if 2 * parts > hosts:
-            yield f"splitting into {parts} parts: not every part would have two hosts"
-            continue
-        pieces = split(fleet, parts)
-        yield _Change("channels", f"splitting onto {parts} channels", "parts", parts=pieces)
-        if row is not None and row["works"] == "computed":
-            yield _Change("domains", f"splitting into {parts} domains", "parts", parts=pieces)
-    yield _Change(
-        "staggered start", "starting one after the other", "time", note=_simulated(protocol)
-    )
-
-
-def _other_tables(protocol: Protocol) -> Iterator[_Change | str]:
-    """Yield other tables: of another arrangement, with calmer announcements, of other middleware.
-
-    What has the paper's counts is compared with tables as built by the product's table as built.
-    """
-    own, built = product(protocol), product(protocol) is not None
-    arranged = protocol.name in {row["table"] for row in _arrangements()}
-    for row in _arrangements():
-        table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or table == protocol:
-            continue
-        other = built and product(before) != own
-        if row["family"] != family(protocol) and not other:
-            continue
-        by = "" if before == protocol or arranged else f"both as {before.name} was measured"
-        change = _Change(
-            row["kind"],
-            f"{'switching to ' + str(product(before)) + ' with ' if other else ''}{row['title']}",
-            "table",
-            table=table,
-            base=None if arranged or other else before,
-            note=by if not other else "",
-            by=by if not other else "",
-            steps=("middleware", row["kind"]) if other else (row["kind"],),
-        )
-        yield change
-    calm = _calmer(protocol)
-    if calm is not None:
-        yield _Change("announcements", "calmer announcements", "table", table=calm)
-    elif family(protocol) == "DDS":
-        yield f"calmer announcements: what {protocol.name} repeats is not of a product as built"
-    if family(protocol) == "Zenoh":
-        first = protocol.messages[0]
-        rest = tuple(m for m in protocol.messages if m.phase != first.phase)
-        if rest and first.kind == "Scout":
-            yield _Change("peers", "static peers", "table", table=replace(protocol, messages=rest))
-        else:
-            yield f"static peers: {protocol.name} sends no Scouts whose place they could take"
-    hybrid = PROTOCOLS.get("hybrid")
-    if hybrid is not None and family(protocol) is not None:
-        yield _Change("hybrid", "the hybrid discovery", "table", table=hybrid)
-    # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
-    wired = [table.wired for table in PROTOCOLS.values()]
-    arrangements = ARRANGED | {row["table"] for row in _arrangements()}
-    for table in PROTOCOLS.values():
-        if table == protocol or table in wired or table.name in arrangements:
-            continue
-        if family(table) is not None and _alike(table, protocol):
-            yield _Change("middleware", f"switching to {table.name}", "table", table=table)
-
-
-def _calmer(table: Protocol) -> Protocol | None:
-    """Return a table with the announcements of ``data/vendors/announcements.csv``, if it may."""
-    name = product(table)
-    rows = {
-        r["message"]: r for r in read_data("vendors/announcements.csv") if r["protocol"] == name
-    }
-    calm = tuple(
-        replace(
-            message,
-            schedule=Schedule(
-                tuple(float(t) for t in row["starts_s"].split()), float(row["period_s"])
-            ),
-        )
-        if (row := rows.get(message.name)) and message.schedule.per_second
-        else message
-        for message in table.messages
-    )
-    if calm == table.messages:
-        return None
-    return replace(table, messages=calm, lease=max(float(row["lease_s"]) for row in rows.values()))
-
-
-def _alike(one: Protocol, other: Protocol) -> bool:
-    """Return whether two tables count alike: as the paper, with periods, or as products do."""
-    built = [product(table) is not None for table in (one, other)]
-    papers = any(_of_paper(message) for message in other.messages) or not other.repeats
-    return built[0] == built[1] and (built[0] or (one.repeats == other.repeats and papers))
-
-
-def _row(kind: str, of: str | None) -> dict[str, str] | None:
-    """Return what the data say of a kind of remedy for a family, None if they do not."""
-    rows = [row for row in read_data("vendors/remedies.csv") if row["kind"] == kind]
-    found = [row for row in rows if row["family"] == of]
-    return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
-
-
-def _known(kind: str, protocol: Protocol) -> dict[str, str]:
-    row = _row(kind, family(protocol))
-    assert row is not None, kind
-    return row
-
-
-def _simulated(protocol: Protocol) -> str:
-    """Return what the simulator says of small robots that start one after the other."""
-    own = family(protocol)
-    gains = []
-    for name in [own] if own else ["DDS", "Zenoh"]:
-        found: dict[int, dict[str, dict[str, str]]] = {}
-        for one in read_data("simulated/staggered.csv"):
-            if (one["protocol"], one["radio"], one["mpdus"]) == (name, "n", "1"):
-                found.setdefault(int(one["hosts"]), {})[one["start"]] = one
-        for hosts, starts in sorted(found.items())[-2:]:
-            together, rule = (
-                float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
-            )
-            gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
-    robot = starts["rule"]
-    return (
-        "but queues lose less of it: simulated by the paper's tables, robots of "
-        f"{robot['processes']} processes with {robot['endpoints']} endpoints all know each other, "
-        f"{words.listed(gains)}"
-    )
-
-
-def _inapplicable(protocol: Protocol) -> Iterator[str]:
-    """Yield what does not work with a protocol, and what is not known to."""
-    own, built = family(protocol), product(protocol)
-    rows = read_data("vendors/remedies.csv")
-    unknown = []
-    for kind in dict.fromkeys(row["kind"] for row in rows):
-        row = _row(kind, own)
-        of_kind = [found for found in rows if found["kind"] == kind]
-        if row is None and own is None:
-            unknown.append(of_kind[0]["title"])
-        elif row is None:
-            others = words.listed([found["family"] for found in of_kind])
-            yield f"{of_kind[0]['title']}: there is none in {own}, but in {others}"
-        elif row["works"] == "no":
-            yield f"{row['title']}: {row['why']}"
-        elif built and row["table"] in PROTOCOLS and row["base"]:
-            of = product(PROTOCOLS[row["base"]])
-            if of != built:
-                yield f"{row['title']}: of {of} alone"
-    if unknown:
-        known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
-        yield (
-            f"{words.listed(unknown)}: not known for {protocol.name}, as the first message of its "
-            f"table is neither {' nor '.join(known)}"
-        )
-
-
-def _composed(fleet: Fleet) -> Fleet:
-    """Return a fleet of the same endpoints in one process a host."""
-    groups = (
-        replace(
-            group,
-            processes=1,
-            endpoints=group.processes * group.endpoints,
-            nodes=None if group.nodes is None else group.processes * group.nodes,
-        )
-        for group in fleet.groups
-    )
-    return Fleet(tuple(groups), fleet.matching)
-
-
-def _other_fleets(fleet: Fleet, nodes: Sequence[float], assumed: str) -> Iterator[_Change | str]:
-    many = [group for group in fleet.groups if group.processes > 1]
-    if many:
-        which = "the processes of each host"
-        if len(many) == 1:
-            of = _of(many[0]) if len(fleet.groups) > 1 else ""
-            which = f"{many[0].processes:,.10g} processes{of}"
-        what = f"composing {which} into 1"
-        try:
-            _composed(fleet)
-        except ValueError as error:
-            yield f"{what}: {error}"
-        else:
-            yield _Change("processes", what, "processes", fleet=_composed)
-    else:
-        yield "composing: each host has one process already"
-    each = parameter_service_endpoints()
-    if not any(nodes):
-        yield f"parameter services: no process has any (those of a node are {each} endpoints)"
-        return
-
-    def fewer(whole: Fleet) -> Fleet:
-        groups = (
-            replace(group, endpoints=group.endpoints - each * own, nodes=0)
-            for group, own in zip(whole.groups, nodes, strict=True)
-        )
-        return Fleet(tuple(groups), whole.matching)
-
-    counts = " and ".join(f"{own:.3g}" for own in dict.fromkeys(nodes))
-    noun = "node" if set(nodes) == {1} else "nodes"
-    what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
-    yield _Change("endpoints", what, "endpoints", fleet=fewer)
-
-
-def _radio(wifi: Wifi) -> Radio | str:
-    """Return the radio whose channel it is, or why none is known."""
-    if wifi.radio is None:
-        return (
-            "the channel has rates and overheads but no Radio, so that waiting, preambles and "
-            "symbols of another one cannot be compared with it"
-        )
-    papers = (PAPER.unicast, PAPER.multicast, PAPER.aggregation)
-    if (wifi.unicast, wifi.multicast, wifi.aggregation) == papers:
-        return wifi.radio
-    if replace(wifi.radio.wifi(), name=wifi.name) == wifi:
-        return wifi.radio
-    return (
-        "the channel was changed by hand and is no longer that of its Radio, so that it cannot "
-        "be compared with that of another one"
-    )
-
-
-def _other_radios(radio: Radio, by: str) -> Iterator[_Change | str]:
-    if radio.basic_rate < MULTICAST_RATE:
-        what = (
-            f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
-            f"{radio.basic_rate / 1e6:g} Mbit/s"
-        )
-
-        def faster(old: Radio) -> Radio:
-            return replace(old, multicast_rate=MULTICAST_RATE, name=None)
-
-        yield _Change("multicast rate", what, "multicast rate", radio=faster, note=by, by=by)
-    for changes in RADIOS:
-        other = _another(radio, changes)
-        if other.rate > radio.rate:
-            yield _Change(
-                "radio",
-                f"another radio ({other.wifi().name})",
-                "radio",
-                radio=lambda old, changes=changes: _another(old, changes),  # type: ignore[misc]
-                note=_compared(radio, other, by),
-                by=by,
-            )
-    most = _most_mpdus(radio.standard)
-    if most == 1:
-        yield f"aggregation: {radio.standard} has none"
-    elif radio.mpdus < MPDUS:
-
-        def aggregated(old: Radio) -> Radio:
-            return replace(old, mpdus=min(MPDUS, _most_mpdus(old.standard)), name=None)
-
-        what = f"aggregating up to {MPDUS} frames"
-        yield _Change("aggregation", what, "aggregation", radio=aggregated, note=by, by=by)
-
-
-def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
-    """Return another radio at its fastest, with the settings of the one there is."""
-    rate = radio.multicast_rate
-    return Radio(
-        **changes,
-        streams=max(STREAMS, int(radio.streams)),
-        # DSSS rates are of 2.4 GHz alone.
-        multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
-        aifsn=radio.aifsn,
-        mpdus=min(int(radio.mpdus), _most_mpdus(changes["standard"])),
-        start_spacing=radio.start_spacing,
-    )
-
-
-def _most_mpdus(standard: str) -> int:
-    """Return how many frames a standard allows in an A-MPDU [1]; 1 if it has none."""
-    rows = (row for row in read_data("wifi/ampdu.csv") if row["standard"] == standard)
-    return max((int(row["most_mpdus"]) for row in rows), default=1)
-
-
-def _compared(old: Radio, new: Radio, by: str) -> str:
-    """Return what another radio changes: rates, and what an exchange costs beside its data."""
-    before, after = old.wifi(), new.wifi()
-    rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
-    was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
-    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead an exchange"]
-    if new.basic_rate != old.basic_rate:
-        multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
-        told.append(f"multicast at {multicast}")
-    return f"instead of {before.name}{', ' * bool(by)}{by}: {words.listed(told)}"
-
-
-def _instead(new: float, old: float, unit: str) -> str:
-    new_text, old_text = f"{new:.0f}", f"{old:.0f}"
-    return f"{new_text} {f'instead of {old_text} ' * (new_text != old_text)}{unit}"
 
 
 def _sessions(
@@ -1130,40 +710,6 @@ def _openings(sides: int) -> Protocol:
     return Protocol("Zenoh's sessions", (opening,))
 
 
-def _of_paper(message: Message) -> bool:
-    return any(message in table.messages for table in (DDS, ZENOH))
-
-
-def _of(group: HostGroup) -> str:
-    return f" of {group.name}" if group.name else ""
-
-
-def _nodes(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:
-    """Return the nodes with parameter services in a process of each group."""
-    each = parameter_service_endpoints()
-    many = len(fleet.groups)
-    if nodes is None:
-        own = [
-            float(group.endpoints >= each) if group.nodes is None else group.nodes
-            for group in fleet.groups
-        ]
-    else:
-        checked = _checks.numbers("nodes", nodes, 0)
-        if not isinstance(checked, float) and checked.shape != (many,):
-            raise ValueError(
-                f"nodes must be one number, or one for each of {many} groups; got {nodes}"
-            )
-        own = [checked] * many if isinstance(checked, float) else checked.tolist()
-    for group, count in zip(fleet.groups, own, strict=True):
-        if count * each > group.endpoints:
-            raise ValueError(
-                f"nodes{_of(group)} must be at most {group.endpoints / each:g} for processes of "
-                f"{group.endpoints:g} endpoints, as the parameter services of a node have "
-                f"{each}; got {count:g}"
-            )
-    return tuple(own)
-
-
 def _shares(
     fleet: Fleet, protocol: Protocol, wifi: Wifi, window: float, whole: float
 ) -> Iterator[Share]:
@@ -1193,7 +739,8 @@ def _largest(
 
 def _groups(fleet: Fleet) -> list[dict[str, Any]]:
     return [
-        {"name": name} | dict(zip(COUNTS, map(float, group.counts()), strict=True))
+        {"name": name}
+        | dict(zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True))
         for name, group in zip(fleet.names, fleet.groups, strict=True)
     ]
 

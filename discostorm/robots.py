@@ -4,6 +4,34 @@ from discostorm.data import read_data
 from discostorm.fleet import HostGroup
 
 
+def shared_endpoints(nodes: float = 0.0) -> float:
+    """Return how many endpoints of a ROS 2 process match one in every other, whatever its names.
+
+    Those of topics whose names no ROS 2 namespace changes: a writer and a reader of
+    ``ros_discovery_info`` for each process, and of ``/parameter_events`` for each of its nodes
+    (``fleets/shared_topics.csv``, with sources). It is assumed that ``/tf`` and the like are
+    remapped into the namespace, and that nobody subscribes to ``/rosout``.
+
+    Parameters
+    ----------
+    nodes : float, optional
+        Nodes in the process [1]; 0 if left out, as of one that rclcpp did not make.
+
+    Returns
+    -------
+    float
+        How many [1].
+
+    Examples
+    --------
+    >>> shared_endpoints(), shared_endpoints(nodes=13)
+    (2.0, 28.0)
+    """
+    per = {"process": 1.0, "node": float(nodes)}
+    rows = read_data("fleets/shared_topics.csv")
+    return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
+
+
 def robots() -> dict[str, HostGroup]:
     """Return one host of each ready-made robot, by its name.
 
@@ -18,7 +46,7 @@ def robots() -> dict[str, HostGroup]:
     Examples
     --------
     >>> robots()["Nav2 in one process"]
-    HostGroup(hosts=1, processes=1, endpoints=678, name='Nav2 in one process', nodes=13)
+    HostGroup(hosts=1, processes=1, endpoints=678, name='Nav2 in one process', nodes=13, shared=28)
     """
     return {
         name: _host(name, [row for row in read_data("fleets/robots.csv") if row["robot"] == name])
@@ -31,11 +59,13 @@ def laptop() -> HostGroup:
     parts = read_data("fleets/rviz_endpoints.csv")
     endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
     nodes = sum(int(part["how_many"]) for part in parts if "rclcpp node" in part["part"])
-    return HostGroup(1, 1, endpoints, name="laptop", nodes=nodes)
+    return HostGroup(1, 1, endpoints, "laptop", nodes, shared_endpoints(nodes))
 
 
 def _host(name: str, parts: list[dict[str, str]]) -> HostGroup:
     processes, endpoints, nodes = (
-        sum(int(part[count]) for part in parts) for count in ("processes", "endpoints", "nodes")
+        float(sum(int(part[count]) for part in parts))
+        for count in ("processes", "endpoints", "nodes")
     )
-    return HostGroup(1, processes, endpoints / processes, name=name, nodes=nodes / processes)
+    nodes /= processes
+    return HostGroup(1, processes, endpoints / processes, name, nodes, shared_endpoints(nodes))

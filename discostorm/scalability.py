@@ -147,12 +147,24 @@ def _added_up(costs: Costs, fleet: Fleet) -> Any:
 
 
 def _of_fleet(costs: Costs, fleet: Fleet, shape: tuple[int, ...]) -> Value:
-    if len(fleet.groups) == 1:
+    if len(fleet.groups) == 1 and not _shared_counts(costs, fleet.groups[0]):
         counts = dict(zip(COUNTS, fleet.counts(), strict=True))
         return _of_swarms(costs, counts, shape, fleet.matching)
     with np.errstate(under="ignore"):
         total: Value = _added_up(costs, fleet)
     return np.array(np.broadcast_to(total, shape)) if shape else total
+
+
+def _shared_counts(costs: Costs, group: HostGroup) -> bool:
+    """Return whether it matters to these units that endpoints of the group match everywhere."""
+    return bool(group.shared) and any(map(_of_names, costs))
+
+
+@cache
+def _of_names(unit: Unit) -> bool:
+    """Return whether how many there are of a unit depends on what matches."""
+    swarm = Fleet((replace(SWARM.groups[0], shared=sp.Symbol("N_S")),))
+    return bool(unit.count(swarm) != unit.count(SWARM))
 
 
 def _of_swarms(
@@ -427,6 +439,7 @@ def saturation_hosts(
     limit: ArrayLike = 1.0,
     beside: Fleet | None = None,
     window: ArrayLike = PAPER_WINDOW,
+    shared: float = 0.0,
 ) -> Value:
     """Return the number of like hosts at which utilization reaches a limit.
 
@@ -450,6 +463,9 @@ def saturation_hosts(
     window : array_like, optional
         The seconds over which utilization is averaged [s], at least 1e-9; the paper's one if left
         out, infinity for the steady state.
+    shared : float, optional
+        Endpoints of each process that match one in every other process [1]; see `HostGroup`. How
+        many of the others match is that of the fleet beside.
 
     Returns
     -------
@@ -483,7 +499,7 @@ def saturation_hosts(
     """
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    host = HostGroup(1, processes, endpoints)
+    host = HostGroup(1, processes, endpoints, shared=shared)
     if beside is not None:
         _checks.instance("beside", beside, Fleet)
     others = beside.groups if beside else ()
@@ -504,7 +520,7 @@ def saturation_hosts(
     costs = _costs(protocol, None, wifi, seconds)
     try:
         with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
-            if beside is not None or _steep(tuple(costs)):
+            if beside is not None or _shared_counts(costs, host) or _steep(tuple(costs)):
                 found = _beside(costs, fleet, most - single)
             else:
                 found = _alone(costs, host, most, shape)

@@ -8,19 +8,20 @@ written beside them as data.
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, planner, timeline, words
+from discostorm import _checks, figures, notation as nt, remedies as changed, timeline, words
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import ARRANGED, MEASURED
-from discostorm.robots import laptop, robots
+from discostorm.robots import laptop, robots, shared_endpoints
 from discostorm.scalability import solve_hosts
 from discostorm.snippets import snippets
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
@@ -47,8 +48,18 @@ START_MIDDLEWARE = "Fast DDS"
 
 #: Like hosts beside a group of others, of which there may be none.
 BESIDE = symbolic_group(1)
-#: Endpoints match none elsewhere, or one in every other process.
-FLEETS = tuple(Fleet((*SWARM.groups, BESIDE), matching) for matching in (0.0, 1.0))
+#: Endpoints of each process that match everywhere, of each of the two groups.
+SHARED = sp.symbols("N_S N_S1", nonnegative=True)
+#: No endpoint matches one elsewhere, so many of each process do, or all.
+GROUPS_SHARED = tuple(
+    replace(group, shared=shared)
+    for group, shared in zip((*SWARM.groups, BESIDE), SHARED, strict=True)
+)
+FLEETS = (
+    Fleet((*SWARM.groups, BESIDE)),
+    Fleet(GROUPS_SHARED),
+    Fleet((*SWARM.groups, BESIDE), matching=1.0),
+)
 
 #: The first table of each product as built; the others are variants of one.
 PRODUCTS = tuple(
@@ -68,20 +79,8 @@ ABOUT = {
 
 #: Further hosts than the first.
 MORE = sp.Symbol("x", positive=True)
-#: What the powers of these are multiplied with [1].
+#: What the powers of these are multiplied with [1]; of higher ones there is no closed form.
 COEFFICIENTS = sp.symbols("c b a third", positive=True)
-
-
-def offered() -> dict[str, Protocol]:
-    """Return the tables that are offered: those of which saturation has a closed form."""
-    steepest = MORE ** len(COEFFICIENTS)
-    swarm = Fleet.swarm(1 + MORE, 1, 1)
-    return {
-        name: table
-        for name, table in ds.PROTOCOLS.items()
-        if all(sp.expand(unit.count(swarm)).coeff(steepest) == 0 for unit in table.units())
-    }
-
 
 #: Headings of the middlewares, in order.
 GROUPS = (
@@ -156,7 +155,7 @@ def channel(wifi: Wifi) -> dict[str, Code]:
 
 def radio_remedies(wifi: Wifi) -> Code:
     """Return what the planner would change of a channel: the channel before and after."""
-    base = planner._Setting(SMALL, ds.DDS, wifi)
+    base = changed.Setting(SMALL, ds.DDS, wifi)
     return [
         {
             "kind": data(change.kind),
@@ -165,8 +164,30 @@ def radio_remedies(wifi: Wifi) -> Code:
             "base": channel(base.before([change]).wifi),
             "wifi": channel(base.after([change]).wifi),
         }
-        for change in planner._changes(base, (0.0,), "")
+        for change in changed.changes_of(base, (0.0,), "")
         if not isinstance(change, str) and change.kind in RADIO
+    ]
+
+
+def table_remedies(protocol: Protocol) -> Code:
+    """Return which other table the planner would put in its place, and what each is held against.
+
+    But what is not of `PROTOCOLS`, as a table with other periods, and what nobody can have yet.
+    """
+    return [
+        [
+            data(change.kind),
+            data(change.what),
+            data(change.note),
+            data(change.table.name),
+            data((change.base or protocol).name),
+        ]
+        for change in changed.changes_of(changed.Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
+        if not isinstance(change, str)
+        and change.table is not None
+        and change.table == ds.PROTOCOLS[change.table.name]
+        and change.steps == (change.kind,)
+        and changed.known(change.kind, change.table)["effort"] != "research"
     ]
 
 
@@ -394,7 +415,9 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     units = list(protocol.units())
     return {
         "group": data(group(protocol)),
-        "family": data(planner.family(protocol)),
+        "family": data(changed.family(protocol)),
+        "product": data(changed.product(protocol)),
+        "tables": table_remedies(protocol),
         "about": data(ABOUT.get(protocol.name, "")),
         "variant": data(protocol.name in MEASURED and protocol.name not in PRODUCTS),
         "lease": number(protocol.lease),
@@ -409,16 +432,19 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     }
 
 
-def remedies() -> Code:
-    """Return of each kind of remedy what to mind, by family, and what to paste."""
-    families = [*dict.fromkeys(map(planner.family, ds.PROTOCOLS.values())), None]
+def remedies(kinds: Iterable[str]) -> Code:
+    """Return of each kind of remedy what it takes, what to mind, by family, and what to paste."""
+    families = [*dict.fromkeys(map(changed.family, ds.PROTOCOLS.values())), None]
+    efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv")}
 
     def told(kind: str, family: str | None) -> Code:
-        found: Any = planner._row(kind, family)
+        found = changed.row_of(kind, family)
+        if found is None or not found["effort"]:
+            return "null"
         return {
-            "price": data(found["price"]),
-            "whole": data(found["all_find_each_other"] == "yes"),
-            "why": data(found["why"]),
+            "effort": number(int(efforts[found["effort"]]["rank"])),
+            "takes": data(efforts[found["effort"]]["what"]),
+            "mind": data("; ".join(filter(None, (found["price"], found["fails"])))),
         }
 
     return {
@@ -429,13 +455,14 @@ def remedies() -> Code:
                     row["for"]: [
                         {"where": piece.where, "version": piece.version, "text": piece.text}
                         for piece in snippets(kind, row["for"])
+                        if row["for"] == "any" or piece not in snippets(kind, "")
                     ]
                     for row in read_data("vendors/snippets.csv")
                     if row["kind"] == kind
                 }
             ),
         }
-        for kind in ("processes", "endpoints", *RADIO, "middleware")
+        for kind in kinds
     }
 
 
@@ -443,10 +470,12 @@ def model() -> Code:
     """Return all that the calculator reads."""
     known = Formulas()
     protocols: dict[str, Any] = {
-        name: about(protocol, known) for name, protocol in offered().items()
+        name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()
     }
-    degrees = range(max(int(about["degree"]) for about in protocols.values()) + 1)
-    full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees[1:])]
+    degrees = range(1, len(COEFFICIENTS))
+    full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees)]
+    kinds = {row[0] for about in protocols.values() for row in about["tables"]}
+    kinds |= set(map(data, ("processes", "endpoints", *RADIO)))
     drain = known.name(timeline.DRAIN, "drain")
     largest = known.name(LARGEST, "largest")
     return {
@@ -463,8 +492,9 @@ def model() -> Code:
         "times": data(words.TIMES),
         "airtime": airtimes(known),
         "laptop_nodes": number(laptop().nodes or 0),
-        "service_endpoints": number(planner.parameter_service_endpoints()),
-        "remedies": remedies(),
+        "service_endpoints": number(changed.parameter_service_endpoints()),
+        "shared_endpoints": [number(shared_endpoints(nodes)) for nodes in (0, 1)],
+        "remedies": remedies(sorted(map(json.loads, kinds))),
         "largest": largest,
         "saturation": full,
         "drain": drain,

@@ -7,16 +7,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
-from discostorm import planner, staggered
+from discostorm import measured, remedies, staggered
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
-from discostorm.planner import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
 from discostorm.protocols import ARRANGED, MEASURED
+from discostorm.remedies import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
 
 #: Hosts, each a list with the endpoints of each of its processes.
 Hosts = Sequence[Sequence[float]]
@@ -183,9 +184,9 @@ def test_every_gain_of_a_random_fleet_is_that_of_its_changed_fleets(
         if found.kind in ("hybrid", "peers", *ARRANGED_KINDS):
             # Neither of the paper's tables: by what `utilization` says, which its own tests check.
             own, base = found.protocol, PRODUCT_OF.get(found.protocol.name, protocol.name)
-            assert found.fleets == (fleet,)
-            assert found.utilization == ds.utilization(own, fleet)
-            assert found.before == ds.utilization(ds.PROTOCOLS[base], fleet)
+            assert found.fleets == (plan.fleet,)
+            assert found.utilization == ds.utilization(own, plan.fleet)
+            assert found.before == ds.utilization(ds.PROTOCOLS[base], plan.fleet)
             assert found.saved == approx(1 - found.utilization / found.before)
             continue
         frames = frames_of(found.wifi)
@@ -382,10 +383,10 @@ def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) 
 def test_domains_are_no_remedy_for_zenoh() -> None:
     for name, protocol in ds.PROTOCOLS.items():
         plan = ds.plan(NAV2, protocol)
-        if planner.family(protocol) is None:
+        if remedies.family(protocol) is None:
             continue
         zenoh = name.startswith("Zenoh")
-        assert planner.family(protocol) == ("Zenoh" if zenoh else "DDS")
+        assert remedies.family(protocol) == ("Zenoh" if zenoh else "DDS")
         assert any(r.kind == "domains" for r in plan.remedies) != zenoh
         assert any(r.startswith("splitting into domains: with Zenoh") for r in plan.left_out) == (
             zenoh
@@ -395,7 +396,7 @@ def test_domains_are_no_remedy_for_zenoh() -> None:
 
 def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     own = ds.Protocol("own", (replace(ds.DDS.messages[0], name="Hi"), *ds.DDS.messages[1:]))
-    assert planner.family(own) is None
+    assert remedies.family(own) is None
     plan = ds.plan(NAV2, own)
     assert "domains" not in {found.kind for found in plan.remedies}
     (said,) = (reason for reason in plan.left_out if "not known for own" in reason)
@@ -407,7 +408,7 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     assert "with Zenoh in" in simulated
 
 
-@pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if planner.family(p)])
+@pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if remedies.family(p)])
 def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) -> None:
     table = ds.PROTOCOLS[name]
     plan = ds.plan(ds.Fleet.swarm(6, 3, 50), table)
@@ -416,7 +417,7 @@ def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) ->
     rows = read_data("vendors/remedies.csv")
     for kind in {row["kind"] for row in rows}:
         of_kind = [row for row in rows if row["kind"] == kind]
-        own = [row for row in of_kind if row["family"] in ("any", planner.family(table))]
+        own = [row for row in of_kind if row["family"] in ("any", remedies.family(table))]
         if own and own[0]["table"] and own[0]["table"] not in set(ds.PROTOCOLS) - {name}:
             continue  # not measured yet, or in use already
         told = any(f"{row['title']}: " in reasons for row in own or of_kind)
@@ -462,7 +463,7 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
         f"{one:.2f} s more if one side dials, {both:.2f} s if both do, beside a gap of "
         f"{gap:.2f} s, so that it is not settled which of the two takes less"
     )
-    assert "rmw_zenoh by default has a router on each host" in zenoh.price
+    assert "not with the routers of rmw_zenoh" in zenoh.price
     # The other way round it is the same gap.
     assert remedy(ds.plan(FIG3, ds.ZENOH), "middleware").note == zenoh.note
     # Of large processes the openings are few.
@@ -486,7 +487,7 @@ def test_nobody_opens_a_session_alone_or_for_ever() -> None:
 
 def test_tables_are_compared_with_those_that_count_alike() -> None:
     paper = {"DDS", "Zenoh"}
-    products = {name for name, table in ds.PROTOCOLS.items() if planner.product(table)}
+    products = {name for name, table in ds.PROTOCOLS.items() if remedies.product(table)}
     assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
     products -= ARRANGED
     for name, table in ds.PROTOCOLS.items():
@@ -522,7 +523,7 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
 def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float) -> None:
     table = ds.PROTOCOLS[name]
     plan = ds.plan(FIG3, table, window=window)
-    assert plan.utilization == ds.utilization(table, FIG3, window=window)
+    assert plan.utilization == ds.utilization(table, plan.fleet, window=window)
     for found in plan.remedies:
         parts = [
             ds.utilization(found.protocol, part, wifi=found.wifi, window=window)
@@ -537,7 +538,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     assert seconds == (None if window == float("inf") else window)
     assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
     measured = name in MEASURED | ARRANGED
-    of_paper = planner.family(table) is not None
+    of_paper = remedies.family(table) is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The table of {name} is what was measured" in text) == measured
     if window == 20:
@@ -583,7 +584,7 @@ def test_nodes_of_the_fleet_are_used_and_follow_its_changes() -> None:
     assert [group.nodes for group in fewer.groups] == [0, 0]
     split_up = ds.Fleet((ds.HostGroup(3, 4, 50, nodes=2),))
     (composed,) = remedy(ds.plan(split_up), "processes").fleets
-    assert composed.groups == (ds.HostGroup(3, 1, 200, nodes=8),)
+    assert composed.groups == (ds.HostGroup(3, 1, 200, nodes=8, shared=4 * (2 + 2 * 2)),)
 
 
 def test_nodes_of_the_parameter_services() -> None:
@@ -676,9 +677,8 @@ def test_no_number_has_two_names_in_json() -> None:
     """Of what has a name of its own, no two entries are always the same."""
     said = [
         json.loads(ds.plan(fleet, table, window=window, nodes=nodes).to_json())
-        for fleet, nodes in ((NAV2, [13, 2]), (FIG3, 0))
+        for fleet, nodes, window in ((NAV2, [13, 2], 20.0), (FIG3, 0, 1.0))
         for table in ds.PROTOCOLS.values()
-        for window in (1.0, 20.0)
     ]
     levels = {
         "plan": said,
@@ -718,7 +718,9 @@ def test_the_picture_has_a_bar_and_a_name_for_each_remedy() -> None:
     on_preset = ds.plan(FIG3, wifi=RADIO)
     bars = on_preset.picture_data().set_index("bar")["utilization"]
     measured = {
-        f"as it is, as {base} was measured": ds.utilization(ds.PROTOCOLS[base], FIG3, wifi=RADIO)
+        f"as it is, as {base} was measured": ds.utilization(
+            ds.PROTOCOLS[base], plan.fleet, wifi=RADIO
+        )
         for base in ("Fast DDS", "Cyclone DDS")
     }
     as_it_is = {"as it is": on_preset.utilization} | measured
@@ -893,7 +895,7 @@ def test_what_a_change_adds_to_nothing_is_told() -> None:
     plan = ds.plan(alone, ds.PROTOCOLS[on_robot])
     assert plan.utilization == 0
     wired = remedy(plan, "discovery server")
-    taken = ds.utilization(ds.PROTOCOLS["Fast DDS Discovery Server"], alone)
+    taken = ds.utilization(ds.PROTOCOLS["Fast DDS Discovery Server"], plan.fleet)
     assert wired.sentence() == (
         f"a Discovery Server adds {1000 * taken:.1f} ms, where nothing was sent before"
     )
@@ -1011,18 +1013,19 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     name = "Fast DDS Discovery Server"
     fast_dds, others = ds.PROTOCOLS["Fast DDS"], dict(ds.PROTOCOLS)
     others.pop(name, None)
-    monkeypatch.setattr(planner, "PROTOCOLS", others)
+    monkeypatch.setattr(remedies, "PROTOCOLS", others)
     assert "discovery server" not in {r.kind for r in ds.plan(NAV2, fast_dds).remedies}
     server = replace(fast_dds, name=name, messages=fast_dds.messages[:3])
-    monkeypatch.setattr(planner, "PROTOCOLS", others | {name: server})
+    monkeypatch.setattr(remedies, "PROTOCOLS", others | {name: server})
+    of_ros2 = ds.plan(NAV2, fast_dds).fleet
     found = remedy(ds.plan(NAV2, fast_dds), "discovery server")
     assert (found.protocol, found.note) == (server, "")
-    assert found.utilization == ds.utilization(server, NAV2)
-    assert found.fails == "while the server is down nobody new is found"
+    assert found.utilization == ds.utilization(server, of_ros2)
+    assert found.fails.startswith("nobody new is found until it is back")
     assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.xml"}
     # The paper's DDS is compared with it by the product's own table.
     papers = remedy(ds.plan(NAV2, ds.DDS), "discovery server")
-    assert papers.before == ds.utilization(fast_dds, NAV2)
+    assert papers.before == ds.utilization(fast_dds, of_ros2)
     assert papers.note == "both as Fast DDS was measured"
     # Of another product it is a switch as well, and so only in combinations.
     bare = ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast)
@@ -1034,8 +1037,8 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     assert all({"middleware", "discovery server"} <= set(r.steps) for r in both)
     # And with it, its product's own table is no arrangement of servers.
     served = ds.plan(NAV2, server)
-    assert planner.family(server) == "DDS"
-    assert planner.product(server) == "Fast DDS"
+    assert remedies.family(server) == "DDS"
+    assert remedies.product(server) == "Fast DDS"
     assert "Fast DDS" in {r.protocol.name for r in served.remedies if r.kind == "middleware"}
 
 
@@ -1054,10 +1057,98 @@ def test_calmer_announcements_are_those_of_the_snippet() -> None:
 
 def test_static_peers_of_zenoh_leave_out_scouting_alone() -> None:
     table = ds.PROTOCOLS["Zenoh peer"]
-    found = remedy(ds.plan(NAV2, table), "peers")
+    plan = ds.plan(NAV2, table)
+    found = remedy(plan, "peers")
     gone = {m.name for m in table.messages} - {m.name for m in found.protocol.messages}
     assert gone == {m.name for m in table.of_phase("Scouting")}
-    assert found.utilization == ds.utilization(found.protocol, NAV2)
+    assert found.utilization == ds.utilization(found.protocol, plan.fleet)
+
+
+def test_ros_2_has_a_server_introduce_everybody() -> None:
+    """A participant shares 2 endpoints with every other, and each node 2 more."""
+    server = ds.PROTOCOLS["Fast DDS Discovery Server"]
+    plan = ds.plan(NAV2, nodes=[13, 2])
+    assert [group.shared for group in plan.fleet.groups] == [2 + 2 * 13, 2 + 2 * 2]
+    assert [group["shared"] for group in plan.to_dict()["fleet"]] == [28, 6]
+    found = remedy(plan, "discovery server")
+    assert found.utilization == ds.utilization(server, plan.fleet) > 2
+    assert not found.now_fits
+    # Without ROS 2 nothing is shared, and what a group says is more counts.
+    without = remedy(ds.plan(NAV2, shared=0), "discovery server")
+    assert without.now_fits
+    assert without.utilization == ds.utilization(server, NAV2) < 1
+    much = ds.Fleet((replace(robots, shared=100), laptop))
+    assert ds.plan(much, nodes=[13, 2]).fleet.groups[0].shared == 100
+    # The paper's tables know no names.
+    assert plan.utilization == ds.utilization(ds.DDS, NAV2)
+    # Composing and leaving out services keep what is shared.
+    small = ds.plan(ds.Fleet.swarm(4, 3, 14), nodes=1)
+    (composed,) = remedy(small, "processes").fleets
+    (fewer,) = remedy(small, "endpoints").fleets
+    assert [fleet.groups[0].shared for fleet in (small.fleet, composed, fewer)] == [4, 12, 2]
+    assert [group.shared for group in ds.plan(NAV2, shared=91).fleet.groups] == [91, 90]
+    with pytest.raises(ValueError, match=r"shared must be a finite number .*; got -1"):
+        ds.plan(NAV2, shared=-1)
+    with pytest.raises(ValueError, match=r"shared must be a finite number .* at most 90; got 91"):
+        replace(laptop, shared=91)
+
+
+#: What is measured of a row of the remedies: arrangement, what dies, when, who, what.
+MEASURED_DEATHS: dict[str, list[tuple[str, str, str, str, str, bool]]] = {
+    "discovery server": [
+        ("Fast DDS Discovery Server", "server killed", "death", "survivors", "settled", True),
+        ("Fast DDS Discovery Server", "server killed", "newcomer", "newcomer", "found", False),
+        ("Fast DDS Discovery Server", "server killed", "return", "newcomer", "found", True),
+    ],
+    "two discovery servers": [
+        ("Fast DDS Discovery Server, two", "server killed", "newcomer", "newcomer", "found", True),
+        (
+            "Fast DDS Discovery Server, two",
+            "both servers killed",
+            *["newcomer"] * 2,
+            "found",
+            False,
+        ),
+    ],
+    "router": [
+        ("Zenoh router", "server killed", "death", "survivors", "settled", False),
+        ("Zenoh router", "server killed", "return", "survivors", "found", True),
+    ],
+    "router on each host": [
+        ("Zenoh router per host", "server killed", "death", "survivors", "settled", True),
+        (
+            "Zenoh router per host",
+            "server killed",
+            *["death", "orphans and survivors"],
+            "settled",
+            False,
+        ),
+        ("Zenoh router per host", "server killed", "return", "orphans", "found", True),
+    ],
+}
+
+
+def test_what_fails_when_is_what_the_lab_measured() -> None:
+    rows = {row["kind"]: row for row in read_data("vendors/remedies.csv")}
+    died = {row["arrangement"] for row in read_data("measured/arrangements.csv")}
+    assert {kind for kind, row in rows.items() if row["table"] in died} == set(MEASURED_DEATHS)
+    for kind, cases in MEASURED_DEATHS.items():
+        for *key, happens in cases:
+            assert key[0] == rows[kind]["table"]
+            assert (measured.death_times(*key) < np.inf).all() == happens, key
+    again = measured.death_times(
+        "Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found"
+    )
+    stuck = f"{np.isinf(again).sum()} of {again.size} quick restarts"
+    assert stuck in rows["discovery server"]["fails"]
+    for kind in ("router", "router on each host"):
+        back = np.median(measured.death_times(*MEASURED_DEATHS[kind][-1][:-1]))
+        assert f"until {back:.1f} s after it is back" in rows[kind]["fails"]
+
+
+def test_what_to_mind_is_short() -> None:
+    for row in read_data("vendors/remedies.csv"):
+        assert len(f"{row['price']}; {row['fails']}") <= 126, row["title"]
 
 
 @pytest.mark.parametrize("name", ["DDS", "Zenoh", "Fast DDS", "Cyclone DDS", "Zenoh peer"])

@@ -161,6 +161,8 @@ FLEETS = [
     ds.Fleet.swarm(4, 3, 7),
     UNLIKE,
     ds.Fleet((ds.HostGroup(1, 1, 5), ds.HostGroup(3, 4, 2)), matching=1),
+    ds.Fleet((ds.HostGroup(2, 2, 10, shared=4), ds.HostGroup(2, 1, 3, shared=3)), matching=0.25),
+    ds.Fleet((ds.HostGroup(2, 2, 9), ds.HostGroup(1, 3, 10, shared=2))),
 ]
 
 

@@ -28,6 +28,8 @@ _FROM = _TO + PROCESS_BITS
 _ITEM = _FROM + PROCESS_BITS
 #: Of a frame that belongs to the traffic that stays, not to the burst.
 STEADY = np.int64(1) << (_ITEM + ITEM_BITS)
+#: From a frame to the next like it.
+NEXT_ITEM = np.int64(1) << _ITEM
 #: Of a frame that the middleware sends again.
 REPAIR = STEADY << 1
 
@@ -112,12 +114,13 @@ FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 #: queue; who it is; where it is in making a burst, ``made`` frames, ``times`` of ``number`` that
 #: are alike; how many were to receive its processes' frames, and for how many they are lost for
 #: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h. What each
-#: transmission needs comes first, in one line of cache.
+#: transmission needs comes first, in one line of cache; what the next frame of a burst needs,
+#: ``last`` being the frame before, is in the second.
 STATION = _record(
     *("send_slot", "waits", "failures", "held", "sent", "length", "must_ask", "number"),
-    *("head", "tail", "following", "to_head", "to_tail", "processes", "first", "loss"),
-    *("begun", "made", "stage", "process", "steps", "there", "kind", "times"),
-    *("sought", "missed"),
+    *("begun", "made", "times", "last", "head", "tail", "following", "missed"),
+    *("to_head", "to_tail", "processes", "first", "loss", "stage", "process", "steps"),
+    *("there", "kind", "sought"),
     floats=("loss",),
     lines=4,
 )

@@ -66,6 +66,7 @@ def hosts_of(fleet: Fleet) -> Hosts:
         np.repeat(endpoints, numbers),
         np.repeat(np.arange(numbers.size), numbers),
         fleet.matching,
+        np.repeat([float(group.shared) for group in fleet.groups], numbers),
     )
 
 

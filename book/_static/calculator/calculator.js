@@ -202,7 +202,7 @@
 
   /** Return the settings, or null if one is not valid; each error is shown at its field. */
   function readForm() {
-    const swarm = { N_H1: 0, N_P1: 1, N_E1: 0, matching: Number(chosen("matching")) };
+    const swarm = { N_H1: 0, N_P1: 1, N_E1: 0 };
     const link = {};
     let valid = true;
     const used = usedFields();
@@ -218,6 +218,11 @@
       chosen("channel") === OWN ? { name: OWN, model: "linear", values: link, remedies: [] } : channels.get(chosen("channel"));
     const guess = (endpoints) => (endpoints >= MODEL.service_endpoints ? 1 : 0);
     const nodes = [robots.get(chosen("robot"))?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
+    const [ofProcess, withNode] = MODEL.shared_endpoints;
+    const shared = (endpoints, own) => Math.min(endpoints, ofProcess + (withNode - ofProcess) * own);
+    [swarm.N_S, swarm.N_S1] = [shared(swarm.N_E, nodes[0]), swarm.N_H1 ? shared(swarm.N_E1, nodes[1]) : 0];
+    // Which formulas count: nothing matches, what ROS 2 shares, or all.
+    swarm.names = chosen("matching") === "1" ? 2 : swarm.N_S || swarm.N_S1 ? 1 : 0;
     return { middleware: chosen("middleware"), channel, swarm, nodes };
   }
 
@@ -251,20 +256,34 @@
 
   /** Return the utilization of a window, or the airtime of the burst [s]. */
   function total({ protocol, costs }, window, swarm) {
-    return protocol.units.reduce((sum, unit, i) => sum + (costs[window][i] && costs[window][i] * F[unit[swarm.matching].count](swarm)), 0);
+    return protocol.units.reduce((sum, unit, i) => sum + (costs[window][i] && costs[window][i] * F[unit[swarm.names].count](swarm)), 0);
   }
 
   /** Return the number of robots at which the utilization of a window reaches the limit. */
   function saturation({ protocol, costs }, window, swarm) {
     // What each further robot adds: the polynomial's coefficients, that of the constant first.
-    const [c, b, a, third] = [0, 1, 2, 3].map((power) =>
+    const powers = Array.from({ length: protocol.degree + 1 }, (_, power) =>
       protocol.units.reduce((sum, unit, i) => {
-        const part = unit[swarm.matching].more[power];
+        const part = unit[swarm.names].more[power];
         return part && costs[window][i] ? sum + costs[window][i] * F[part](swarm) : sum;
       }, 0),
     );
-    const degree = protocol.degree > 2 && third === 0 ? 2 : protocol.degree;
+    if (powers.slice(MODEL.saturation.length).some(Boolean)) return byNewton(powers, MODEL.limit);
+    const [c, b, a, third] = powers;
+    const degree = Math.min(protocol.degree, third ? 3 : 2);
     return F[MODEL.saturation[degree]]({ c, b, a, third, U_limit: MODEL.limit });
+  }
+
+  /** The same where it has no closed form: from a number that is too large each step is down, none too far. */
+  function byNewton([single, ...powers], limit) {
+    const rest = limit - single;
+    let more = Math.min(...powers.map((part, i) => (part ? (rest / part) ** (1 / (i + 1)) : Infinity)));
+    for (let step = 0; step < 20; step++) {
+      const taken = powers.reduce((sum, part, i) => sum + part * more ** (i + 1), -rest);
+      const slope = powers.reduce((sum, part, i) => sum + (i + 1) * part * more ** i, 0);
+      more -= taken / slope;
+    }
+    return 1 + more;
   }
 
   function answerOf(name, channel, swarm) {
@@ -296,48 +315,51 @@
       single: total(table, "second", one),
       at: (hosts) => total(table, "second", { ...swarm, N_H: hosts }),
       messages: protocol.messages.map((message, i) => {
-        const load = message.per_unit * message.sent.second * F[protocol.units[message.unit][swarm.matching].count](swarm);
+        const load = message.per_unit * message.sent.second * F[protocol.units[message.unit][swarm.names].count](swarm);
         const [up, down] = [load * rows[i].up, load * rows[i].down];
         return { ...message, load, up, down, both: up + down };
       }),
     };
   }
 
-  /** Return the three things that help most, the best of each kind: the same functions, asked again. */
+  /** Return the first three things that help, the best of each kind, in the planner's order: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
-    const { family, group } = MODEL.protocols[middleware];
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
     const found = [];
-    const add = (kind, what, { name = middleware, air = channel, base = channel, fleet = swarm }) => {
-      const [before, after] = [cost(middleware, base, swarm), cost(name, air, fleet)];
+    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "" }) => {
+      const [before, after] = [cost(from, base, swarm), cost(name, air, fleet)];
       const saved = before ? 1 - after / before : 0;
-      if (saved >= NOTHING) found.push({ kind, what, name, before, after, saved, air, fleet });
+      const { of } = MODEL.remedies[kind];
+      const fits = before >= MODEL.limit && after < MODEL.limit;
+      if (saved >= NOTHING) found.push({ kind, what, note, name, before, after, saved, fits, air, fleet, ...(of[MODEL.protocols[name].family] ?? of.None) });
     };
     if (swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1)) {
       const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
+      const [N_S, N_S1] = [swarm.N_P * swarm.N_S, swarm.N_P1 * swarm.N_S1];
       const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
-      if (Math.max(N_E, N_E1) <= SWARM[2].high) add("processes", `composing ${many} into one`, { fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1 } });
+      if (Math.max(N_E, N_E1) <= SWARM[2].high) add("processes", `composing ${many} into one`, { fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } });
     }
     const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
+    const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
     add("endpoints", "leaving out the parameter services of its nodes", {
-      fleet: { ...swarm, N_E: without(swarm.N_E, nodes[0]), N_E1: without(swarm.N_E1, nodes[1]) },
+      fleet: { ...swarm, N_E, N_E1, N_S: Math.min(swarm.N_S, N_E), N_S1: Math.min(swarm.N_S1, N_E1) },
     });
+    for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
     for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
-    for (const name of NAMES)
-      if (name !== middleware && MODEL.protocols[name].group === group && !MODEL.protocols[name].variant)
-        add("middleware", `switching to ${name}`, { name });
-    found.sort((a, b) => b.saved - a.saved);
+    // What makes it fit first, the easiest before all; then what saves most.
+    found.sort((a, b) => b.fits - a.fits || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
       .slice(0, 3)
-      .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), ...(MODEL.remedies[one.kind].of[family] ?? MODEL.remedies[one.kind].of.None), paste: pasted(one) }));
+      .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), paste: pasted(one) }));
   }
 
-  /** What to paste is for any, for a middleware or one of its family, or for a radio. */
+  /** What to paste is for any, for a middleware, its product or family, or for a radio. */
   function pasted({ kind, name, air }) {
     const { paste } = MODEL.remedies[kind];
-    const named = (key) => key === name || key === MODEL.protocols[name].family || air.name.startsWith(key);
-    return Object.keys(paste).filter((key) => key === "any" || named(key)).flatMap((key) => paste[key]);
+    const { family, product } = MODEL.protocols[name];
+    const named = (key) => [name, product, family, "any"].includes(key) || air.name.startsWith(key);
+    return Object.keys(paste).filter(named).flatMap((key) => paste[key]);
   }
 
   function compute(settings) {
@@ -418,7 +440,7 @@
 
   function showRemedies(answer) {
     byId("remedies").replaceChildren(
-      ...answer.remedies.map(({ kind, what, before, after, saved, then, price, paste }) => {
+      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste }) => {
         const item = make(
           "li",
           {},
@@ -426,7 +448,7 @@
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
-          make("span", { class: "calc-hint" }, `Mind: ${price}.`),
+          make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
         for (const { where, version, text } of paste) {
           const copy = make("button", { type: "button" }, "Copy");
