@@ -34,6 +34,7 @@ SOURCES = {
     "measured/mitigations.csv": "message",
     "measured/reasons.csv": "reason",
     "measured/hybrid.csv": "run",
+    "measured/published.csv": "sha256",
     "vendors/arrangements.csv": "product",
     "vendors/products.csv": "product",
     "simulated/hybrid.csv": "scenario",
