@@ -752,7 +752,11 @@ def test_planning_on_with_what_a_remedy_holds() -> None:
         ((WRONG,), TypeError, "fleet must be a Fleet; got 5"),
         ((FIG3, WRONG), TypeError, "protocol must be a Protocol; got 5"),
         ((FIG3, ds.DDS, WRONG), TypeError, "wifi must be a Wifi; got 5"),
-        ((ds.Fleet.swarm(2.5, 1, 1),), ValueError, "hosts must be a whole number; got 2.5"),
+        (
+            (ds.Fleet.swarm(2.5, 1, 1),),
+            ValueError,
+            "hosts must be a whole number of at least 1; got 2.5",
+        ),
         ((ds.Fleet.swarm([1, 2], 1, 1),), TypeError, "hosts must be one number, not an array"),
         ((ds.Fleet.symbolic(1),), TypeError, "hosts must be a number here, not an expression"),
     ],
