@@ -119,7 +119,9 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
     assert ends["talker"] == ends["listener"] == 18
     (shown,) = (row for row in staging_rows() if row["staging"] == "turtlebot-fast_dds")
     hosts = [host.split() for host in shown["programs"].split(" / ")]
-    fleet = " ".join(f"1x{len(some)}x{sum(ends[one] for one in some)}/{len(some)}" for some in hosts)
+    fleet = " ".join(
+        f"1x{len(some)}x{sum(ends[one] for one in some)}/{len(some)}" for some in hosts
+    )
     assert ROWS["turtlebot-dds-packets"]["fleet"] == fleet
 
 
