@@ -306,9 +306,10 @@ def staged() -> pd.DataFrame:
     pandas.DataFrame
         A row for each ``staging`` of ``lab/published.csv`` and each ``kind`` of message, and one of
         the ``packets`` that its authors would have counted: ``product``, ``variant`` and
-        ``version``, the number of ``processes`` and of ``runs`` [1], the median ``count`` [1] with ``least`` and ``most``, the same of ``bytes``, for
-        packets with the headers that Wireshark counts [B], and the median of ``last_s``, when the
-        last endpoint was told of [s], NaN if that was not seen.
+        ``version``, the number of ``processes`` and of ``runs`` [1], the median ``count`` [1] with
+        ``least`` and ``most``, the same of ``bytes``, for packets with the headers that Wireshark
+        counts [B], and the median of ``last_s``, when the last endpoint was told of [s], NaN if
+        that was not seen.
     """
     import pandas as pd
 
@@ -376,11 +377,7 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
     return sum(
         float(message.load(fleet))
         * float(np.asarray(message.schedule.sent(window)))
-        * (
-            message.payload.nominal + AROUND[message.transport]
-            if row["quantity"] == "bytes"
-            else 1
-        )
+        * (message.payload.nominal + AROUND[message.transport] if row["quantity"] == "bytes" else 1)
         for message in protocol.messages
         if message.phase in counted
     )

@@ -103,7 +103,8 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
             if number > int(staging["runs"]):
                 continue
             product, variant = staging["product"], staging["variant"]
-            known = {key: (*value, []) for key, value in PRODUCTS.items()} | ARRANGEMENTS
+            known: dict[tuple[str, str], Any] = {k: (*v, []) for k, v in PRODUCTS.items()}
+            known |= ARRANGEMENTS
             command, env, servers = known[
                 "zenoh_peer" if product == "zenoh" else product,
                 "default" if variant == "warm" else variant,

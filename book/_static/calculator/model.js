@@ -517,6 +517,7 @@ const DISCOSTORM = (() => {
     },
     "laptop_nodes": 2,
     "service_endpoints": 12,
+    "endpoints_of_a_node": 28.40740740740741,
     "shared_endpoints": [2, 4],
     "remedies": {
       "aggregation": {"of": {"DDS": shared40, "Zenoh": shared40, "None": shared40}, "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nieee80211n=1\nwmm_enabled=1\n"}]}},
