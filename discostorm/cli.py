@@ -489,8 +489,8 @@ def _working(what: str) -> Iterator[None]:
 def main() -> None:
     """How much Wi-Fi airtime the discovery of ROS 2 robots takes, and what helps.
 
-    Utilization is airtime in one second: 1, or 100%, is a channel that does nothing else;
-    2 stands for two seconds of airtime, more than a second holds.
+    Utilization is airtime per second: at 1, or 100%, the channel does nothing else; at 2
+    discovery asks for two seconds of airtime in one, and does not fit.
 
     \b
     Examples:
@@ -710,10 +710,24 @@ def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[s
     help="Nodes with parameter services in each process; with commas, one number for each "
     "group.  [default: those of the file, else 1 where the endpoints are enough]",
 )
+@click.option(
+    "--shared",
+    type=float,
+    metavar="N",
+    help="Endpoints of each process that match one in every other, whatever its namespace; 0 "
+    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node]",
+)
 @wifi_options
 @output_options
-def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Output) -> None:
-    """Advise the fleet of a file: what dominates, and what would help most.
+def plan(
+    file: str,
+    protocol: ds.Protocol,
+    nodes: Any,
+    shared: float | None,
+    wifi: Wifi,
+    output: Output,
+) -> None:
+    """Tell what dominates the discovery of a fleet, and what would help most.
 
     FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
 
@@ -734,7 +748,7 @@ def plan(file: str, protocol: ds.Protocol, nodes: Any, wifi: Wifi, output: Outpu
     with _bad_input(), _working("planning"):
         members = _read(file)
         try:
-            answer = ds.plan(members, protocol, wifi, nodes=nodes)
+            answer = ds.plan(members, protocol, wifi, nodes=nodes, shared=shared)
         except ValueError as error:
             raise ValueError(f"{_called(file)}: {error}") from error
     if output.as_csv:

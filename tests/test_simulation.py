@@ -597,6 +597,21 @@ def test_long_runs_are_announced(
     assert 500 < megabytes < 10_000
 
 
+def test_a_storm_is_what_its_collisions_are_one_by_one() -> None:
+    """While transmissions are noted down each is worked out alone, else many in one go."""
+    for table in (ds.DDS, ds.PROTOCOLS["Fast DDS"]):
+        what = plan(ds.Fleet.swarm(30, 1, 4), table, RADIO.wifi())
+        cell, alone = cell_of(what), cell_of(what)
+        alone = alone._replace(log=np.zeros(500_000, alone.log.dtype))
+        cell, alone = (finish(one, ticks(1e4), what.reserve) for one in (cell, alone))
+        assert cell.log.size < alone.now["logged"][0] < alone.log.size
+        for name in set(cell.now.dtype.names or ()) - {"logged", "free"}:
+            assert cell.now[name] == alone.now[name], name
+        assert cell.now["collided"][0] > 5_000
+        np.testing.assert_array_equal(cell.airtime, alone.airtime)
+        np.testing.assert_array_equal(cell.stations["missed"], alone.stations["missed"])
+
+
 def test_long_runs_are_estimated_by_how_long_they_are() -> None:
     # Of one the announcements have a period of their own, of the other that of its middleware.
     for name in ("Fast DDS", "DDS"):

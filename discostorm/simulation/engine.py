@@ -32,6 +32,7 @@ from discostorm.simulation.medium import (
     wake,
 )
 from discostorm.simulation.queues import (
+    BATCHES,
     batch_of,
     burst_entry,
     change_length,
@@ -39,9 +40,12 @@ from discostorm.simulation.queues import (
     first_entry,
     frames_of,
     host_of,
+    like_last,
     lose,
     make,
+    make_like_last,
     receiver,
+    receivers,
     take_same,
 )
 from discostorm.simulation.recovery import arrive, happen, settled
@@ -363,81 +367,6 @@ def send_unicast(cell, station, time, end):
 
 
 @shared
-def collide_hosts(cell, count, time):
-    """Do what `collide` does for hosts that send a frame each of which nothing is to be noted.
-
-    In a storm nearly all that happens is this, so that what many need is looked up once.
-    """
-    now, radio = cell.now[0], cell.radio[0]
-    senders, stations, window = cell.senders, cell.stations, cell.window
-    wheel, behind = cell.wheel, cell.behind
-    timeout, aifs, attempts = radio.timeout, radio.aifs, radio.attempts
-    least_window, most_window = radio.cw_min + 1, radio.cw_max + 1
-    last, retried, drained = np.int64(0), np.int64(0), now.drained
-    for place in range(count):
-        sender = senders[place]
-        held = window[sender.station, 0]
-        kind = kind_of(held.frame)
-        duration = cell.kinds[kind].time_up
-        cell.airtime[kind, FAILED] += duration * PARTS
-        sender.end = time + duration
-        last = max(last, sender.end)
-        if not held.frame & STEADY:
-            drained = max(drained, sender.end)
-    now.idle, now.base = last, last + aifs
-    now.collisions += 1
-    now.collided += count
-    now.busy += last - time
-    now.wasted += last - time
-    least, random = NEVER, np.uint64(now.random)
-    for place in range(count):
-        sender = senders[place]
-        its, held = stations[sender.station], window[sender.station, 0]
-        retried += held.tries > 0
-        its.sent = 1
-        its.failures = its.failures + 1 if its.failures < attempts else 0
-        held.tries += 1
-        if held.tries >= attempts:
-            lose(cell, held.frame, sender.station, RETRY)
-            its.held = 0
-            change_length(cell, sender.station, -1)
-        random = next_random(random)
-        slots = min(least_window << its.failures, most_window)
-        sender.slots = scaled(random, slots)
-        sender.base = max(sender.end + timeout, last) + aifs
-        if its.length == 0:
-            wait(cell, sender.station, sender.base, sender.slots)
-            sender.base = NEVER
-        least = min(least, sender.base)
-    now.random = np.int64(random)
-    now.ppdus += count
-    now.mpdus += count
-    now.retried += retried
-    now.drained = drained
-    if least == NEVER:
-        return
-    slot = first_to_send(cell, least)
-    if slot < 0:
-        for place in range(count):
-            if senders[place].base < NEVER:
-                wait(cell, senders[place].station, senders[place].base, senders[place].slots)
-        return
-    slot += radio.edca
-    mask, waiting, ahead = wheel.size - 1, now.waiting, now.ahead
-    for place in range(count):
-        sender = senders[place]
-        if sender.base < NEVER:
-            its, turn = stations[sender.station], slot + sender.slots
-            its.send_slot = turn
-            behind[sender.station] = wheel[turn & mask]
-            its.waits = 1
-            wheel[turn & mask] = sender.station
-            waiting += 1
-            ahead = min(ahead, turn)
-    now.waiting, now.ahead = waiting, ahead
-
-
-@shared
 def collide(cell, count, time):
     """Let several stations send at once: nothing arrives."""
     now, radio = cell.now[0], cell.radio[0]
@@ -488,20 +417,6 @@ def collide(cell, count, time):
 
 
 @njit
-def alike(cell, count):
-    """Return whether only hosts send, a frame each, and nobody takes note of it."""
-    radio = cell.radio[0]
-    if radio.mpdus > 1 or radio.heard > 0 or radio.timeout == 0:
-        return False
-    if cell.now[0].logged < cell.log.size:
-        return False
-    hosts = np.int64(0)
-    for place in range(count):
-        hosts += cell.senders[place].station < cell.now[0].hosts
-    return hosts == count
-
-
-@njit
 def add_sender(cell, station, time, count):
     """Add a station to those that send now unless all that it has is too old."""
     cell.stations[station].waits = 0
@@ -539,10 +454,7 @@ def transmit(cell, time, slot):
         return
     synchronize(cell, time, slot)
     if count > 1:
-        if alike(cell, count):
-            collide_hosts(cell, count, time)
-        else:
-            collide(cell, count, time)
+        collide(cell, count, time)
         return
     station = cell.senders[0].station
     end = time + ppdu(cell, station)
@@ -552,6 +464,121 @@ def transmit(cell, time, slot):
         send_multicast(cell, time, end)
     else:
         send_unicast(cell, station, time, end)
+
+
+@shared
+def refill(cell, station, time):
+    """Let a host that holds no frame take its next one, whose age does not matter."""
+    its = cell.stations[station]
+    entry = cell.pool[its.head]
+    if like_last(its) and frames_of(entry.frame) > 1:
+        entry.frame += BATCHES  # one frame less; all else of the frame before stays
+        held = cell.window[station, 0]
+        held.frame, held.tries = make_like_last(its), 0
+        its.held = 1
+    else:
+        load(cell, station, time)
+
+
+@shared
+def storm(cell, slot, until, most):
+    """Let hosts collide, one time after the other, until anything else is next; return how often.
+
+    It does what `transmit` and `collide` do; but in a storm nearly all that happens is this, so
+    that what many need is looked up once. Before it changes anything of a collision it makes sure
+    that only hosts send, a frame each, and that the next transmission begins before their
+    timeouts end: then they stand in the wheel at once, behind it.
+    """
+    now, radio = cell.now[0], cell.radio[0]
+    if radio.mpdus > 1 or radio.heard > 0 or radio.lifetime < NEVER or not radio.edca:
+        return np.int64(0)
+    if now.strays > 0 or now.logged < cell.log.size:
+        return np.int64(0)
+    senders, stations, window, kinds = cell.senders, cell.stations, cell.window, cell.kinds
+    wheel, behind, airtime, mask = cell.wheel, cell.behind, cell.airtime, cell.wheel.size - 1
+    hosts, attempts, slot_ticks = now.hosts, radio.attempts, radio.slot
+    timeout, aifs, least, widest = radio.timeout, radio.aifs, radio.cw_min + 1, radio.cw_max + 1
+    begin, base, waiting, random = now.slot, now.base, now.waiting, np.uint64(now.random)
+    open_frames, queued, drained, clock = now.open, now.queued, now.drained, now.clock
+    steps, collided, retried = np.int64(0), np.int64(0), np.int64(0)
+    busy, dropped = np.int64(0), np.int64(0)
+    event = cell.events[0].time if now.events > 0 else NEVER
+    end_of_all = min(until + 1, now.sample, event)
+    while steps < most and open_frames > 0:
+        time = base + (slot - begin) * slot_ticks
+        if time >= end_of_all:
+            break
+        station = np.int64(wheel[slot & mask])
+        if behind[station] < 0:
+            break
+        count, first, last, shown = np.int64(0), NEVER, np.int64(0), drained
+        while station >= 0 and station < hosts:
+            if not stations[station].held:
+                refill(cell, station, time)
+            frame = window[station, 0].frame
+            end = time + kinds[kind_of(frame)].time_up
+            first, last = min(first, end), max(last, end)
+            shown = max(shown, drained if frame & STEADY else end)
+            senders[count].station, senders[count].end = station, end
+            count += 1
+            station = np.int64(behind[station])
+        if station >= 0 or waiting == count:
+            break
+        following = slot + 1
+        while wheel[following & mask] < 0:
+            following += 1
+        begins = last + aifs + (following - slot - 1) * slot_ticks
+        if begins >= min(max(first + timeout, last) + aifs, event):
+            break
+        wheel[slot & mask] = -1
+        begin, base, clock, drained = slot + 1, last + aifs, time, shown
+        waiting -= count
+        collided += count
+        busy += last - time
+        steps += 1
+        slot = following
+        for place in range(count):
+            station = senders[place].station
+            its, held = stations[station], window[station, 0]
+            kind = kind_of(held.frame)
+            airtime[kind, FAILED] += (senders[place].end - time) * PARTS
+            failures = its.failures + 1 if its.failures < attempts else np.int64(0)
+            its.failures = failures
+            retried += held.tries > 0
+            held.tries += 1
+            if held.tries >= attempts:
+                if not held.frame & STEADY:
+                    times = receivers(cell, held.frame)
+                    open_frames -= 1
+                    dropped += times
+                    its.missed += times
+                its.held = 0
+                its.length -= 1
+                queued -= 1
+                if its.length > 0:
+                    refill(cell, station, time)
+            random = next_random(random)
+            slots = scaled(random, min(least << failures, widest))
+            if its.held:  # nobody asks for the slot of a station that waits
+                entry = (slot + 1 + slots) & mask
+                behind[station] = wheel[entry]
+                wheel[entry] = station
+                waiting += 1
+            else:
+                its.send_slot, its.waits = begin + slots, 0
+    if steps > 0:
+        now.slot, now.base, now.idle, now.clock, now.ahead = begin, base, base - aifs, clock, slot
+        now.waiting, now.random = waiting, np.int64(random)
+        now.open, now.queued, now.drained = open_frames, queued, drained
+        now.collisions += steps
+        now.collided += collided
+        now.ppdus += collided
+        now.mpdus += collided
+        now.retried += retried
+        now.host_retry += dropped
+        now.busy += busy
+        now.wasted += busy
+    return steps
 
 
 def _advance(digest):
@@ -569,7 +596,7 @@ def _advance(digest):
         if not digest:  # never; the digest makes other sources compile anew
             return OVER
         now, slot_ticks = cell.now[0], cell.radio[0].slot
-        for _ in range(share):
+        while share > 0:
             if now.open == 0 and now.coming == 0 and settled(cell):
                 return OVER
             if now.spare < reserve or now.events + reserve > cell.events.size:
@@ -587,10 +614,15 @@ def _advance(digest):
                 return OVER
             sample(cell, time)
             now.clock = time
+            steps = np.int64(0)
             if happens:
                 happen(cell, time, next_event(cell))
             else:
-                transmit(cell, time, slot)
+                if slot >= 0 and cell.behind[cell.wheel[slot & (cell.wheel.size - 1)]] >= 0:
+                    steps = storm(cell, slot, until, share)
+                if steps == 0:
+                    transmit(cell, time, slot)
+            share -= max(steps, 1)
         return SHARE
 
     return advance

@@ -10,6 +10,8 @@ from discostorm.simulation._compile import njit, shared
 from discostorm.simulation.cell import (
     AGE,
     FULL,
+    ITEMS,
+    NEXT_ITEM,
     RETRY,
     STEADY,
     compose,
@@ -295,9 +297,35 @@ def count_next(cell, host, batch):
             maker.number = number_to_all(cell, process, kind)
 
 
-@shared
+@njit
+def like_last(maker):
+    """Return whether the next frame of a burst is like the last but for its number."""
+    # The number must not run over.
+    return maker.begun and maker.times < maker.number and maker.times & ITEMS
+
+
+@njit
+def make_like_last(maker):
+    """Return the next frame of a burst, which is like the last but for its number."""
+    maker.times += 1
+    maker.made += 1
+    maker.last += NEXT_ITEM
+    return maker.last
+
+
+@njit
 def make(cell, host, batch):
-    """Return the next frame of a burst.
+    """Return the next frame of a burst; see `make_another`."""
+    maker = cell.stations[host]
+    if like_last(maker):
+        return make_like_last(maker)
+    maker.last = make_another(cell, host, batch)
+    return maker.last
+
+
+@shared
+def make_another(cell, host, batch):
+    """Return the next frame of a burst, like the last or not.
 
     First the messages to all of each process, then, for each process, what goes to each
     remote process, the next host first, in the order of the table.

@@ -222,5 +222,5 @@ def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
         np.asarray(cell.airtime * (TICK / PARTS), dtype=np.float64),
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
-        cell.log[: now["logged"]].copy(),
+        cell.log[: now["logged"]],
     )
