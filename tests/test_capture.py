@@ -699,6 +699,13 @@ def test_wrong_arguments(name: str) -> None:
         captured("cyclone_dds_010").compare(**arguments)  # type: ignore[arg-type]
 
 
+def test_a_fleet_to_compare_with_is_of_single_numbers() -> None:
+    with pytest.raises(TypeError, match="hosts must be one number, not an array"):
+        captured("cyclone_dds_010").compare(ds.DDS, ds.Fleet.swarm([2, 3], 1, 4))
+    with pytest.raises(TypeError, match="hosts must be a number here"):
+        captured("cyclone_dds_010").compare(ds.DDS, ds.Fleet.symbolic(1))
+
+
 # ---------------------------------------------------------------- large files
 
 

@@ -15,7 +15,7 @@ from discostorm import _checks
 from discostorm._numeric import evaluate
 from discostorm.capture import ip, reader, rtps, zenoh
 from discostorm.capture.files import CaptureError
-from discostorm.fleet import Count, Fleet, HostGroup
+from discostorm.fleet import COUNTS, Count, Fleet, HostGroup, reject_symbols
 from discostorm.messages import (
     ENDPOINT_PAIR,
     MATCHED_WRITER,
@@ -232,6 +232,9 @@ class Capture:
             seen = self._sending(self._seen(self.fleet(wire)), protocol, on_air)
         else:
             _checks.instance("fleet", fleet, Fleet)
+            reject_symbols(fleet)
+            for group in fleet.groups:
+                _checks.one_each(zip(COUNTS, group.counts(), strict=True))
             seen = self._seen(fleet)
         rows = on_air.assign(airtime_s=self.airtime(wifi))
         if wire is not None:
