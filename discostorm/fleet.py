@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import accumulate
 from operator import add
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -40,8 +40,8 @@ class HostGroup:
     name : str, optional
         What to call it.
     nodes : float, optional
-        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`; None
-        if it is not known.
+        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`, which
+        alone looks whether there are endpoints for so many; None if it is not known.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
@@ -280,10 +280,11 @@ class Fleet:
         ValueError
             If it is not TOML, or a key is missing, unknown or has a wrong value; the
             message names the file, the group, the key, the value and the allowed range.
+        TypeError
+            If `path` is neither text nor path-like.
         """
-        if not fspath(path):
-            raise ValueError("path must name a TOML file; got ''")
-        return cls.from_bytes(Path(path).read_bytes(), str(path))
+        name = _checks.path("path", path, "a TOML file")
+        return cls.from_bytes(Path(name).read_bytes(), name)
 
     @classmethod
     def from_bytes(cls, content: bytes, name: str) -> "Fleet":

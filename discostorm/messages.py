@@ -709,10 +709,6 @@ class Protocol:
         span = _window(window)
         return self._cost(unit, phase, model, lambda schedule: schedule.mean(span))
 
-    def burst_cost(self, unit: Unit, phase: str | None = None, model: Model = "linear") -> sp.Expr:
-        """Return the airtime that each `unit` adds to the burst, up and down [s]."""
-        return self._cost(unit, phase, model, lambda schedule: plain(schedule.extra))
-
     def _cost(
         self, unit: Unit, phase: str | None, model: Model, times: Callable[[Schedule], Any]
     ) -> sp.Expr:

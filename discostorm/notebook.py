@@ -5,7 +5,7 @@ import os
 import re
 import shlex
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from html import escape
 from importlib import import_module
@@ -168,7 +168,7 @@ _UNITS = {
 }
 _NONE = "\N{EN DASH}"
 _NUMBER = re.compile(
-    rf"[-+<≤>≥≈ ]*\d[\d,.]*(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
+    rf"[-+<≤>≥≈ ]*\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
 )
 
 
@@ -201,10 +201,15 @@ def _cell(value: object) -> object:
     return value
 
 
-def table(frame: pd.DataFrame, formats: Mapping[str, str] | None = None) -> Markdown:
+def table(
+    frame: pd.DataFrame,
+    formats: Mapping[str, str] | None = None,
+    names: Collection[str] = (),
+) -> Markdown:
     """Show a table; ``formats`` gives the format of a column's values, such as ``.3f``.
 
-    Columns of numbers, also of numbers in words such as ``95%``, are aligned on the right.
+    Columns of numbers, also of numbers in words such as ``95%``, are aligned on the right, but
+    not those of ``names``, which only look like numbers.
     """
     shown = frame.copy().astype(object)
     for column, spec in (formats or {}).items():
@@ -213,7 +218,10 @@ def table(frame: pd.DataFrame, formats: Mapping[str, str] | None = None) -> Mark
     if index:
         shown = shown.reset_index()
     shown = shown.map(_cell).rename(columns=heading)
-    numeric = [all(_NUMBER.fullmatch(str(value)) for value in shown[name]) for name in shown]
+    numeric = [
+        name not in names and all(_NUMBER.fullmatch(str(value)) for value in shown[name])
+        for name in shown
+    ]
     alignment = ["right" if right else "left" for right in numeric]
     return Markdown(shown.to_markdown(index=False, colalign=alignment, disable_numparse=True))
 
@@ -225,20 +233,24 @@ class Download:
     name: str
     content: str
 
+    def _told(self) -> str:
+        shown = "table" if self.name.startswith("table-") else "figure"
+        return f"Data of this {shown}: {self.name}"
+
     def __repr__(self) -> str:
         """Return what is shown where links are not."""
-        return f"Data of this figure: {self.name}, a link in the HTML edition."
+        return f"{self._told()}, a link in the HTML edition."
 
     def _repr_html_(self) -> str:
         content = b64encode(self.content.encode()).decode()
         return (
             f'<a download="{self.name}" href="data:text/csv;charset=utf-8;base64,{content}">'
-            f"Data of this figure: {self.name}</a>"
+            f"{self._told()}</a>"
         )
 
 
 def download(frame: pd.DataFrame, name: str) -> Download:
-    """Offer the data of a figure as a CSV file, on the page itself: it works without a server.
+    """Offer what a figure or table shows as a CSV file, on the page itself: no server is needed.
 
     Numbers have ten digits, so that a last bit, which differs between processors, is not seen.
 
@@ -247,7 +259,7 @@ def download(frame: pd.DataFrame, name: str) -> Download:
     frame : pandas.DataFrame
         What the figure shows; its index is in the file if it has a name.
     name : str
-        Name of the figure, such as ``fig-paper-2``: lower-case letters, digits and hyphens.
+        What the file is called, such as ``fig-paper-2``: lower-case letters, digits and hyphens.
 
     Returns
     -------

@@ -30,7 +30,7 @@ def window(
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`: one number each, or a fleet of numbers.
+        As for `discostorm.utilization`: one number each, or a fleet of such, no arrays.
 
     Returns
     -------
@@ -58,7 +58,10 @@ def window(
     >>> round(staggered.window(ds.DDS, nav2))
     28
     """
-    return float(burst(protocol, hosts, processes, endpoints, wifi))
+    found = burst(protocol, hosts, processes, endpoints, wifi)
+    given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    _checks.one_each((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
+    return float(found)
 
 
 def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
@@ -128,5 +131,6 @@ def in_turn(
     array([0.  , 0.  , 0.05, 0.14])
     """
     _checks.whole("hosts", hosts, 1)
+    _checks.one_each([("processes", processes), ("endpoints", endpoints)])
     before = np.arange(1.0, hosts)
     return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

@@ -1,8 +1,12 @@
 """Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
 
+import bz2
 import csv
 import gzip
+import io
+import json
 import lzma
+import os
 import random
 import shutil
 import struct
@@ -10,6 +14,7 @@ import subprocess
 import time
 from collections import Counter
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -426,19 +431,39 @@ def test_up_and_down_again_is_one_message(read: Read) -> None:
     assert list(scouts["way"].unique()) == ["up", "down"]
 
 
+def view_of(address: bytes, found: list[Packet]) -> list[Packet]:
+    """Return what the host of an address sees of IPv4."""
+    return [
+        packet
+        for packet in found
+        if packet[1][12:14] == b"\x08\x00"
+        and (address in (packet[1][26:30], packet[1][30:34]) or packet[1][30] >= 224)
+    ]
+
+
+def with_matches(found: list[Packet], writers: int) -> list[Packet]:
+    """Return packets, and acknowledgements of so many user writers by all processes elsewhere."""
+    hosts = captured("fast_dds").processes()["host"].items()
+    address = {process: bytes(map(int, host.split("."))) for process, host in hosts}
+    more = []
+    for process, here in address.items():
+        for peer, there in address.items():
+            for writer in range(writers * (here != there)):
+                body = rtps(
+                    submessage(0x0E, bytes.fromhex(peer)),
+                    control(6, writer << 8 | 0x03, reader=writer << 8 | 0x04),
+                    prefix=bytes.fromhex(process),
+                )
+                frame = (
+                    found[0][1][:12] + b"\x08\x00" + udp(body)[:12] + here + there + udp(body)[20:]
+                )
+                more.append((found[-1][0], frame, len(frame)))
+    return found + more
+
+
 def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> None:
     everybody = captured("fast_dds")
-    mine = [
-        packet
-        for packet in packets("fast_dds")
-        if packet[1][12:14] == b"\x08\x00"
-        and (
-            packet[1][26:30] == b"\x0a\x4d\0\1"
-            or packet[1][30:34] == b"\x0a\x4d\0\1"
-            or packet[1][30] >= 224
-        )
-    ]
-    capture = read(pcap(mine))
+    capture = read(pcap(view_of(b"\x0a\x4d\0\1", packets("fast_dds"))))
     assert capture.view() == "10.77.0.1"
     assert everybody.view() is None
     assert capture.fleet() == everybody.fleet()
@@ -447,6 +472,24 @@ def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> 
     assert table.loc["SEDP", "units"] == whole.loc["SEDP", "units"] * 4 / 6
     assert table.loc["SPDP", "units"] == whole.loc["SPDP", "units"]
     assert table.loc["SEDP", "per_unit"] == pytest.approx(whole.loc["SEDP", "per_unit"], rel=0.03)
+
+
+@pytest.mark.parametrize("writers", [0, 2, 5])
+def test_one_robots_view_tells_how_far_all_match(writers: int, read: Read) -> None:
+    found = with_matches(packets("fast_dds"), writers)
+    for content, pairs in ((found, 24), (view_of(b"\x0a\x4d\0\1", found), 16)):
+        table = read(pcap(content)).compare(ds.PROTOCOLS["Fast DDS"])
+        assert table.loc["User ACKNACK", "units"] == pytest.approx(pairs * writers)
+        assert table.loc["User ACKNACK", "unicast"] == pairs * writers
+
+
+def test_one_robots_view_of_zenoh_expects_what_it_shows_of_all(read: Read) -> None:
+    found = packets("zenoh_data")
+    for name in ("Zenoh peer", "Zenoh peer, tokens"):
+        mine = read(pcap(view_of(b"\x0a\x4d\0\1", found))).compare(ds.PROTOCOLS[name])
+        whole = captured("zenoh_data").compare(ds.PROTOCOLS[name])
+        for kind in ("Declare", "Declare key expression"):
+            assert mine.loc[kind, "expected"] == pytest.approx(whole.loc[kind, "expected"] * 4 / 6)
 
 
 # ---------------------------------------------------------------- TCP and Zenoh
@@ -765,7 +808,12 @@ NG = pcapng(packets("cyclone_dds_010"))
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),
         (gzip.compress(PLAIN) + b"more", "compressed data"),
-        (gzip.compress(b"not a capture"), "neither pcap nor pcapng"),
+        (gzip.compress(b"not a capture"), "neither a pcap nor a pcapng file"),
+        (gzip.compress(b""), "it is empty"),
+        (bz2.compress(PLAIN), "compressed by bzip2: expand it first"),
+        (b"\x28\xb5\x2f\xfd" + PLAIN, "compressed by zstd: expand it first"),
+        (b"\x04\x22\x4d\x18" + PLAIN, "compressed by lz4: expand it first"),
+        (gzip.compress(b"PK\x03\x04" + PLAIN), "compressed by zip: expand it first"),
         (lzma.compress(PLAIN[:24] + bytes(200_000_000), preset=0), "expands to more than"),
     ],
     # Not the bytes of the files: those of gzip hold the time.
@@ -792,6 +840,74 @@ def test_a_folder_and_a_missing_file(tmp_path: Path) -> None:
         read_capture(tmp_path / "none")
     done = CliRunner().invoke(main, ["capture", str(tmp_path / "none")])
     assert (done.exit_code, "No such file" in done.output) == (2, True)
+
+
+def test_streams_are_read_to_their_end(tmp_path: Path) -> None:
+    expected = facts(captured("cyclone_dds_010"))
+    for content in (PLAIN, NG, gzip.compress(PLAIN)):
+        pd.testing.assert_frame_equal(facts(read_capture(io.BytesIO(content))), expected)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor(1) as pool:
+        written = pool.submit(pipe.write_bytes, PLAIN)
+        pd.testing.assert_frame_equal(facts(read_capture(pipe)), expected)
+        written.result()
+    done = CliRunner().invoke(main, ["capture", "-", "--json"], input=PLAIN)
+    assert json.loads(done.output)["packets"] == 69
+    for content, words in ((PLAIN[:-1], "packet 69 is cut"), (b"", "it is empty")):
+        with pytest.raises(CaptureError, match=words):
+            read_capture(io.BytesIO(content))
+    done = CliRunner().invoke(main, ["capture", "-", "--fleet", "-"], input=PLAIN)
+    assert (done.exit_code, "for standard input" in done.output) == (2, True)
+
+
+@pytest.mark.parametrize("path", [None, 3, b"bytes", io.StringIO("text")])
+def test_what_is_no_path_is_named(path: Any) -> None:
+    with pytest.raises(TypeError, match=r"^path must be"):
+        read_capture(path)
+
+
+def test_pppoe_is_read_and_other_types_are_noted(read: Read) -> None:
+    found = packets("cyclone_dds_010")
+    ethernet = bytes(12)
+    session = b"\x88\x64\x11\0\0\1\0\0"
+    same = read(pcap(rewrap(found, lambda ip: ethernet + session + b"\0\x21" + ip)))
+    pd.testing.assert_frame_equal(facts(same), facts(captured("cyclone_dds_010")))
+    others = {b"\x88\x47": 3, b"\x08\x06": 2, b"\x89\x0d": 1, session + b"\xc0\x21": 4}
+    more = [
+        frame for kind, count in others.items() for frame in [ethernet + kind + bytes(60)] * count
+    ]
+    # Of ARP and of PPP's echoes nothing is said: there is never anything in them.
+    assert read(pcap(at(more))).notes == (
+        "3 frames of EtherType 0x8847, which is not read",
+        "1 frames of EtherType 0x890d, which is not read",
+    )
+    broken = [ethernet + b"\x08\0" + first + bytes(40) for first in (b"\x41", b"\x15", b"\x95")]
+    assert read(pcap(at(broken))).notes == (
+        "2 packets that are said to be IP, and are not",
+        "1 IP packets with a broken header",
+    )
+
+
+def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
+    def notes_and_kinds(pieces: list[bytes]) -> tuple[tuple[str, ...], list[str]]:
+        capture = read(pcap(at(pieces), 229))
+        notes = tuple(note for note in capture.notes if "fragments" in note)
+        return notes, list(capture.messages()["kind"])
+
+    whole = udp(rtps(data(0x100C2), data(0x3C2)))
+    kinds_ = ["SPDP", "SEDP"]
+    missing = ("1 IP datagrams of which fragments are missing",)
+    one, two, _ = pieces = ipv6_fragments(whole, 40, 1)
+    for turns in (pieces, pieces[::-1]):
+        assert notes_and_kinds(turns * 2) == ((), kinds_ * 2)
+        assert notes_and_kinds([piece for piece in turns for _ in range(2)]) == ((), kinds_ * 2)
+        for again in pieces:
+            assert notes_and_kinds([*turns, again]) == ((), kinds_)
+            assert notes_and_kinds([again, *turns]) == ((), kinds_)
+    assert notes_and_kinds([one, one, two, two]) == (missing, [])
+    other = ipv6_fragments(udp(rtps(data(0x3C2), data(0x100C2))), 40, 1)
+    assert notes_and_kinds([*pieces, *other[:2]]) == (missing, kinds_)
 
 
 def test_a_link_type_that_is_not_read_is_noted(read: Read) -> None:

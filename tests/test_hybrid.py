@@ -11,7 +11,7 @@ from discostorm.data import read_data
 from discostorm.measured import held_hybrid
 from discostorm.messages import PROCESS
 from discostorm.simulation.channel import Channel, Frame, timing_of
-from discostorm.simulation.hybrid import hybrid_run
+from discostorm.simulation.hybrid import Death, hybrid_run
 from discostorm.simulation.speaker import Speakers, parameters
 
 SCRIPTS = Path(__file__).parents[1] / "scripts"
@@ -259,6 +259,17 @@ def test_speakers_in_the_lab_find_each_other_under_losses_and_deaths():
     assert all(10 < float(row["gone_s"]) <= 30 for row in settled)
 
 
+@pytest.mark.parametrize(("dies", "living"), [([], 4), ([1], 3)])
+def test_living_hosts_that_are_given_up_are_counted(dies, living):
+    # Four have settled, and from then on no multicast arrives: after a lease each living host has
+    # given up each other one. Of these the dead are no mistake.
+    given = {"start": -100.0, "death": Death(1.0, lambda *_: dies), "until": 40}
+    fleet = ds.Fleet.swarm(4, 2, 10)
+    deaf = hybrid_run(fleet, ds.PAPER, loss=(1, 0), **given)
+    assert deaf.mistaken == living * (living - 1)
+    assert hybrid_run(fleet, ds.PAPER, loss=(0, 0), **given).mistaken == 0
+
+
 def test_same_seed_same_run():
     fleet = ds.Fleet.swarm(20, 2, 10)
     one, two = (hybrid_run(fleet, ds.PAPER, seed=3, until=4) for _ in range(2))
@@ -276,9 +287,37 @@ def test_same_seed_same_run():
         ({"wifi": ds.Radio("802.11n", mpdus=8).wifi()}, "without aggregation"),
         ({"fleet": ds.Fleet.swarm(100, 1, 2000)}, "digest is at most 1400 B"),
         ({"fleet": ds.Fleet.swarm(3, 100, 0)}, "at most 57 processes"),
+        ({"queue": (-5, -1)}, r"queue\[0\] must be .* at least 1; got -5"),
+        ({"enough": -1}, "enough must be .* at least 0; got -1"),
+        ({"enough": np.nan}, "enough must be .* at least 0; got nan"),
+        ({"seed": -1}, "seed must be .* at least 0; got -1"),
+        ({"start": np.nan}, "start must be a finite number .* got nan"),
+        ({"start": [0, 1]}, r"start must be one number, or one for each of 3 hosts; .*\(2,\)"),
+        ({"start": 11}, "start must be by until, 10 s, for a host; got 11"),
+        ({"part": [0, 0.5, 1]}, "part must be a whole number; got 0.5"),
+        ({"death": Death(-1, print)}, "death.time must be .* at least 0; got -1"),
+        ({"death": Death(1, lambda *_: [3])}, "death.choose must .* 0 to 2; got"),
+        ({"death": Death(1, lambda *_: [0, 1, 2])}, "death.choose must leave one host alive"),
     ],
 )
 def test_bad_input_is_refused(arguments, words):
     given = {"fleet": ds.Fleet.swarm(3, 1, 4), "wifi": ds.PAPER} | arguments
     with pytest.raises(ValueError, match=words):
         hybrid_run(given.pop("fleet"), given.pop("wifi"), **given)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"loss": 0.2}, "loss must be a tuple of two parts, .* got 0.2"),
+        ({"loss": (0, [0.1, 0.2])}, r"loss\[1\] must be one number, not an array"),
+        ({"queue": 500}, "queue must be None or a tuple .* got 500"),
+        ({"death": 3}, "death must be a Death; got 3"),
+        ({"death": Death(1, 3)}, "death.choose must be a function; got 3"),
+        ({"alike": 1}, "alike must be a bool; got 1"),
+        ({"enough": np.array([1, 2])}, "enough must be one number, not an array"),
+    ],
+)
+def test_what_is_of_another_kind_is_refused(arguments, words):
+    with pytest.raises(TypeError, match=words):
+        hybrid_run(ds.Fleet.swarm(3, 1, 4), ds.PAPER, **arguments)

@@ -123,6 +123,13 @@ def test_bad_input_is_refused_by_name() -> None:
         staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="hosts must"):
         staggered.window(ds.DDS, 0, 2, 10)
+    with pytest.raises(TypeError, match=r"hosts must be one number, not an array; got \[2, 3\]"):
+        staggered.window(ds.DDS, [2, 3], 2, 10)  # type: ignore[arg-type]
+    grown = ds.Fleet((ds.HostGroup(2, [1, 2], 10),))
+    with pytest.raises(TypeError, match=r"groups\[0\].processes must be one number, not an array"):
+        staggered.window(ds.DDS, grown)
+    with pytest.raises(TypeError, match="endpoints must be one number, not an array"):
+        staggered.in_turn(ds.DDS, 2, 2, [5, 10])  # type: ignore[arg-type]
 
 
 def test_what_hosts_lose_adds_up() -> None:

@@ -172,8 +172,7 @@ def _leave_out_what_pages_carry(tree: nodes.document) -> None:
         carried = [
             output
             for output in outputs
-            if "tag_page-data" in cell["classes"]
-            or output.astext().startswith("Data of this figure:")
+            if "tag_page-data" in cell["classes"] or output.astext().startswith("Data of this ")
         ]
         for output in carried:
             output.parent.remove(output)

@@ -1,22 +1,66 @@
-// Boxes that scroll sideways can be reached, and so scrolled, with the keyboard.
 window.addEventListener("load", async () => {
+  const narrow = window.matchMedia("(width < 37.5rem)");
+  const TABLE = ".pst-scrollable-table-container";
+
+  // On a phone a table of words that is too wide becomes a card for each row, as the ledger does.
+  const WORDS = 24; // letters from which on a cell is more than a number or a name
+  const labels = (table) => [...(table.tHead?.rows[0]?.cells ?? [])].map((cell) => cell.textContent.trim());
+  const isOfWords = (table) =>
+    !table.closest(".tag_ledger") &&
+    table.tHead?.rows.length === 1 &&
+    !table.tHead.querySelector(".math") &&
+    [...table.querySelectorAll("td:not(:first-child)")].some(
+      (cell) => !cell.querySelector(".math") && cell.textContent.trim().length > WORDS,
+    );
+  const ofWords = new Set();
+  for (const box of document.querySelectorAll(TABLE)) {
+    const table = box.querySelector("table");
+    if (!table || !isOfWords(table)) continue;
+    ofWords.add(box);
+    const names = labels(table);
+    for (const row of table.tBodies[0].rows)
+      for (const [index, cell] of [...row.cells].entries()) {
+        cell.dataset.label = names[index];
+        if (["", "\u2013"].includes(cell.textContent.trim())) cell.dataset.none = "";
+      }
+  }
+
   await window.MathJax?.startup?.promise;
-  const boxes = document.querySelectorAll("div.math, .pst-scrollable-table-container, .bd-article pre");
-  // A wide table fades where it goes on, and a line below it says so.
+  const boxes = document.querySelectorAll(`div.math, ${TABLE}, .bd-article pre`);
+  // A wide table fades where it goes on, and a line above it says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
   const hint = (box, wider) => {
-    if (!box.matches(".pst-scrollable-table-container") || box.classList.contains("ds-wider") === wider) return;
+    if (!box.matches(TABLE) || box.classList.contains("ds-wider") === wider) return;
     box.classList.toggle("ds-wider", wider);
-    if (!wider) return box.nextElementSibling.remove();
+    if (!wider) return box.previousElementSibling.remove();
     const line = document.createElement("p");
     line.className = "ds-scroll-hint";
     line.textContent = "\u2190 the table scrolls sideways \u2192";
-    box.after(line);
+    box.before(line);
     box.addEventListener("scroll", () => atEnd(box), { passive: true });
     atEnd(box);
   };
+  // A formula that is a little too wide is set smaller, down to this part of its size.
+  const LEAST = 0.7;
+  const shrink = (box) => {
+    const formula = box.querySelector("mjx-container[display]");
+    if (!formula) return;
+    formula.style.fontSize = "";
+    const part = formula.clientWidth / formula.scrollWidth;
+    if (part < 1) formula.style.fontSize = `${Math.floor(100 * Math.max(LEAST, part))}%`;
+  };
+  const widths = new Map();
   const observer = new ResizeObserver((changes) => {
     for (const { target: box } of changes) {
+      if (widths.get(box) !== box.clientWidth) {
+        widths.set(box, box.clientWidth);
+        if (box.matches("div.math")) shrink(box);
+        if (ofWords.has(box)) {
+          box.classList.remove("ds-cards");
+          box.classList.toggle("ds-cards", narrow.matches && box.scrollWidth > box.clientWidth + 1);
+        }
+      }
+      // Boxes that scroll sideways can be reached, and so scrolled, with the keyboard.
       const wider = box.scrollWidth > box.clientWidth + 1;
       if (wider) box.tabIndex = 0;
       else box.removeAttribute("tabindex");

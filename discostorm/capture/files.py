@@ -5,13 +5,16 @@ import struct
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from io import BytesIO
 from itertools import pairwise
-from os import PathLike, fspath
+from os import PathLike, fstat
 from pathlib import Path
-from typing import IO, Any
+from stat import S_ISREG
+from typing import Any, BinaryIO
 
 import numpy as np
 
+from discostorm import _checks
 from discostorm.capture._bytes import (
     Array,
     Bytes,
@@ -36,6 +39,17 @@ PCAP = {
     b"\x34\xcd\xb2\xa1": ("<", 1000, 24),
 }
 PCAPNG = b"\x0a\x0d\x0d\x0a"
+#: With what else a file may start: what is expanded here, and what is not.
+GZIP, XZ = b"\x1f\x8b", b"\xfd7zXZ\0"
+COMPRESSED = {
+    "bzip2": b"BZh",
+    "zstd": b"\x28\xb5\x2f\xfd",
+    "lz4": b"\x04\x22\x4d\x18",
+    "zip": b"PK\x03\x04",
+    "7z": b"7z\xbc\xaf\x27\x1c",
+    "lzip": b"LZIP",
+    "compress": b"\x1f\x9d",
+}
 #: Longest packet that libpcap writes [B]; USB and the like have longer ones.
 MOST = 262_144
 #: A file may expand to this much [B], and to so many times its own size more.
@@ -53,6 +67,8 @@ class Packets:
 
     Parameters
     ----------
+    name : str
+        What the file is called.
     data : numpy.ndarray
         The bytes of the file, expanded, and padding.
     table : dict
@@ -62,13 +78,14 @@ class Packets:
         Link type of each interface.
     """
 
+    name: str
     data: Bytes
     table: Columns
     links: tuple[int, ...]
 
 
-def read(path: str | PathLike[str]) -> Packets:
-    """Return the packets of a file.
+def read(path: str | PathLike[str] | BinaryIO) -> Packets:
+    """Return the packets of a file, or of a stream, which is read to its end.
 
     Raises
     ------
@@ -77,41 +94,84 @@ def read(path: str | PathLike[str]) -> Packets:
     CaptureError
         If it is no capture, is broken or ends inside of a packet.
     """
-    name = fspath(path)
-    if not Path(name).is_file() and Path(name).exists():
+    if not isinstance(path, (str, PathLike)) and hasattr(path, "read"):
+        name = str(getattr(path, "name", "stream"))
+        return _packets_of("standard input" if name == "<stdin>" else name, path, None)
+    name = _checks.path("path", path, "a capture")
+    if Path(name).is_dir():
         raise CaptureError(f"{name}: it must be a file")
     with Path(name).open("rb") as file:
-        start = file.read(6)
+        found = fstat(file.fileno())
+        # What is no file, such as a pipe, is a stream.
+        return _packets_of(name, file, found.st_size if S_ISREG(found.st_mode) else None)
+
+
+def _packets_of(name: str, file: BinaryIO, size: int | None) -> Packets:
+    """Return the packets of a file of a size, or of a stream that tells none."""
+    start = file.read(6)
+    if not isinstance(start, bytes):
+        raise TypeError(f"path must be a file opened in binary mode; got {file!r}")
+    gzip = start[:2] == GZIP
+    if gzip or start == XZ:
+        if size is None:
+            start += file.read()
+            file, size = BytesIO(start), len(start)
         file.seek(0)
-        if start[:2] == b"\x1f\x8b" or start == b"\xfd7zXZ\x00":
-            data, size = _expanded(name, file, start)
-        else:
-            size = Path(name).stat().st_size
-            data = buffer(size)
-            got = file.readinto(data[:size].data)
-            if got != size:
-                raise CaptureError(f"{name}: byte {got}: it ends while it is read")
-    magic = data[:4].tobytes() if size >= 4 else b""
+        data, size = _expanded(name, file, gzip, size)
+    else:
+        _known(start, f"{name}: byte 0: ")
+        data, size = _whole(name, file, start, size)
+    magic = data[:4].tobytes()
     if magic in PCAP:
         return _pcap(name, data, size, *PCAP[magic])
-    if magic == PCAPNG:
-        return _pcapng(name, data, size)
-    found = f"it starts with {data[: min(size, 4)].tobytes().hex(' ')}" if size else "it is empty"
-    raise CaptureError(f"{name}: byte 0: neither a pcap nor a pcapng file; {found}")
+    return _pcapng(name, data, size)
 
 
-def _expanded(name: str, file: IO[bytes], start: bytes) -> tuple[Bytes, int]:
-    """Return what a gzip or xz file expands to, and its size."""
-    most = EXPANDED + TIMES * Path(name).stat().st_size
+def _known(start: bytes, where: str) -> None:
+    """Raise an error unless these are the first bytes of a capture."""
+    if start[:4] in PCAP or start[:4] == PCAPNG:
+        return
+    for program, magic in COMPRESSED.items():
+        if start.startswith(magic):
+            raise CaptureError(
+                f"{where}compressed by {program}: expand it first (gz and xz are read as they are)"
+            )
+    found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
+    raise CaptureError(f"{where}neither a pcap nor a pcapng file; {found}")
+
+
+def _whole(name: str, file: BinaryIO, start: bytes, size: int | None) -> tuple[Bytes, int]:
+    """Return all bytes of a file that starts with these, and how many there are."""
+    if size is None:
+        return _joined([start, *iter(lambda: file.read(_CHUNK), b"")])
+    data = buffer(size)
+    data[: len(start)] = np.frombuffer(start, np.uint8)
+    got = len(start) + file.readinto(data[len(start) : size].data)  # type: ignore[attr-defined]
+    if got != size:
+        raise CaptureError(f"{name}: byte {got}: it ends while it is read")
+    return data, size
+
+
+def _joined(parts: list[bytes]) -> tuple[Bytes, int]:
+    """Return the bytes of all parts, which are taken away, and how many there are."""
+    size = sum(map(len, parts))
+    data, at = buffer(size), 0
+    for index, part in enumerate(parts):
+        data[at : at + len(part)] = np.frombuffer(part, np.uint8)
+        at += len(part)
+        parts[index] = b""  # so that it is not held twice
+    return data, size
+
+
+def _expanded(name: str, file: BinaryIO, gzip: bool, held: int) -> tuple[Bytes, int]:
+    """Return what a gzip or xz file of a size expands to, and the size of that."""
+    most = EXPANDED + TIMES * held
     parts: list[bytes] = []
     size = 0
     try:
-        for part in filter(None, _parts(file, start[:2] == b"\x1f\x8b")):
-            if not size and part[:4] not in PCAP and part[:4] != PCAPNG:
-                raise CaptureError(
-                    f"{name}: byte 0 of what it expands to: neither pcap nor pcapng; it "
-                    f"starts with {part[:4].hex(' ')}"
-                )
+        for part in filter(None, _parts(file, gzip)):
+            if not size:
+                _known(part, f"{name}: byte 0 of what it expands to: ")
             parts.append(part)
             size += len(part)
             if size > most:
@@ -121,16 +181,12 @@ def _expanded(name: str, file: IO[bytes], start: bytes) -> tuple[Bytes, int]:
                 )
     except (zlib.error, lzma.LZMAError, EOFError) as error:
         raise CaptureError(f"{name}: byte {file.tell()}: compressed data: {error}") from error
-    data = buffer(size)
-    at = 0
-    for index, part in enumerate(parts):
-        data[at : at + len(part)] = np.frombuffer(part, np.uint8)
-        at += len(part)
-        parts[index] = b""  # so that it is not held twice
-    return data, size
+    if not size:
+        _known(b"", f"{name}: byte 0 of what it expands to: ")
+    return _joined(parts)
 
 
-def _parts(file: IO[bytes], gzip: bool) -> Iterator[bytes]:
+def _parts(file: BinaryIO, gzip: bool) -> Iterator[bytes]:
     """Yield what a file expands to piece by piece; it may be several compressed ones in a row."""
     rest = file.read(_CHUNK)
     while rest:
@@ -180,7 +236,7 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
     }
     _plausible(name, table)
     # The upper bits tell of check sequences.
-    return Packets(data, table, (link & 0xFFFF,))
+    return Packets(name, data, table, (link & 0xFFFF,))
 
 
 def _plausible(name: str, table: Columns) -> None:
@@ -237,7 +293,7 @@ def _pcapng(name: str, data: Bytes, size: int) -> Packets:
     if len(tables) > 1:
         table = take(table, np.argsort(table["at"], kind="stable"))
     _plausible(name, table)
-    return Packets(data, table, tuple(interface.link for interface in interfaces))
+    return Packets(name, data, table, tuple(interface.link for interface in interfaces))
 
 
 def _sections(

@@ -53,6 +53,8 @@ def parse(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) 
     bytes that were sent; ``at`` and ``end`` are those of the content then.
     """
     version = data[found["at"]] >> 4
+    if count := int(np.count_nonzero((version != 4) & (version != 6))):
+        notes["packets that are said to be IP, and are not"] += count
     parts = [
         part
         for number_, read in ((4, _version_4), (6, _version_6))
@@ -62,13 +64,16 @@ def parse(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) 
     return stack(parts) if parts else _version_4(data, take(found, slice(0)), addresses, notes)
 
 
-def _version_4(data: Bytes, found: Columns, addresses: Numbers, _: Counter[str]) -> Columns:
+def _version_4(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
     at = found["at"]
     header = (data[at].astype(np.int64) & 15) * 4
     total = number(data, at + 2, ">u2").astype(np.int64)
     # The card was to cut it into packets and to fill in the length.
     total = np.where(total == 0, found["end"] - at, total)
-    good = (header >= 20) & (at + header <= found["end"]) & (total >= header)
+    good = (header >= 20) & (total >= header)
+    if count := int(np.count_nonzero(~good & (at + 20 <= found["end"]))):
+        notes["IP packets with a broken header"] += count
+    good &= at + header <= found["end"]
     if not good.all():
         found, at, header, total = take(found, good), at[good], header[good], total[good]
     flags = number(data, at + 6, ">u2").astype(np.int64)
@@ -167,7 +172,7 @@ def put_together(
     group, _ = codes(*(pieces[key] for key in ("source", "target", "protocol", "id", "view")))
     order = np.argsort(group, kind="stable")
     pieces, group = take(pieces, order), group[order]
-    chosen, runs = _runs(pieces, group, time[pieces["frame"]], notes)
+    chosen, runs = _runs(pieces, group, data, time[pieces["frame"]], notes)
     pieces = take(pieces, chosen)
     # Each run of pieces makes one datagram, laid out one after the other.
     first = np.flatnonzero(np.diff(runs, prepend=-1))
@@ -192,12 +197,14 @@ def put_together(
     return pool, made
 
 
-def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tuple[Array, Array]:
+def _runs(
+    pieces: Columns, group: Array, data: Bytes, time: Array, notes: Counter[str]
+) -> tuple[Array, Array]:
     """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
     size = len(group)
     offset, more = pieces["offset"], pieces["more"]
-    start = np.diff(group, prepend=-1) != 0
-    start |= (offset == 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
+    late = (np.diff(group, prepend=-1) != 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
+    start = late | (offset == 0)
     run = np.cumsum(start) - 1
     follows = np.ones(size, bool)
     follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
@@ -206,16 +213,24 @@ def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tu
     whole_run = np.logical_and.reduceat(good, np.flatnonzero(start))
     easy = whole_run[run]
     chosen, runs = np.flatnonzero(easy), run[easy]
-    # Those out of order, sent twice or with holes, one by one.
+    # Those out of order, sent twice or with holes, one by one. What repeats a piece belongs to
+    # the next datagram of the kind, so that a packet seen twice counts twice as any other does.
+    part = np.cumsum(late)
+    code, first = codes(part, offset, pieces["wire"])
+    left, layer = np.flatnonzero(~easy), np.zeros(size, np.int64)
+    layer[left] = _times_before(code[left])
+    left = left[np.lexsort((left, layer[left], part[left]))]
     hard: list[int] = []
     hard_runs: list[int] = []
     waiting: dict[int, tuple[int, int]] = {}  # offset: (end, which)
-    code, since, total, held, failed, lost = -1, 0, 0, 0, 0, 0
+    rests: list[list[int]] = []
+    now, since, total, held, failed = (-1, 0), 0, 0, 0, 0
     ends = (offset + pieces["wire"]).tolist()
-    for which in np.flatnonzero(~easy).tolist():
-        if group[which] != code or time[which] - since > _LIFETIME:
-            lost += bool(waiting)
-            code, since = int(group[which]), int(time[which])
+
+    for which in left.tolist():
+        if (group[which], layer[which]) != now or time[which] - since > _LIFETIME:
+            rests.append([index for _, index in waiting.values()])
+            now, since = (int(group[which]), int(layer[which])), int(time[which])
             waiting, total, held, failed = {}, 0, 0, 0
         here = int(offset[which])
         old = waiting.get(here, (here, 0))[0]
@@ -226,25 +241,47 @@ def _runs(pieces: Columns, group: Array, time: Array, notes: Counter[str]) -> tu
             total = ends[which]
         if not total or held < total or failed > _MOST_FAILURES:
             continue
-        covered, used = 0, []
+        covered, parts = 0, []
         for at, (end, index) in sorted(waiting.items()):
             if at > covered or covered >= total:
                 break
-            used.append(index)
+            parts.append(index)
             covered = max(covered, end)
         if covered < total:
             failed += 1  # overlaps, and a hole
             continue
-        hard += used
-        hard_runs += [size + which] * len(used)
+        hard += parts
+        hard_runs += [size + which] * len(parts)
         waiting, total, held = {}, 0, 0
-    lost += bool(waiting)
+    rests.append([index for _, index in waiting.values()])
+    chosen = np.append(chosen, np.array(hard, np.int64))
+    # What only repeats pieces that were used, or that are missing anyway, is no datagram.
+    used = first.copy()
+    used[code[chosen]] = chosen
+
+    def repeats(which: int, other: int) -> bool:
+        one, two = (data[pieces["at"][at] : pieces["end"][at]] for at in (which, other))
+        return which != other and np.array_equal(one, two)
+
+    lost = 0
+    for rest in rests:
+        kinds = code[rest].tolist()
+        lost += not all(
+            repeats(which, used[kind]) or repeats(which, first[kind])
+            for which, kind in zip(rest, kinds, strict=True)
+        )
     if lost:
         notes["IP datagrams of which fragments are missing"] += lost
-    return (
-        np.append(chosen, np.array(hard, np.int64)),
-        np.append(runs, np.array(hard_runs, np.int64)),
-    )
+    return chosen, np.append(runs, np.array(hard_runs, np.int64))
+
+
+def _times_before(code: Array) -> Array:
+    """Return how many times each number stands before its place."""
+    order = np.argsort(code, kind="stable")
+    begins = np.flatnonzero(np.diff(code[order], prepend=-1))
+    before = np.empty(len(code), np.int64)
+    before[order] = np.arange(len(code)) - np.repeat(begins, np.diff(begins, append=len(code)))
+    return before
 
 
 def datagrams(data: Bytes, found: Columns) -> Columns:

@@ -14,6 +14,14 @@ UP, DOWN = 1, 2
 
 IPV4, IPV6 = 0x0800, 0x86DD
 _TAGS = (0x8100, 0x88A8, 0x9100)
+#: PPPoE's sessions, with a header in front of PPP's type, which has numbers of its own; those from
+#: 0x8000 on are of PPP's control (RFC 2516, RFC 1661).
+_PPPOE, _PPPOE_HEADER = 0x8864, 6
+_PPP_IPV4, _PPP_IPV6, _PPP_CONTROL = 0x0021, 0x0057, 0x8000
+#: What no IP packet is in: ARP and RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests, and
+#: all below, which are lengths.
+_WITHOUT_IP = (0x0806, 0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
+_LEAST_TYPE = 0x600
 #: More tags than this, or words of radiotap flags, nobody sends.
 _MOST_TAGS, _MOST_WORDS = 4, 8
 
@@ -60,26 +68,37 @@ def _longer(found: Columns, least: int) -> Columns:
     return found if enough.all() else take(found, enough)
 
 
-def _ip_only(data: Bytes, found: Columns, kind: Array, at: Places) -> Columns:
-    """Return those whose type is IP, after any VLAN tags; the type stands before `at`."""
+def _ip_only(data: Bytes, found: Columns, kind: Array, at: Places, notes: Counter[str]) -> Columns:
+    """Return those whose type is IP, after VLAN tags and PPPoE; the type stands before `at`."""
     for _ in range(_MOST_TAGS):
         tagged = np.isin(kind, _TAGS) & (at + 4 <= found["end"])
         if not tagged.any():
             break
         kind = np.where(tagged, number(data, at * tagged + 2, ">u2"), kind)
         at = at + 4 * tagged
-    is_ip = ((kind == IPV4) | (kind == IPV6)) & (at < found["end"])
-    return take(found | {"at": at}, is_ip)
+    session = (kind == _PPPOE) & (at + _PPPOE_HEADER + 2 <= found["end"])
+    if session.any():
+        inner = number(data, at * session + _PPPOE_HEADER, ">u2")
+        types = (_PPP_IPV4, IPV4), (_PPP_IPV6, IPV6)
+        for ppp, type_ in types:
+            kind = np.where(session & (inner == ppp), type_, kind)
+        kind = np.where(session & (inner >= _PPP_CONTROL), 0, kind)
+        at = at + (_PPPOE_HEADER + 2) * session
+    is_ip = (kind == IPV4) | (kind == IPV6)
+    other = kind[~is_ip & (kind >= _LEAST_TYPE) & ~np.isin(kind, _WITHOUT_IP)]
+    for type_, count in zip(*np.unique(other, return_counts=True), strict=True):
+        notes[f"frames of EtherType 0x{type_:04x}, which is not read"] += int(count)
+    return take(found | {"at": at}, is_ip & (at < found["end"]))
 
 
-def _ethernet(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
+def _ethernet(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     found = _longer(found, 14)
     at = found["at"]
     kind = number(data, at + 12, ">u2")
     # Up to 1500 it is a length, and what follows is LLC.
     llc = (kind <= 1500) & _snap(data, at + 14)
     kind = np.where(llc, number(data, at + 20, ">u2"), kind)
-    return _ip_only(data, found, kind, at + 14 + 8 * llc)
+    return _ip_only(data, found, kind, at + 14 + 8 * llc, notes)
 
 
 def _snap(data: Bytes, at: Places) -> Array:
@@ -88,28 +107,31 @@ def _snap(data: Bytes, at: Places) -> Array:
     return found
 
 
-def _cooked(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
+def _cooked(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     found = _longer(found, 16)
     at = found["at"]
     # Sent or received: one packet may be seen as both.
     view = (found["view"] << 8) | (number(data, at, ">u2") & 0xFF)
-    return _ip_only(data, found | {"view": view}, number(data, at + 14, ">u2"), at + 16)
+    return _ip_only(data, found | {"view": view}, number(data, at + 14, ">u2"), at + 16, notes)
 
 
-def _cooked_2(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
+def _cooked_2(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     found = _longer(found, 20)
     at = found["at"]
     index = number(data, at + 4, ">u4").astype(np.int64)
     view = (found["view"] << 40) | (index << 8) | data[at + 10]
-    return _ip_only(data, found | {"view": view}, number(data, at, ">u2"), at + 20)
+    return _ip_only(data, found | {"view": view}, number(data, at, ">u2"), at + 20, notes)
 
 
-def _loopback(data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
+def _loopback(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     found = _longer(found, 4)
     # The family is in the byte order of the machine that captured, so its IPv6 differs, too.
     family = number(data, found["at"], ">u4")
     family = np.where(family > 0xFFFF, family.byteswap(), family)
-    return take(found | {"at": found["at"] + 4}, np.isin(family, (2, 10, 24, 28, 30)))
+    is_ip = np.isin(family, (2, 10, 24, 28, 30))
+    if count := int(np.count_nonzero(~is_ip)):
+        notes["packets of loopback that are not IP"] += count
+    return take(found | {"at": found["at"] + 4}, is_ip)
 
 
 def _raw(_data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
@@ -173,7 +195,10 @@ def _wifi(data: Bytes, found: Columns, notes: Counter[str], padded: Array) -> Co
         "retry": second & 0x08 > 0,
     }
     return stack(
-        [_llc(data, take(found, ~bundle)), _llc(data, _subframes(data, take(found, bundle)))]
+        [
+            _llc(data, take(found, ~bundle), notes),
+            _llc(data, _subframes(data, take(found, bundle)), notes),
+        ]
     )
 
 
@@ -191,10 +216,10 @@ def _subframes(data: Bytes, found: Columns) -> Columns:
     return stack(parts)
 
 
-def _llc(data: Bytes, found: Columns) -> Columns:
+def _llc(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     found = _longer(found, 8)
     found = take(found, _snap(data, found["at"]))
-    return _ip_only(data, found, number(data, found["at"] + 6, ">u2"), found["at"] + 8)
+    return _ip_only(data, found, number(data, found["at"] + 6, ">u2"), found["at"] + 8, notes)
 
 
 Reader = Callable[[Bytes, Columns, Counter[str]], Columns]

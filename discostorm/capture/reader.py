@@ -3,7 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -49,6 +49,7 @@ class Process:
 class Reading:
     """All that a file told: messages as columns, names of their numbers, processes, notes."""
 
+    name: str
     rows: Columns
     time: Array
     addresses: Numbers
@@ -236,7 +237,7 @@ def _kept(found: Columns, *more: str) -> Columns:
     }
 
 
-def read(path: str | PathLike[str]) -> Reading:
+def read(path: str | PathLike[str] | BinaryIO) -> Reading:
     """Return what a file tells; see `discostorm.read_capture`."""
     packets = files.read(path)
     reader = _Reader(packets)
@@ -256,7 +257,7 @@ def read(path: str | PathLike[str]) -> Reading:
     for name in list(rows):
         rows[name] = rows[name][order]
     processes = _processes(reader, rows)
-    return Reading(rows, time, reader.addresses, processes, reader.notes, size, cut)
+    return Reading(packets.name, rows, time, reader.addresses, processes, reader.notes, size, cut)
 
 
 #: The columns of messages and their types.

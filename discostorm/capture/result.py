@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from os import PathLike
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 import sympy as sp
@@ -14,7 +15,7 @@ from discostorm import _checks
 from discostorm._numeric import evaluate
 from discostorm.capture import ip, reader, rtps, zenoh
 from discostorm.capture.files import CaptureError
-from discostorm.fleet import Fleet, HostGroup
+from discostorm.fleet import Count, Fleet, HostGroup
 from discostorm.messages import (
     ENDPOINT_PAIR,
     MATCHED_WRITER,
@@ -228,8 +229,10 @@ class Capture:
         if protocol.wired is not None and self._as_if_wired(protocol, on_air):
             protocol = protocol.wired
         if fleet is None:
-            fleet = self._sending(self.fleet(wire), protocol, on_air)
-        _checks.instance("fleet", fleet, Fleet)
+            seen = self._sending(self._seen(self.fleet(wire)), protocol, on_air)
+        else:
+            _checks.instance("fleet", fleet, Fleet)
+            seen = self._seen(fleet)
         rows = on_air.assign(airtime_s=self.airtime(wifi))
         if wire is not None:
             rows = rows[rows["protocol"].isin([wire, "TCP"] if wire == "Zenoh" else [wire])]
@@ -247,7 +250,7 @@ class Capture:
         units = dict.fromkeys(others, np.nan)
         expected = dict(units)
         for message in protocol.messages:
-            visible = self._units(message, fleet)
+            visible = seen.units(message)
             units.setdefault(message.kind, visible)
             if started:
                 times = float(np.asarray(message.schedule.sent(window)))
@@ -328,49 +331,81 @@ class Capture:
         alone = {m.kind for m in protocol.messages} - by_multicast
         return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
-    def _sending(self, fleet: Fleet, protocol: Protocol, rows: pd.DataFrame) -> Fleet:
+    def _seen(self, fleet: Fleet) -> _Seen:
+        """Return how much of a fleet the capture shows."""
+        if (view := self.view()) is None:
+            return _Seen(fleet)
+        own = self._processes[self._processes["host"] == view]
+        return _Seen(fleet, _host_like(fleet, own))
+
+    def _sending(self, seen: _Seen, protocol: Protocol, rows: pd.DataFrame) -> _Seen:
         """Return the fleet that was found, with what it does not announce itself."""
         announced = sum(
             m.per_unit for m in protocol.messages if (m.kind, m.unit) == ("Declare", ENDPOINT_PAIR)
         )
+        groups = seen.fleet.groups
         if 0 < announced < 1:
-            groups = tuple(replace(g, endpoints=g.endpoints / announced) for g in fleet.groups)
-            fleet = Fleet(groups)
-        if announced > 1 and (pairs := float(fleet.pairs())) > 0:
+            groups = tuple(replace(g, endpoints=g.endpoints / announced) for g in groups)
+        if announced > 1 and (pairs := seen.count(Fleet.pairs)) > 0:
             # A token for each endpoint and for the node.
             tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
-            fleet = Fleet(
-                tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in fleet.groups)
-            )
+            groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
+        seen = replace(seen, fleet=Fleet(groups))
         units = {message.unit for message in protocol.messages}
         if MATCHED_WRITER not in units:
-            return fleet
+            return seen
+        none, all_ = (replace(seen, fleet=Fleet(groups, matching)) for matching in (0.0, 1.0))
         if UNMATCHED in units:
             # With every match one of two does not declare the key expression.
-            declared = int((rows["kind"] == "Declare key expression").sum())
-            none, all_ = (
-                sum(
-                    m.load(Fleet(fleet.groups, matching))
-                    for m in protocol.messages
-                    if m.kind == "Declare key expression"
-                )
-                for matching in (0.0, 1.0)
+            kind = "Declare key expression"
+            least, most = (
+                sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
+                for of in (all_, none)
             )
-            saved, most = none - declared, none - all_
+            saved, most = most - int((rows["kind"] == kind).sum()), most - least
         else:
             answers = rows[rows["kind"] == "User ACKNACK"]
             saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-            most = float(Fleet(fleet.groups, 1.0).matched_writers())
+            most = all_.count(Fleet.matched_writers)
         share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
-        return Fleet(fleet.groups, share)
+        return replace(seen, fleet=Fleet(groups, share))
 
-    def _units(self, message: Message, fleet: Fleet) -> float:
-        """Return of how many units of a message the capture shows what they send."""
-        every = float(message.unit.count(fleet))
-        if message.cast == "multicast" or (view := self.view()) is None:
+
+@dataclass(frozen=True)
+class _Seen:
+    """A fleet, and the number of the group whose one host alone shows its unicast, if any."""
+
+    fleet: Fleet
+    own: int | None = None
+
+    def count(self, count: Callable[[Fleet], Count]) -> float:
+        """Return how many of what a fleet has of something by unicast the capture shows."""
+        every = float(count(self.fleet))
+        if self.own is None:
             return every
-        others = _without(fleet, self._processes[self._processes["host"] == view])
-        return every - float(message.unit.count(others)) if others is not None else every
+        groups = list(self.fleet.groups)
+        mine = groups.pop(self.own)
+        if mine.hosts >= 2:
+            groups.insert(self.own, replace(mine, hosts=mine.hosts - 1))
+        if not groups:
+            return every
+        return every - float(count(Fleet(tuple(groups), self.fleet.matching)))
+
+    def units(self, message: Message) -> float:
+        """Return of how many units of a message the capture shows what they send."""
+        if message.cast == "multicast":
+            return float(message.unit.count(self.fleet))
+        return self.count(message.unit.count)
+
+
+def _host_like(fleet: Fleet, processes: pd.DataFrame) -> int:
+    """Return the number of the group whose hosts are most like the one of these processes."""
+    mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
+    unlike = [
+        (abs(group.processes - len(processes)), abs(group.endpoints - mean))
+        for group in fleet.groups
+    ]
+    return unlike.index(min(unlike))
 
 
 def _group_name(hosts: list[str], groups: int) -> str:
@@ -378,20 +413,6 @@ def _group_name(hosts: list[str], groups: int) -> str:
         return ""
     more = f" and {len(hosts) - 1} more" if len(hosts) > 1 else ""
     return hosts[0] + more
-
-
-def _without(fleet: Fleet, processes: pd.DataFrame) -> Fleet | None:
-    """Return the fleet without the host of these processes; None if no other one is left."""
-    mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-
-    def unlike(group: HostGroup) -> tuple[float, float]:
-        return abs(group.processes - len(processes)), abs(group.endpoints - mean)
-
-    mine = min(fleet.groups, key=unlike)
-    rest = [group for group in fleet.groups if group is not mine]
-    if mine.hosts > 1:
-        rest.append(replace(mine, hosts=mine.hosts - 1))
-    return Fleet(tuple(rest), fleet.matching) if rest else None
 
 
 def _loopback_rows(addresses: pd.Series) -> pd.Series:
@@ -407,15 +428,16 @@ def _airtime(lengths: np.ndarray, cast: Cast, wifi: Wifi) -> Any:
     return evaluate(expression, given | wifi.values())
 
 
-def read_capture(path: str | PathLike[str]) -> Capture:
+def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     """Read a capture of discovery traffic.
 
     Parameters
     ----------
-    path : str or path-like
+    path : str, path-like or binary file
         A file of tcpdump, Wireshark or dumpcap: pcap or pcapng, also as gz or xz; of Ethernet
         (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
-        radiotap. It may hold other traffic as well.
+        radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
+        open, such as ``sys.stdin.buffer``, is read to its end.
 
     Returns
     -------
@@ -429,6 +451,8 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     CaptureError
         If it is no capture, is broken or ends inside of a packet; the message names the
         file and the place. It is a ValueError.
+    TypeError
+        If `path` is neither a path nor a file opened in binary mode.
 
     Examples
     --------
@@ -441,10 +465,7 @@ def read_capture(path: str | PathLike[str]) -> Capture:
     """
     import pandas as pd
 
-    name = fspath(path)
-    if not isinstance(name, str):
-        raise TypeError(f"path must be text; got {path!r}")
-    found = reader.read(name)
+    found = reader.read(path)
     rows, time = found.rows, found.time
     addresses = ip.names(found.addresses)
     multicast = ip.multicast(found.addresses)
@@ -504,7 +525,7 @@ def read_capture(path: str | PathLike[str]) -> Capture:
         index=pd.Index(processes, name="process", dtype=object),
     )
     return Capture(
-        path=name,
+        path=found.name,
         packets=found.packets,
         start=begin * NANOSECOND,
         duration=float(since.max()) if len(time) else 0.0,

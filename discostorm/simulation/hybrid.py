@@ -13,10 +13,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
+from discostorm.simulation import _queue
 from discostorm.simulation.channel import Channel, Frame, timing_of
 from discostorm.simulation.speaker import (
     BEAT,
@@ -76,7 +77,10 @@ class HybridRun:
 
 @dataclass(frozen=True)
 class Death:
-    """Who dies when: a time [s] and a choice, which may read all that the speakers hold."""
+    """Who dies when: a time [s], at least 0, and a choice, which may read all that speakers hold.
+
+    The choice returns numbers of hosts, from 0 on, and leaves one alive.
+    """
 
     time: float
     choose: Choice
@@ -89,7 +93,7 @@ def hybrid_run(
     alike: bool = False,
     loss: tuple[float, float] = (0.2, 0.01),
     fade: float = 0.0,
-    queue: tuple[float, float] = (500, 0.5),
+    queue: tuple[float, float] | None = (500, 0.5),
     start: Any = 0.0,
     part: Any = 0,
     death: Death | None = None,
@@ -110,25 +114,28 @@ def hybrid_run(
         no two have.
     loss : tuple of (float, float), optional
         Part of the multicast frames that each host misses, and of the unicast hops that fail for
-        good, after all attempts of Wi-Fi [1].
+        good, after all attempts of Wi-Fi [1]; 0 to 1.
     fade : float, optional
-        If above 0, a host misses all multicasts in fades of this mean length [s], exponential,
-        which take the part of the time that `loss` says, instead of each frame on its own.
+        At least 0. If above, a host misses all multicasts in fades of this mean length [s],
+        exponential, which take the part of the time that `loss` says, instead of each frame on
+        its own.
     queue : tuple of (float, float), optional
-        Frames [1] and seconds that each queue holds.
+        Frames [1] and seconds that each queue holds, as `discostorm.simulate` takes them.
     start : float or array, optional
-        When each host starts [s]; those that start before 0 have settled, and hold the sets of
-        all settled hosts of their part.
+        When each host starts [s], one of them by the end of the run; those that start before 0
+        have settled, and hold the sets of all settled hosts of their part.
     part : int or array, optional
-        Which settled hosts have met before the run; from 0 on all hear each other.
+        Which settled hosts have met before the run, a number of at least 0 for each; from 0 on
+        all hear each other.
     death : Death, optional
         Hosts that die.
     until : float, optional
-        When the run ends [s].
+        When the run ends [s], above 0.
     enough : float, optional
-        If all hold all sets, the run ends so long after anybody learned anything [s].
+        If all hold all sets, the run ends so long after anybody learned anything [s]; at least 0,
+        or infinity.
     seed : int, optional
-        Of the random numbers.
+        Of the random numbers [1], at least 0.
 
     Returns
     -------
@@ -151,23 +158,50 @@ def hybrid_run(
     """
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("wifi", wifi, Wifi)
+    _checks.instance("alike", alike, bool)
+    if not isinstance(loss, (tuple, list)) or len(loss) != 2:
+        raise TypeError(f"loss must be a tuple of two parts, multicast and unicast; got {loss!r}")
     multicast = _checks.number("loss[0]", loss[0], 0, 1)
     unicast = _checks.number("loss[1]", loss[1], 0, 1)
     _checks.number("fade", fade, 0)
     _checks.number("until", until, 0, above=True)
+    if not np.array_equal(enough, np.inf):
+        _checks.number("enough", enough, 0)
+    _checks.whole("seed", seed, 0)
+    if death is not None:
+        _checks.instance("death", death, Death)
+        _checks.number("death.time", death.time, 0)
+        if not callable(death.choose):
+            raise TypeError(f"death.choose must be a function; got {death.choose!r}")
     if wifi.aggregation is not None:
         raise ValueError(f"wifi must be without aggregation here; got {wifi.name!r}")
     sizes = sizes_of(fleet)
     count = len(sizes.whole)
-    starts = np.broadcast_to(np.asarray(start, np.float64), (count,)).copy()
-    rng = np.random.default_rng(np.random.SeedSequence(seed))
-    channel = Channel(timing_of(wifi), count, unicast, queue, rng)
+    most = _checks.MOST_SECONDS
+    starts = _one_a_host("start", _checks.numbers("start", start, -most, most), count)
+    if starts.min() > until:
+        raise ValueError(f"start must be by until, {until:g} s, for a host; got {starts.min():g}")
+    parted = _one_a_host("part", _checks.numbers("part", part, 0), count)
+    if (parted % 1).any():
+        raise ValueError(f"part must be a whole number; got {parted[parted % 1 > 0][0]:g}")
+    rng = np.random.default_rng(np.random.SeedSequence(int(seed)))
+    channel = Channel(timing_of(wifi), count, unicast, _queue(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
     run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death)
-    run.settle(np.broadcast_to(np.asarray(part), (count,)))
+    run.settle(parted)
     run.go(until, enough)
     return run.result()
+
+
+def _one_a_host(name: str, value: ArrayLike, count: int) -> NDArray[np.float64]:
+    """Return a number for each host."""
+    if np.shape(value) not in ((), (count,)):
+        raise ValueError(
+            f"{name} must be one number, or one for each of {count} hosts; "
+            f"got shape {np.shape(value)}"
+        )
+    return np.broadcast_to(value, (count,)).astype(np.float64)
 
 
 @dataclass(eq=False)
@@ -260,7 +294,17 @@ class _Run:
 
     def kill(self) -> None:
         assert self.death is not None
-        self.dead = np.asarray(self.death.choose(self.speakers, self.rng), np.int64)
+        hosts = self.speakers.hosts
+        chosen = np.asarray(self.death.choose(self.speakers, self.rng))
+        if not chosen.size:
+            return
+        if chosen.dtype.kind not in "iu" or chosen.min() < 0 or chosen.max() >= hosts:
+            raise ValueError(
+                f"death.choose must return numbers of hosts, 0 to {hosts - 1}; got {chosen!r}"
+            )
+        if np.unique(chosen).size == hosts:
+            raise ValueError("death.choose must leave one host alive")
+        self.dead = chosen.astype(np.int64).reshape(-1)
         self.speakers.alive[self.dead] = False
         self.speakers.due[:, self.dead] = NEVER
         self.channel.silence(self.dead)

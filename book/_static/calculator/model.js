@@ -47,11 +47,11 @@ const DISCOSTORM = (() => {
   const shared37 = {"R_uni": 5764705882.3529415, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 78400, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
   const shared38 = {"name": "802.11be 320 MHz 2x2", "model": "padded", "values": shared37};
   const shared39 = "another radio (802.11ax 160 MHz 2x2, A-MPDU 64)";
-  const shared40 = {"effort": 6, "takes": "the radios", "mind": "computed as if every exchange were full, so at best: a queue need not hold as many frames for one"};
+  const shared40 = {"effort": 6, "takes": "the radios", "mind": "the best case, with every exchange full; a queue may hold fewer frames for one receiver"};
   const shared41 = {"effort": 5, "takes": "nodes changed", "mind": "parameters can no longer be read or set from outside; a service counts as the two endpoints of DDS"};
   const shared42 = {"effort": 7, "takes": "other middleware", "mind": "all hosts must change together"};
   const shared43 = {"effort": 1, "takes": "a setting", "mind": "hosts too far away for this rate hear no multicast"};
-  const shared44 = {"effort": 5, "takes": "nodes changed", "mind": "the nodes must be built as components; one crash ends all nodes of its host"};
+  const shared44 = {"effort": 5, "takes": "nodes changed", "mind": "only what is built as components can be composed; one crash ends all nodes of its host"};
   const shared45 = {"effort": 6, "takes": "the radios", "mind": "all hosts and the access point need it, and must be near enough for its rate"};
   const shared46 = ["discovery server", "a Discovery Server", "both as Fast DDS was measured", "Fast DDS Discovery Server", "Fast DDS"];
   const shared47 = ["two discovery servers", "two Discovery Servers", "both as Fast DDS was measured", "Fast DDS Discovery Server, two", "Fast DDS"];
@@ -517,15 +517,16 @@ const DISCOSTORM = (() => {
     },
     "laptop_nodes": 2,
     "service_endpoints": 12,
+    "endpoints_of_a_node": 28.40740740740741,
     "shared_endpoints": [2, 4],
     "remedies": {
       "aggregation": {"of": {"DDS": shared40, "Zenoh": shared40, "None": shared40}, "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nieee80211n=1\nwmm_enabled=1\n"}]}},
       "discovery server": {
-        "of": {"DDS": {"effort": 3, "takes": "a program more", "mind": "its address on every robot; nobody new is found until it is back, and in 4 of 25 runs that it was away for 3 s not then"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 3, "takes": "a program more", "mind": "its address on each robot; ros2 tools as super clients; nobody new is found until it is back, nor after 4 of 25 quick restarts"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}, {"where": "for the server if it is a program of your own", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for the server if it is a program of your own -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}, {"where": "for a client that reads no environment", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for a client that reads no environment -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}]},
       },
       "discovery server on a robot": {
-        "of": {"DDS": {"effort": 3, "takes": "a program more", "mind": "its address on every robot; nobody new is found while that robot is away; the rest as with a server of its own"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 3, "takes": "a program more", "mind": "its address on each robot; ros2 tools as super clients; nobody new is found while that robot is away"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on one of the robots", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on one of the robots\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}]},
       },
       "endpoints": {
@@ -557,7 +558,7 @@ const DISCOSTORM = (() => {
         "paste": {"802.11n 40 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\n"}], "802.11ac 80 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\n"}], "802.11ax 160 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n"}]},
       },
       "router": {
-        "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": "a program more", "mind": "its address on every robot; data goes through it, too; nobody hears anybody until 2.2 s after it is back"}, "None": null},
+        "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": "a program more", "mind": "its address on each robot; data goes through it, too; nobody hears anybody until 2.2 s after it is back"}, "None": null},
         "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on a computer that is wired to the access point\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  timestamping: { enabled: true },\n}\n"}, {"where": "for every process", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: for every process\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  timestamping: { enabled: true },\n}\n"}]},
       },
       "router on each host": {
@@ -569,7 +570,7 @@ const DISCOSTORM = (() => {
         "paste": {"any": [{"where": "for every process", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: on every robot -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints; no two of them all have the same number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n"}]},
       },
       "two discovery servers": {
-        "of": {"DDS": {"effort": 4, "takes": "several programs more", "mind": "both addresses on every robot; each is told everything; nothing while one lives; nobody new is found while both are down"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 4, "takes": "several programs more", "mind": "both addresses on each robot; ros2 tools as super clients; nothing while one lives; when both are down nobody new is found"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on two computers that are wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on two computers that are wired to the access point\n# The first line on one of them, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n"}, {"where": "on every robot; the servers stand in the order of their numbers", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot; the servers stand in the order of their numbers\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n"}]},
       },
     },
@@ -1297,20 +1298,20 @@ const DISCOSTORM = (() => {
         "units": [shared54, shared106, shared90, shared58, shared68, shared56, shared128, [shared129, shared129, shared129], shared66, [shared130, shared130, shared130], shared69],
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 609.2, 1, 0, 1, "up down", shared95],
-          ["SPDP at discovery", "multicast", 609.2, 1, 1, 1, "up down", shared97],
-          ["SPDP of endpoints", "multicast", 609.2, 1, 2, 1, "up down", shared97],
-          ["SPDP unicast", "unicast", 609.2, 1, 3, 1, "up down", shared107],
-          ["SPDP unicast at discovery", "unicast", 609.2, 1, 3, 1, "up down", shared97],
-          ["SPDP unicast for others", "unicast", 609.2, 1, 4, 0.5, "up down", shared97],
-          ["SPDP unicast of endpoints", "unicast", 609.2, 1, 5, 0.505, "up down", shared97],
-          ["Listed", "multicast", 56.36, 0, 2, 1, "up down", shared107],
-          ["Listed at discovery", "multicast", 56.36, 0, 6, 0.7288, "up down", shared97],
-          ["Listed of endpoints", "multicast", 56.36, 0, 7, 0.7288, "up down", shared97],
-          ["Listed unicast", "unicast", 56.36, 0, 5, 1, "up down", shared107],
-          ["Listed unicast at discovery", "unicast", 56.36, 0, 5, 0.8369, "up down", shared97],
-          ["Listed unicast for others", "unicast", 56.36, 0, 8, 0.4184, "up down", shared97],
-          ["Listed unicast of endpoints", "unicast", 56.36, 0, 9, 0.4226, "up down", shared97],
+          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared95],
+          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared97],
+          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared97],
+          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared107],
+          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared97],
+          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared97],
+          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared97],
+          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared107],
+          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared97],
+          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared97],
+          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared107],
+          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared97],
+          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared97],
+          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared97],
           ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared97],
           ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared97],
           ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared97],
