@@ -1,5 +1,6 @@
 """The printed edition: in parts, without what is folded, solutions last, tables that fit."""
 
+import math
 import re
 from pathlib import Path
 
@@ -15,7 +16,11 @@ _UPRIGHT, _TURNED = 446.0, 680.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
+#: Lines up to which a table stays on one page.
+_SHORT = 18
 _SOLUTION = "Show the solution"
+#: Lines that the print shows of an output that is folded, such as a long file.
+_LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
 
 
@@ -42,7 +47,19 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> list[nodes.container]:
                 cell.remove(source)
             if not cell.children:
                 cell.parent.remove(cell)
+        elif cell.get("hide_mode") == "output":
+            for output in cell.findall(nodes.literal_block):
+                _shorten(output)
     return solutions
+
+
+def _shorten(block: nodes.literal_block) -> None:
+    """Leave the first lines of a long text, and say how many there were."""
+    lines = block.astext().splitlines()
+    if len(lines) > 2 * _LINES:
+        rest = f"... and {len(lines) - _LINES} more lines, in the HTML edition"
+        block.children = [nodes.Text("\n".join([*lines[:_LINES], rest]))]
+        block.rawsource = block.astext()
 
 
 def _solutions(app: Sphinx, by_chapter: dict[str, list[nodes.container]]) -> nodes.section:
@@ -90,7 +107,7 @@ def _least(entry: nodes.entry, size: float) -> float:
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
     words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
-    formulas = [_formula(math.astext()) for math in entry.findall(nodes.math)]
+    formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
         words = formulas
     return max((_width(word, size, is_code=is_code) for word in words), default=0.0)
@@ -158,9 +175,18 @@ def _fit(table: nodes.table) -> None:
             )
             parent = table.parent
             at = parent.index(table)
+            lines = sum(
+                max(
+                    math.ceil(_natural(entry, size) / width)
+                    for entry, width in zip(row, widths, strict=True)
+                )
+                for row in rows
+            )
+            # A short table is not torn apart.
+            together = rf"\needspace{{{1.3 * size * lines + 40:.0f}pt}}" if lines <= _SHORT else ""
             parent.insert(at + 1, _latex(rf"\endgroup{back}" + "\n"))
             parent.insert(at, tabular_col_spec(spec=spec))
-            parent.insert(at, _latex(rf"{turn}\begingroup{command}" + "\n"))
+            parent.insert(at, _latex(rf"{together}{turn}\begingroup{command}" + "\n"))
             return
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
