@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab published deaths hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -98,6 +98,9 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/deaths.py $(ARGS)
+
+published: build/lab/.ready ## stage what others published of discovery traffic (Debian, root; half an hour)
+	@$(BIN)/python lab/published.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
 	@$(BIN)/python lab/hybrid.py --out discostorm/data/measured/hybrid.csv

@@ -21,15 +21,29 @@ LEAST_SECONDS, MOST_SECONDS = 1e-9, 1e6
 MOST_UTILIZATION = 1e100
 
 
-def wanted(low: float, high: float = np.inf, above: bool = False) -> str:
+def wanted(
+    low: float,
+    high: float = np.inf,
+    above: bool = False,
+    below: bool = False,
+    what: str = "a finite number",
+) -> str:
     """Return in words which numbers are allowed."""
-    start = f" above {low:g}" if above else f" of at least {low:g}"
-    end = "" if np.isinf(high) else f" and at most {high:g}"
-    return f"a finite number{'' if np.isinf(low) else start}{end}"
+    start = f" above {exactly(low)}" if above else f" of at least {exactly(low)}"
+    end = f" and below {exactly(high)}" if below else f" and at most {exactly(high)}"
+    return f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
 
 
-def real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
+def exactly(value: float) -> str:
+    """Return a number as short as it can be, with all its digits."""
+    text = f"{value:g}"
+    return text if float(text) == value else f"{value:.15g}"
+
+
+def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDArray[Any]:
     """Return ``value`` as an array of real numbers; whoever calls it checks their range.
+
+    Errors do not speak of arrays where there can be but one number.
 
     Raises
     ------
@@ -38,26 +52,25 @@ def real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
     ValueError
         If the rows differ in length, or a number is beyond all floats.
     """
+    any_of = allowed if one else f"{allowed}, or an array of them"
     if np.ma.is_masked(value):
-        raise TypeError(f"{name} must be {allowed}, or an array of them without masked elements")
+        raise TypeError(f"{name} must be {any_of} without masked elements")
     if hasattr(value, "to_numpy"):
         # As in pandas and xarray: by position, values of different labels would meet.
         raise TypeError(
-            f"{name} must be {allowed}, or an array of them; got a {type(value).__name__}, whose "
+            f"{name} must be {any_of}; got a {type(value).__name__}, whose "
             f"labels would be lost: give its .to_numpy()"
         )
     try:
         given = np.asarray(value)
     except ValueError as error:
-        raise ValueError(
-            f"{name} must be {allowed}, or an array of them; got {short(value)}"
-        ) from error
+        raise ValueError(f"{name} must be {any_of}; got {short(value)}") from error
     if given.dtype.kind in "iuf":
         return given
     if given.dtype.kind != "O" or not all(
         isinstance(item, Real) and not isinstance(item, bool) for item in given.flat
     ):
-        raise TypeError(f"{name} must be {allowed}, or an array of them; got {short(value)}")
+        raise TypeError(f"{name} must be {any_of}; got {short(value)}")
     try:
         given.astype(np.float64)
     except OverflowError as error:  # an integer beyond all floats
@@ -66,7 +79,13 @@ def real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
 
 
 def within(
-    name: str, given: NDArray[Any], low: float, high: float = np.inf, *, above: bool = False
+    name: str,
+    given: NDArray[Any],
+    low: float,
+    high: float = np.inf,
+    *,
+    above: bool = False,
+    below: bool = False,
 ) -> NDArray[np.float64]:
     """Return real numbers as float64 if every element is finite and within the range.
 
@@ -80,21 +99,32 @@ def within(
         # As array.min() and max(), which take longer to get there.
         least, most = np.minimum.reduce(array, axis=None), np.maximum.reduce(array, axis=None)
         # A comparison with NaN is false, so both tests are put the positive way round.
-        if not ((least > low if above else least >= low) and most <= high and most < np.inf):
-            good = np.isfinite(array) & (array <= high) & (array > low if above else array >= low)
+        if not (
+            (least > low if above else least >= low)
+            and (most < high if below else most <= high)
+            and most < np.inf
+        ):
+            good = np.isfinite(array) & (array > low if above else array >= low)
+            good &= array < high if below else array <= high
             raise ValueError(
-                f"{name} must be {wanted(low, high, above)}; got {given[~good].item(0)!r}"
+                f"{name} must be {wanted(low, high, above, below)}; got {given[~good].item(0)!r}"
             )
     return array
 
 
 def numbers(
-    name: str, value: ArrayLike, low: float, high: float = np.inf, *, above: bool = False
+    name: str,
+    value: ArrayLike,
+    low: float,
+    high: float = np.inf,
+    *,
+    above: bool = False,
+    below: bool = False,
 ) -> float | NDArray[np.float64]:
     """Return ``value`` as float64 if every element is finite and within the range.
 
-    A scalar or 0-d array gives a float, which Python computes with faster. ``above``
-    excludes the lower end.
+    A scalar or 0-d array gives a float, which Python computes with faster. ``above`` and
+    ``below`` exclude the ends.
 
     Raises
     ------
@@ -109,9 +139,11 @@ def numbers(
         and not isinstance(value, bool)
         and (value > low if above else value >= low)
         and value <= min(high, sys.float_info.max)
+        and not (below and value == high)
     ):
         return float(value)
-    array = within(name, real(name, value, wanted(low, high, above)), low, high, above=above)
+    given = real(name, value, wanted(low, high, above, below))
+    array = within(name, given, low, high, above=above, below=below)
     return array if array.ndim else array.item()
 
 
@@ -119,17 +151,26 @@ def number(
     name: str, value: Any, low: float, high: float = np.inf, *, above: bool = False
 ) -> float:
     """Return ``value`` as a float if it is one number within the range; see `numbers`."""
-    checked = numbers(name, value, low, high, above=above)
-    one_each([(name, value)])
-    return float(checked)
+    if isinstance(value, (float, int)) and not isinstance(value, bool):
+        return float(numbers(name, value, low, high, above=above))
+    given = _one(name, value, wanted(low, high, above))
+    return float(within(name, given, low, high, above=above))
 
 
 def whole(name: str, value: Any, low: float, high: float = np.inf, note: str = "") -> None:
     """Raise an error unless ``value`` is one whole number in the range; see `number`."""
-    given = number(name, value, low)
-    if given % 1 or given > high:
-        allowed = "" if np.isinf(high) else f" of at least {low:g} and at most {high:g}{note}"
-        raise ValueError(f"{name} must be a whole number{allowed}; got {value!r}")
+    allowed = wanted(low, high, what="a whole number") + note
+    given = _one(name, value, allowed).astype(np.float64).item()
+    if not (low <= given <= high and given % 1 == 0):
+        raise ValueError(f"{name} must be {allowed}; got {value!r}")
+
+
+def _one(name: str, value: Any, allowed: str) -> NDArray[Any]:
+    """Return ``value`` as an array without dimensions; see `real`."""
+    given = real(name, value, allowed, one=True)
+    if given.ndim:
+        one_each([(name, value)])
+    return given
 
 
 def one_each(named: Iterable[tuple[str, Any]]) -> None:

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 import click
 
 import discostorm as ds
-from discostorm import words
+from discostorm import _checks, words
 from discostorm.fleet import COUNTS
 from discostorm.scalability import message_costs
 from discostorm.wifi import Wifi
@@ -131,7 +131,7 @@ def _listing(names: Iterable[str]) -> Callable[[click.Context, click.Parameter, 
     """Return what prints these names where ``list`` is given instead of one of them."""
 
     def callback(context: click.Context, _: click.Parameter, value: str) -> str:
-        if value == "list":
+        if value.lower() == "list":
             click.echo("\n".join(names))
             context.exit()
         return value
@@ -201,7 +201,7 @@ output_options = _packed(
 def _wifi(channel: str, **given: float | None) -> Wifi:
     """Return the channel of a name, with other rates and overheads."""
     changes = {option: value for option, value in given.items() if value is not None}
-    if channel == "paper":
+    if channel.lower() == "paper":
         return _own_channel(changes) if changes else ds.PAPER
     try:
         radio = radio_named(channel)
@@ -242,7 +242,7 @@ wifi_options = _packed(
         metavar="NAME",
         callback=_listing(("paper", *ds.WIFI)),
         help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
-        "'802.11n 20 MHz 2x2, A-MPDU 64'; 'list' lists some.",
+        "'802.11n 20 MHz 2x2, A-MPDU 64', in any case of letters; 'list' lists some.",
     ),
     *(
         click.option(
@@ -314,8 +314,13 @@ class Members:
 def _read(file: str) -> ds.Fleet:
     """Return the fleet of a file, or of standard input for ``-``."""
     if file == "-":
-        return ds.Fleet.from_bytes(sys.stdin.buffer.read(), "standard input")
+        return ds.Fleet.from_bytes(sys.stdin.buffer.read(), _called(file))
     return ds.Fleet.from_toml(file)
+
+
+def _called(file: str) -> str:
+    """Return what messages call a file."""
+    return "standard input" if file == "-" else file
 
 
 def _one_file(fleet: str | None, file: str | None) -> str | None:
@@ -335,7 +340,7 @@ def _members(
     chosen = _file_or_counts(fleet, file, counts)
     if chosen is None:
         return Members(counts, counts)
-    return Members({"fleet": chosen}, {"hosts": _read(chosen)})
+    return Members({"fleet": _called(chosen)}, {"hosts": _read(chosen)})
 
 
 def _file_or_counts(fleet: str | None, file: str | None, counts: Mapping[str, Any]) -> str | None:
@@ -608,6 +613,8 @@ def _kinds(
     counts: dict[str, Any] = {"processes": processes, "endpoints": endpoints}
     chosen = _file_or_counts(fleet, file, counts)
     others: tuple[ds.HostGroup, ...] = ()
+    if chosen == beside == "-":
+        raise click.UsageError("either FLEET or --beside may be -, for standard input")
     if beside is not None:  # without their names, which may be those of FLEET
         others = tuple(replace(group, name="") for group in _read(beside).groups)
     if chosen is None:
@@ -743,7 +750,7 @@ def plan(
         try:
             answer = ds.plan(members, protocol, wifi, nodes=nodes, shared=shared)
         except ValueError as error:
-            raise ValueError(f"{file}: {error}") from error
+            raise ValueError(f"{_called(file)}: {error}") from error
     if output.as_csv:
         _print(answer.to_frame().reset_index().to_dict("records"), output)
     elif output.as_json:
@@ -768,8 +775,7 @@ class Runs:
 
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of the package's function."""
-        if not 0 <= self.window < float("inf"):
-            raise ValueError(f"--window must be a finite number of at least 0; got {self.window:g}")
+        _checks.number("--window", self.window, 0, _checks.MOST_SECONDS)
         start = (lambda rng, hosts: rng.uniform(0, self.window, hosts)) if self.window else 0.0
         return {
             "queue": None if self.unlimited else (500, 0.5),
@@ -938,7 +944,7 @@ def capture(
         _print(rows, output)
     elif output.as_json:
         answer = {
-            "file": file,
+            "file": _called(file),
             "packets": found.packets,
             "duration_s": found.duration,
             "hosts": [dict(zip(COUNTS, group.counts(), strict=True)) for group in groups],
@@ -947,7 +953,7 @@ def capture(
         }
         click.echo(_json(answer))
     elif output.for_people:
-        _show_capture(file, found, groups, rows, output)
+        _show_capture(found, groups, rows, output)
 
 
 def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
@@ -956,9 +962,9 @@ def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 
 
 def _show_capture(
-    file: str, found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+    found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
-    click.echo(visible(f"{file}: {found.packets} packets in {found.duration:.3f} s"))
+    click.echo(visible(f"{found.path}: {found.packets} packets in {found.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = words.many(processes, "process", "es")

@@ -40,8 +40,8 @@ class HostGroup:
     name : str, optional
         What to call it.
     nodes : float, optional
-        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`; None
-        if it is not known.
+        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`, which
+        alone looks whether there are endpoints for so many; None if it is not known.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name

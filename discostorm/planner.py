@@ -508,8 +508,9 @@ def plan(
     shared : float, optional
         Endpoints of each process that match one in every other [1], 0 for programs without
         ROS 2. If left out, at least those that ROS 2 makes for a process and for each of its nodes,
-        `discostorm.robots.shared_endpoints`; more where a group says so. Never more than a process
-        has. Only tables of what products send depend on it.
+        `discostorm.robots.shared_endpoints`; more where a group says so, never more than a process
+        has. Without a number of nodes it has as many as ready-made robots have for its endpoints,
+        `discostorm.robots.likely_nodes`. Only tables of what products send depend on it.
 
     Returns
     -------
@@ -550,7 +551,7 @@ def plan(
     own = nodes_of(fleet, nodes)
     if shared is not None:
         shared = _checks.number("shared", shared, 0, _checks.MOST)
-    fleet = of_ros2(fleet, own, shared)
+    fleet = of_ros2(fleet, nodes, shared)
     guessed = nodes is None and any(group.nodes is None for group in fleet.groups)
 
     costs_of: dict[tuple[int, Protocol, Wifi], float] = {}

@@ -17,7 +17,7 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Message, Protocol, Schedule
 from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
-from discostorm.robots import shared_endpoints
+from discostorm.robots import likely_nodes, parameter_service_endpoints, shared_endpoints
 from discostorm.wifi import PAPER, Radio, Wifi
 
 #: Parts that a fleet is split into.
@@ -135,11 +135,6 @@ class Change:
 #: and aggregation are those that were asked for.
 SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
 AIR = ("radio", "multicast rate", "aggregation")
-
-
-def parameter_service_endpoints() -> int:
-    """Return how many endpoints the parameter services of a node have [1]."""
-    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
 def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
@@ -476,12 +471,19 @@ def of_paper(message: Message) -> bool:
     return any(message in table.messages for table in (DDS, ZENOH))
 
 
-def of_ros2(fleet: Fleet, nodes: Sequence[float], shared: float | None = None) -> Fleet:
-    """Return a fleet whose processes have the endpoints that all of ROS 2 shares, or so many."""
-    groups = (
-        _with(group, shared=max(group.shared, shared_endpoints(own)) if shared is None else shared)
-        for group, own in zip(fleet.groups, nodes, strict=True)
-    )
+def of_ros2(
+    fleet: Fleet, nodes: float | Sequence[float] | None, shared: float | None = None
+) -> Fleet:
+    """Return a fleet whose processes have the endpoints that all of ROS 2 shares, or so many.
+
+    Where neither `nodes` nor a group says how many nodes a process has, they are the likely ones.
+    """
+    own = nodes_of(fleet, nodes)
+    groups = []
+    for group, told in zip(fleet.groups, own, strict=True):
+        unknown = nodes is None and group.nodes is None
+        least = shared_endpoints(likely_nodes(group.endpoints) if unknown else told)
+        groups.append(_with(group, shared=max(group.shared, least) if shared is None else shared))
     return replace(fleet, groups=tuple(groups))
 
 

@@ -1,5 +1,7 @@
 """Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
 
+from functools import cache
+
 from discostorm.data import read_data
 from discostorm.fleet import HostGroup
 
@@ -30,6 +32,44 @@ def shared_endpoints(nodes: float = 0.0) -> float:
     per = {"process": 1.0, "node": float(nodes)}
     rows = read_data("fleets/shared_topics.csv")
     return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
+
+
+def likely_nodes(endpoints: float) -> float:
+    """Return how many nodes a process of so many endpoints has if nobody says: as ready-made ones.
+
+    At least one where the endpoints are enough for its parameter services, else none; more in the
+    ratio of all processes of ``fleets/robots.csv`` that have nodes.
+
+    Parameters
+    ----------
+    endpoints : float
+        Endpoints of the process [1].
+
+    Returns
+    -------
+    float
+        How many [1].
+
+    Examples
+    --------
+    >>> likely_nodes(10), likely_nodes(20), round(likely_nodes(678))
+    (0.0, 1.0, 24)
+    """
+    if endpoints < parameter_service_endpoints():
+        return 0.0
+    return max(1.0, endpoints / endpoints_of_a_node())
+
+
+@cache
+def endpoints_of_a_node() -> float:
+    """Return how many endpoints the processes of ready-made robots have for each node [1]."""
+    rows = [row for row in read_data("fleets/robots.csv") if int(row["nodes"])]
+    return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)
+
+
+def parameter_service_endpoints() -> int:
+    """Return how many endpoints the parameter services of a node have [1]."""
+    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
 def robots() -> dict[str, HostGroup]:

@@ -1,6 +1,6 @@
-/* One process of the lab: a participant of Cyclone DDS with ENDPOINTS endpoints, as
-   rmw_cyclonedds makes them. It says that it is ready, reads the time to begin from its input, and
-   leaves SECONDS later without saying goodbye. */
+/* One process of the lab: a participant of Cyclone DDS with ENDPOINTS endpoints, as rmw_cyclonedds
+   makes them, or with those that ENDPOINTS lists: "w TOPIC TYPE,r TOPIC TYPE". It says that it is
+   ready, reads the time to begin from its input, and leaves SECONDS later without saying goodbye. */
 #define _GNU_SOURCE
 #include <dds/dds.h>
 #include <stdio.h>
@@ -32,6 +32,20 @@ static dds_entity_t must(dds_entity_t entity, const char *what) {
     return entity;
 }
 
+/* A topic of a type of any name; no sample is ever written. */
+static dds_entity_t named_topic(dds_entity_t participant, const char *name, const char *type) {
+    dds_topic_descriptor_t described = std_msgs_msg_dds__String__desc;
+    described.m_typename = type;
+    return must(dds_create_topic(participant, &described, name, NULL, NULL), "topic");
+}
+
+static void make(dds_entity_t participant, dds_entity_t topic, int reads, const dds_qos_t *qos) {
+    if (reads)
+        must(dds_create_reader(participant, topic, qos, NULL), "reader");
+    else
+        must(dds_create_writer(participant, topic, qos, NULL), "writer");
+}
+
 int main(int argc, char **argv) {
     if (argc != 7) {
         fprintf(stderr, "usage: cyclone_dds SECONDS HOST PROCESS ENDPOINTS NAMES VARIANT\n");
@@ -56,6 +70,14 @@ int main(int argc, char **argv) {
     tell("begin");
     const dds_entity_t participant = must(dds_create_participant(0, own, NULL), "participant");
     tell("participant");
+    if (strchr(argv[4], ' ')) {
+        for (char *one = strtok(argv[4], ","); one != NULL; one = strtok(NULL, ",")) {
+            char role, name[256], type[256];
+            if (sscanf(one, "%c %255s %255s", &role, name, type) != 3)
+                return 2;
+            make(participant, named_topic(participant, name, type), role == 'r', qos);
+        }
+    }
     for (int number = 0; number < pairs; ++number) {
         char name[32];
         dds_entity_t topic = 0;
@@ -65,12 +87,8 @@ int main(int argc, char **argv) {
             else
                 snprintf(name, sizeof name, "rt/lab_%02d%02d_%c%03d", host, process, "wr"[reads], number);
             if (!matching || !reads)
-                topic = must(dds_create_topic(participant, &std_msgs_msg_dds__String__desc, name, NULL, NULL),
-                             "topic");
-            if (reads)
-                must(dds_create_reader(participant, topic, qos, NULL), "reader");
-            else
-                must(dds_create_writer(participant, topic, qos, NULL), "writer");
+                topic = named_topic(participant, name, std_msgs_msg_dds__String__desc.m_typename);
+            make(participant, topic, reads, qos);
         }
     }
     tell("endpoints");

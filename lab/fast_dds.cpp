@@ -1,14 +1,18 @@
 // One process of the lab: a participant of Fast DDS with ENDPOINTS endpoints, as rmw_fastrtps
-// makes them. It says that it is ready, reads the time to begin from its input, and leaves
-// SECONDS later without saying goodbye.
+// makes them, or with those that ENDPOINTS lists: "w TOPIC TYPE,r TOPIC TYPE". It says that it is
+// ready, reads the time to begin from its input, and leaves SECONDS later without saying goodbye.
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -19,6 +23,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/rtps/builtin/discovery/participant/PDPSimple.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 
 #include "fast_dds.hpp"
@@ -27,14 +32,35 @@ using namespace eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using Clock = std::chrono::system_clock;
 
+static bool endpoints_known = false;
+
+// In 2.9.1 the thread that discovers a participant walks through its static endpoints with no lock
+// held (PDPListener.cpp:137), while another that gets its next announcement, which has more of them,
+// replaces the list or adds the same endpoint: processes crash (eProsima/Fast-DDS#4029). With the
+// lock that the other holds they do not. Later versions (2.10.4, 2.12.2, 2.13.3) walk through a copy.
+void rtps::PDPSimple::notifyAboveRemoteEndpoints(const rtps::ParticipantProxyData& data) {
+    using Original = void (*)(rtps::PDPSimple*, const rtps::ParticipantProxyData&);
+    static const auto original = reinterpret_cast<Original>(
+        dlsym(RTLD_NEXT, "_ZN8eprosima8fastrtps4rtps9PDPSimple26notifyAboveRemoteEndpointsERKNS1_20"
+                         "ParticipantProxyDataE"));
+    must(reinterpret_cast<const void*>(original), "discovery of participants");
+    std::unique_lock<std::recursive_mutex> lock(*getMutex(), std::defer_lock);
+    if (endpoints_known) {
+        lock.lock();
+    }
+    original(this, data);
+}
+
 namespace {
 
+const std::string STRING = "std_msgs::msg::dds_::String_";
+
 // Discovery needs the type's name alone; no sample is ever written.
-class String : public TopicDataType {
+class Named : public TopicDataType {
 public:
-    String() {
+    explicit Named(const std::string& name) {
         m_typeSize = 260;
-        setName("std_msgs::msg::dds_::String_");
+        setName(name.c_str());
         auto_fill_type_information(false);
         auto_fill_type_object(false);
     }
@@ -82,7 +108,7 @@ std::string everybody(const std::string& names, int pairs) {
                 for (const std::string kind : {"writer", "reader"}) {
                     text += "<" + kind + "><userId>" + std::to_string(id++) + "</userId><topicName>" +
                             topic_name(names, host, process, kind[0], number) + "</topicName>" +
-                            "<topicDataType>std_msgs::msg::dds_::String_</topicDataType>" +
+                            "<topicDataType>" + STRING + "</topicDataType>" +
                             "<topicKind>NO_KEY</topicKind>" +
                             "<reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>" +
                             "<durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos></" + kind + ">";
@@ -92,6 +118,32 @@ std::string everybody(const std::string& names, int pairs) {
         }
     }
     return text + "</staticdiscovery>";
+}
+
+struct Endpoint {
+    char role;  // of a writer or a reader
+    std::string topic, type;
+};
+
+std::vector<Endpoint> listed(const std::string& text) {
+    std::vector<Endpoint> found;
+    std::istringstream items(text);
+    for (std::string item; std::getline(items, item, ',');) {
+        Endpoint one;
+        std::istringstream(item) >> one.role >> one.topic >> one.type;
+        found.push_back(one);
+    }
+    return found;
+}
+
+std::vector<Endpoint> numbered(const std::string& names, int host, int process, int pairs) {
+    std::vector<Endpoint> found;
+    for (int number = 0; number < pairs; ++number) {
+        for (const char role : {'w', 'r'}) {
+            found.push_back({role, topic_name(names, host, process, role, number), STRING});
+        }
+    }
+    return found;
 }
 
 void tell(const char* what) {
@@ -109,7 +161,9 @@ int main(int argc, char** argv) {
     }
     const double seconds = std::atof(argv[1]);
     const int host = std::atoi(argv[2]), process = std::atoi(argv[3]), pairs = std::atoi(argv[4]) / 2;
-    const std::string names = argv[5], variant = argv[6];
+    const std::string endpoints = argv[4], names = argv[5], variant = argv[6];
+    const bool list = endpoints.find(' ') != std::string::npos;
+    const auto wanted = list ? listed(endpoints) : numbered(names, host, process, pairs);
 
     DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
     qos.name("/");
@@ -120,8 +174,8 @@ int main(int argc, char** argv) {
         qos.transport().user_transports.push_back(
             std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
     }
-    const bool fixed = variant == "static";
-    if (fixed) {
+    endpoints_known = variant == "static";
+    if (endpoints_known) {
         qos.name(participant_name(host, process));
         auto& discovery = qos.wire_protocol().builtin.discovery_config;
         discovery.use_SIMPLE_EndpointDiscoveryProtocol = false;
@@ -147,28 +201,29 @@ int main(int argc, char** argv) {
     auto* participant = DomainParticipantFactory::get_instance()->create_participant(0, qos);
     must(participant, "participant");
     tell("participant");
-    TypeSupport type(new String);
-    type.register_type(participant);
     auto* publisher = participant->create_publisher(PUBLISHER_QOS_DEFAULT);
     auto* subscriber = participant->create_subscriber(SUBSCRIBER_QOS_DEFAULT);
     must(publisher, "publisher");
     must(subscriber, "subscriber");
-    for (int number = 0; number < pairs; ++number) {
-        const std::string written = topic_name(names, host, process, 'w', number);
-        const std::string read = topic_name(names, host, process, 'r', number);
-        auto* topic = participant->create_topic(written, type.get_type_name(), TOPIC_QOS_DEFAULT);
+    int id = endpoint_id(host, process, 0, pairs);
+    for (const Endpoint& one : wanted) {
+        if (participant->find_type(one.type).empty()) {
+            TypeSupport(new Named(one.type)).register_type(participant);
+        }
+        auto* topic = dynamic_cast<Topic*>(participant->lookup_topicdescription(one.topic));
+        if (topic == nullptr) {
+            topic = participant->create_topic(one.topic, one.type, TOPIC_QOS_DEFAULT);
+        }
         must(topic, "topic");
-        if (fixed) {
-            const int id = endpoint_id(host, process, number, pairs);
+        if (endpoints_known) {
             writer_qos.endpoint().user_defined_id = static_cast<int16_t>(id);
-            reader_qos.endpoint().user_defined_id = static_cast<int16_t>(id + 1);
+            reader_qos.endpoint().user_defined_id = static_cast<int16_t>(id++);
         }
-        must(publisher->create_datawriter(topic, writer_qos), "writer");
-        if (read != written) {
-            topic = participant->create_topic(read, type.get_type_name(), TOPIC_QOS_DEFAULT);
-            must(topic, "topic");
+        if (one.role == 'w') {
+            must(publisher->create_datawriter(topic, writer_qos), "writer");
+        } else {
+            must(subscriber->create_datareader(topic, reader_qos), "reader");
         }
-        must(subscriber->create_datareader(topic, reader_qos), "reader");
     }
     tell("endpoints");
     std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(

@@ -16,12 +16,12 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 LEAD = 0.5  # s from the word that all are ready to their start
 TAIL = 2.0  # s that tcpdump runs on, for what the kernel holds back
 SERVING = 1.0  # s that servers have before anybody else runs
-LATE = 0.25  # s after the agreed time; a process that begins later spoils the run
+LATE = 0.25  # s after the agreed time; what begins later spoils a run that does not allow for it
 PATIENCE = 30.0  # s beyond its time before a program is given up
 # Nothing of what configures middleware on the user's machine; the mark is of the tests.
 CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
@@ -78,12 +78,16 @@ def build_bridge() -> None:
     say("ip link set br0 address 02:00:00:00:01:00 up")
 
 
-def begin_capture(out: Path, buffer: int) -> subprocess.Popen[bytes]:
-    """Begin to capture what crosses the bridge, with a buffer of so many KiB; once it listens."""
+def begin_capture(out: Path, buffer: int, inside: int | None = None) -> subprocess.Popen[bytes]:
+    """Begin to capture what crosses the bridge, with a buffer of so many KiB; once it listens.
+
+    Inside of a host: what is on any of its interfaces.
+    """
     capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
-    flags = shlex.split(f"-i br0 -n -s 0 -B {buffer} -Z root")
+    flags = shlex.split(f"-i {'any' if inside else 'br0'} -n -s 0 -B {buffer} -Z root")
+    where = ["nsenter", f"--target={inside}", "--net"] if inside else []
     with report.open("w") as stderr:
-        dump = subprocess.Popen(["tcpdump", *flags, "-w", capture], stderr=stderr)
+        dump = subprocess.Popen([*where, "tcpdump", *flags, "-w", capture], stderr=stderr)
     for _ in range(500):
         if "listening on" in report.read_text():
             return dump
@@ -114,50 +118,66 @@ def serve(
     return number, server
 
 
+def programs_of(job: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return host, process, endpoints, names and variant of each program, and when it begins [s].
+
+    A job may list its programs, each with what differs; else they are alike and begin at once.
+    """
+    alike = {"endpoints": job.get("endpoints"), "names": job["names"]}
+    alike |= {"variant": job["variant"], "after": 0.0}
+    some = job.get("programs") or [
+        {"host": host, "process": process}
+        for host in range(1, job["hosts"] + 1)
+        for process in range(1, job["processes"] + 1)
+    ]
+    return [alike | one for one in some]
+
+
 def main() -> None:
     job = json.loads(sys.argv[1])
     out = Path(job["out"])
-    hosts, processes = job["hosts"], job["processes"]
+    hosts = job["hosts"]
     program_name = Path(job["command"][-1]).name
     build_bridge()
     # What serves the others runs on one of the hosts, or on one of its own behind them.
     numbers = sorted({*range(1, hosts + 1), *(number for number, _ in job["servers"])})
     built = {number: build_host(number) for number in numbers}
-    pids = [built[number] for number in range(1, hosts + 1)]
 
-    dump = begin_capture(out, 32768)
+    dump = begin_capture(out, 131072 if job.get("tap") else 32768, built.get(job.get("tap")))
     served = [serve(out, built[number], number, command) for number, command in job["servers"]]
     time.sleep(SERVING if served else 0)
 
     running: list[tuple[subprocess.Popen[str], IO[str]]] = []
-    for host, pid in enumerate(pids, 1):
-        for process in range(1, processes + 1):
-            command = [
-                *("nsenter", f"--target={pid}", "--net", "--mount", *job["command"]),
-                *(str(job["seconds"]), str(host), str(process), str(job["endpoints"])),
-                *(job["names"], job["variant"]),
-            ]
-            log = out.with_suffix(f".{host}.{process}.log").open("w+")
-            program = subprocess.Popen(
-                command,
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=log,
-                text=True,
-                env=CLEAN | job["env"],
-            )
-            running.append((program, log))
+    programs = programs_of(job)
+    for one in programs:
+        host, process = one["host"], one["process"]
+        command = [
+            *("nsenter", f"--target={built[host]}", "--net", "--mount", *job["command"]),
+            *(str(job["seconds"] - one["after"]), str(host), str(process), str(one["endpoints"])),
+            *(one["names"], one["variant"]),
+        ]
+        log = out.with_suffix(f".{host}.{process}.log").open("w+")
+        program = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=log,
+            text=True,
+            env=CLEAN | job["env"],
+        )
+        running.append((program, log))
     for program, _ in running:
         assert program.stdout is not None
         program.stdout.readline()  # "ready", or nothing from one that failed: see below
     start = round(time.time() + LEAD, 1)
     times = []
-    for program, _ in running:
+    for (program, _), one in zip(running, programs, strict=True):
         assert program.stdin is not None
         with contextlib.suppress(BrokenPipeError):
-            program.stdin.write(f"{start}\n")
+            program.stdin.write(f"{start + one['after']}\n")
             program.stdin.flush()
-    for program, errors in running:
+    for (program, errors), one in zip(running, programs, strict=True):
+        begin = start + one["after"]
         try:
             lines, _ = program.communicate(timeout=job["seconds"] + PATIENCE)
         except subprocess.TimeoutExpired:
@@ -168,8 +188,9 @@ def main() -> None:
                 raise SystemExit(f"{program_name} ended with {program.returncode}: {errors.read()}")
             errors.write("".join(line for line in lines.splitlines(True) if not TIME.match(line)))
         times.append({what: float(when) for what, when in TIME.findall(lines)})
-        if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - start < LATE:
-            raise SystemExit(f"a process began at {times[-1]}, not at {start}: machine too busy")
+        late = job.get("late", LATE)
+        if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - begin < late:
+            raise SystemExit(f"a process began at {times[-1]}, not at {begin}: machine too busy")
     time.sleep(TAIL)
     for number, server in served:
         if server.poll() is not None:

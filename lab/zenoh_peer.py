@@ -3,7 +3,8 @@
 Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With a
 VARIANT other than "default" there is a liveliness token for the node and for each endpoint too,
 and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it.
-The session is left without a close.
+ENDPOINTS may list them instead, "w KEY TYPE,r KEY TYPE"; with the VARIANT "warm" they are declared
+a third of the SECONDS after the session has been opened. The session is left without a close.
 """
 
 import json
@@ -38,9 +39,11 @@ def configured(variant: str) -> zenoh.Config:
 
 def main() -> None:
     seconds = float(sys.argv[1])
-    host, process, endpoints = map(int, sys.argv[2:5])
+    host, process = map(int, sys.argv[2:4])
+    listed = [item.split() for item in sys.argv[4].split(",") if " " in item]
+    endpoints = 0 if listed else int(sys.argv[4])
     matching, variant = sys.argv[5] == "matching", sys.argv[6]
-    tokens = variant != "default"
+    tokens = variant not in ("default", "warm")
     config = configured(variant)
     zenoh.init_log_from_env_or("error")
     tell("ready")
@@ -50,7 +53,12 @@ def main() -> None:
     session = zenoh.open(config)
     tell("participant")
     own, node = f"@ros2_lv/0/{session.info.zid()}", f"lab_{host:02}{process:02}"
-    kept = []
+    kept: list[object] = []
+    if variant == "warm":
+        time.sleep(max(0.0, start + seconds / 3 - time.time()))
+    for role, key, _ in listed:
+        declared = session.declare_publisher(key) if role == "w" else None
+        kept.append(declared or session.declare_subscriber(key, ignore))
     if tokens:
         kept += [
             session.liveliness().declare_token(f"{own}/0/0/NN/%/%/{node}"),

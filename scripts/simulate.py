@@ -143,6 +143,7 @@ def each(base: Setting, **options: Iterable[Any]) -> list[Setting]:
 
 ALONE = Setting("DDS", 2, queue_frames=0, queue_s=0.0)
 HEALED = Setting("DDS", 2, recovery=1)
+ONCE = Setting("DDS", 2, runs=10)
 
 #: The tables.
 SWEEPS: dict[str, Callable[[], list[Setting]]] = {
@@ -150,10 +151,11 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
         ALONE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 15, 20, 25, 30)
     ),
     "queues": lambda: each(
-        Setting("DDS", 2, runs=10),
-        protocol=PAPER,
-        mpdus=(1, 64),
-        hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50),
+        ONCE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50)
+    ),
+    "built": lambda: (
+        each(replace(ALONE, runs=10), protocol=BUILT, hosts=(5, 10, 20, 30))
+        + each(ONCE, protocol=BUILT, hosts=(5, 10, 20, 30))
     ),
     "convergence": lambda: each(
         replace(HEALED, runs=10),

@@ -21,7 +21,13 @@ from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import ARRANGED, MEASURED
-from discostorm.robots import laptop, robots, shared_endpoints
+from discostorm.robots import (
+    endpoints_of_a_node,
+    laptop,
+    parameter_service_endpoints,
+    robots,
+    shared_endpoints,
+)
 from discostorm.scalability import solve_hosts
 from discostorm.snippets import snippets
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
@@ -492,7 +498,8 @@ def model() -> Code:
         "times": data(words.TIMES),
         "airtime": airtimes(known),
         "laptop_nodes": number(laptop().nodes or 0),
-        "service_endpoints": number(changed.parameter_service_endpoints()),
+        "service_endpoints": number(parameter_service_endpoints()),
+        "endpoints_of_a_node": number(endpoints_of_a_node()),
         "shared_endpoints": [number(shared_endpoints(nodes)) for nodes in (0, 1)],
         "remedies": remedies(sorted(map(json.loads, kinds))),
         "largest": largest,

@@ -181,7 +181,7 @@ def test_names_that_match_cost_more_with_dds_and_less_with_zenoh(name: str) -> N
 @each_table
 def test_a_plan_and_an_outlook_can_be_had(name: str) -> None:
     plan = ds.plan(SWARM, TABLES[name])
-    assert plan.utilization == ds.utilization(TABLES[name], SWARM)
+    assert plan.utilization == ds.utilization(TABLES[name], plan.fleet)
     others = {r.protocol.name for r in plan.remedies if r.kind == "middleware"}
     assert others <= MEASURED - {name, "Cyclone DDS, wired"}  # on Wi-Fi nobody gets that one
     assert len(others) >= 3

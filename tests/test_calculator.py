@@ -18,6 +18,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import discostorm as ds
 from discostorm import timeline
+from discostorm.data import read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
 
@@ -33,6 +34,11 @@ assert _spec.loader is not None
 write_calculator = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(write_calculator)
 PROTOCOLS = ds.PROTOCOLS
+
+PARTS = [row for row in read_data("fleets/robots.csv") if row["nodes"] != "0"]
+ENDPOINTS_OF_A_NODE = sum(int(row["endpoints"]) for row in PARTS) / sum(
+    int(row["nodes"]) for row in PARTS
+)
 
 CHANNELS = {
     "paper": ds.PAPER,
@@ -81,10 +87,14 @@ def beside(entries: dict[str, str]) -> ds.Fleet | None:
 
 
 def of_ros2(counts: Sequence[float], nodes: float | None) -> ds.HostGroup:
-    """A group with what ROS 2 shares: two endpoints of a process and two of a node, if it has."""
+    """A group with what ROS 2 shares: two endpoints of a process and two of a node, if it has.
+
+    If nobody says how many nodes it has, it has one for as many endpoints as ready-made ones have.
+    """
     endpoints = counts[2]
-    nodes = float(endpoints >= 12) if nodes is None else nodes
-    return ds.HostGroup(*counts, nodes=nodes, shared=min(endpoints, 2 + 2 * nodes))
+    likely = max(1, endpoints / ENDPOINTS_OF_A_NODE) if endpoints >= 12 else 0
+    shared = 2 + 2 * (likely if nodes is None else nodes)
+    return ds.HostGroup(*counts, nodes=nodes, shared=min(endpoints, shared))
 
 
 def fleet_of(entries: dict[str, str], hosts: float | None = None) -> ds.Fleet:

@@ -384,7 +384,9 @@ def test_hosts_of_a_plan_must_be_whole(folder: Path) -> None:
     (folder / "half.toml").write_text(NAV2.replace("= 10", "= 2.5"), encoding="utf-8")
     result = run("plan", "half.toml")
     assert result.exit_code == 2
-    assert "half.toml: hosts of robots must be a whole number; got 2.5" in result.stderr
+    assert (
+        "half.toml: hosts of robots must be a whole number of at least 1; got 2.5" in result.stderr
+    )
 
 
 def every_command() -> dict[str, click.Command]:

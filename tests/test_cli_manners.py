@@ -123,7 +123,25 @@ def test_what_the_planner_advises_can_be_given_back() -> None:
     ids=lambda radio: radio.wifi().name,
 )
 def test_a_radio_is_found_by_the_name_it_gives_itself(radio: ds.Radio) -> None:
-    assert radio_named(radio.wifi().name).wifi() == radio.wifi()
+    name = radio.wifi().name
+    for written in (name, name.lower(), name.upper().replace("Μ", "µ")):
+        assert radio_named(written).wifi() == radio.wifi()
+
+
+def test_a_channel_is_named_in_any_case_of_letters() -> None:
+    for name in ("802.11ac 80 MHz 2x2", "paper", "list"):
+        found = run("utilization", *SWARM, "--wifi", name)
+        assert found.exit_code == 0
+        assert run("utilization", *SWARM, "--wifi", name.upper()).stdout == found.stdout
+
+
+def test_standard_input_has_one_name() -> None:
+    odd = "[[groups]]\nhosts = 2.5\nprocesses = 1\nendpoints = 100\n"
+    half = run("plan", "-", input=odd)
+    assert half.stderr.startswith("Error: standard input: hosts must be a whole number")
+    assert "standard input" in run("utilization", "-", input=NAV2).stdout
+    twice = run("saturation", "-", "--beside", "-", input=NAV2)
+    assert (twice.exit_code, "for standard input" in twice.stderr) == (2, True)
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import pickle
 from collections import Counter
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -273,7 +274,31 @@ def test_ready_made_robots_are_the_sum_of_their_parts() -> None:
     assert robots()["Nav2 in one process"].endpoints == 678
     composed = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
     assert robots()["Nav2 in one process"].nodes == composed
-    assert laptop() == ds.HostGroup(1, 1, 90, name="laptop", nodes=2)
+    assert laptop() == ds.HostGroup(1, 1, 90, name="laptop", nodes=2, shared=2 + 2 * 2)
+    assert robots()["Nav2 in one process"].shared == 2 + 2 * composed
+
+
+def test_what_is_shared_may_stand_in_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nshared = 4\n")
+    fleet = ds.Fleet.from_toml(path)
+    (group,) = fleet.groups
+    assert group == ds.HostGroup(2, 1, 50, shared=4) != ds.HostGroup(2, 1, 50)
+    assert pickle.loads(pickle.dumps(group)) == group
+    assert repr(group) == "HostGroup(hosts=2, processes=1, endpoints=50, shared=4)"
+    # Of 50 endpoints 4 match by themselves, and of the others the fleet's part.
+    assert fleet.matched() == 2 * 4
+    assert ds.Fleet(fleet.groups, matching=0.5).matched() == 2 * (4 + 46 / 2)
+    table = ds.PROTOCOLS["Fast DDS Discovery Server"]
+    full = ds.saturation_hosts(table, 1, 50, shared=4)
+    whole = replace(group, hosts=full)
+    assert ds.utilization(table, ds.Fleet((whole,))) == pytest.approx(1, rel=1e-9)
+    assert full < ds.saturation_hosts(table, 1, 50)
+    for wrong, allowed in (("51", "at most 50; got 51"), ("true", "got True")):
+        path.write_text(path.read_text().replace("shared = 4", f"shared = {wrong}"))
+        with pytest.raises(ValueError, match=f"group 1: shared must be .*{allowed}"):
+            ds.Fleet.from_toml(path)
+        path.write_text(path.read_text().replace(f"shared = {wrong}", "shared = 4"))
 
 
 def test_nodes_may_stand_in_the_file(tmp_path: Path) -> None:
@@ -308,7 +333,8 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
-            "group 1: key must be hosts or processes or endpoints or name or nodes; got hosst = 3",
+            "group 1: key must be hosts or processes or endpoints or name or nodes or shared; "
+            "got hosst = 3",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),

@@ -9,6 +9,7 @@ from discostorm import measured
 from discostorm.data import read_data
 from discostorm.messages import HOPS, UNITS
 from discostorm.protocols import ARRANGED
+from discostorm.scalability import burst
 
 TABLES = {name: ds.PROTOCOLS[name] for name in measured.arrangements()}
 SERVERS = [name for name in TABLES if "Discovery Server" in name]
@@ -231,6 +232,22 @@ def test_what_is_better_than_simple_discovery_and_what_is_worse() -> None:
     assert start_of(two, many, 1) < start_of(simple, many, 1)
     assert 0.9 < start_of(one, rich, 1) / start_of(simple, rich, 1) < 1.1
     assert min(start_of(name, rich, 1) for name in (robot, two)) > 1.3 * start_of(simple, rich, 1)
+    # The same with two processes a host, of 2 to 100 hosts.
+    hosts = np.arange(2.0, 101)
+    for endpoints in (10, 100):
+        swarms = ds.Fleet((ds.HostGroup(hosts, 2, endpoints),), 1.0)
+        less = {
+            name: burst(ds.PROTOCOLS[name], swarms) < burst(ds.PROTOCOLS[simple], swarms)
+            for name in (one, robot, two)
+        }
+        if endpoints == 10:
+            assert less[one].all()
+            assert less[robot].all()
+            assert (less[two] == (hosts >= 7)).all()
+        else:
+            assert (less[one] == (hosts >= 8)).all()
+            assert not less[robot].any()
+            assert not less[two].any()
     # One endpoint of a hundred that all share.
     assert start_of(one, rich, 0.01) < 0.2 * start_of(simple, rich, 0.01)
     # Processes with many endpoints pay more for lists of them than for SEDP.

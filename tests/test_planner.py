@@ -17,7 +17,8 @@ from discostorm import measured, remedies, staggered
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.protocols import ARRANGED, MEASURED
-from discostorm.remedies import MPDUS, MULTICAST_RATE, parameter_service_endpoints, split
+from discostorm.remedies import MPDUS, MULTICAST_RATE, split
+from discostorm.robots import likely_nodes, parameter_service_endpoints, robots as ready_made
 
 #: Hosts, each a list with the endpoints of each of its processes.
 Hosts = Sequence[Sequence[float]]
@@ -751,7 +752,11 @@ def test_planning_on_with_what_a_remedy_holds() -> None:
         ((WRONG,), TypeError, "fleet must be a Fleet; got 5"),
         ((FIG3, WRONG), TypeError, "protocol must be a Protocol; got 5"),
         ((FIG3, ds.DDS, WRONG), TypeError, "wifi must be a Wifi; got 5"),
-        ((ds.Fleet.swarm(2.5, 1, 1),), ValueError, "hosts must be a whole number; got 2.5"),
+        (
+            (ds.Fleet.swarm(2.5, 1, 1),),
+            ValueError,
+            "hosts must be a whole number of at least 1; got 2.5",
+        ),
         ((ds.Fleet.swarm([1, 2], 1, 1),), TypeError, "hosts must be one number, not an array"),
         ((ds.Fleet.symbolic(1),), TypeError, "hosts must be a number here, not an expression"),
     ],
@@ -1079,6 +1084,11 @@ def test_ros_2_has_a_server_introduce_everybody() -> None:
     assert without.utilization == ds.utilization(server, NAV2) < 1
     much = ds.Fleet((replace(robots, shared=100), laptop))
     assert ds.plan(much, nodes=[13, 2]).fleet.groups[0].shared == 100
+    # Without a number of nodes there are as many as ready-made robots have, which is about right.
+    assert ds.plan(NAV2).fleet.groups[0].shared == 2 + 2 * likely_nodes(678) > 28
+    for host in ready_made().values():
+        if host.nodes:
+            assert 0.5 < likely_nodes(host.endpoints) / max(1, host.nodes) < 2
     # The paper's tables know no names.
     assert plan.utilization == ds.utilization(ds.DDS, NAV2)
     # Composing and leaving out services keep what is shared.

@@ -19,6 +19,7 @@ from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.fleet import Hosts
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
+from discostorm.simulation import available
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
@@ -39,9 +40,10 @@ def plan(
     start: Any = 0.0,
     loss: Any = 0.0,
     recovery: bool = False,
+    until: float = 1e5,
 ) -> Plan:
     """Return a plan without limits of the queues whose radio the test may change."""
-    return plan_runs(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, 1e5, False)
+    return plan_runs(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
 
 
 def cell_of(what: Plan, seed: int = 0) -> Cell:
@@ -506,19 +508,30 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
 
 BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"queue": (0, 0.5)}, ValueError, r"queue\[0\] must be .* at least 1.*; got 0"),
-    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number; got 2.5"),
+    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number of .* 1; got 2.5"),
+    ({"queue": ("a", 0.5)}, TypeError, r"queue\[0\] must be a whole number of at least 1; got 'a'"),
     ({"queue": (500, 0)}, ValueError, r"queue\[1\] must be .* above 0; got 0"),
     ({"queue": 500}, TypeError, "queue must be None or a tuple"),
-    ({"start": -1.0}, ValueError, "start must be .* at least 0; got -1"),
+    ({"start": -1.0}, ValueError, "start must be .* at least 0 and .*; got -1"),
     ({"start": [0.0, 1.0]}, ValueError, r"start must give one time for each of the 5 hosts"),
     ({"start": "soon"}, TypeError, "start must be"),
-    ({"loss": 1.0}, ValueError, "loss must be below 1; got 1"),
-    ({"loss": -0.1}, ValueError, "loss must be .* at least 0"),
+    (
+        {"start": 1e15},
+        ValueError,
+        r"start must be .* at least 0 and at most 1e\+06; got 1000000000000000.0",
+    ),
+    ({"loss": 1.0}, ValueError, "loss must be .* at least 0 and below 1; got 1.0"),
+    ({"loss": 2.0}, ValueError, "loss must be .* at least 0 and below 1; got 2.0"),
+    ({"loss": -0.1}, ValueError, "loss must be .* at least 0 and below 1; got -0.1"),
     ({"loss": [0.1, 0.1]}, ValueError, "loss must be one number, or one for each of the 5 hosts"),
     ({"recovery": 1}, TypeError, "recovery must be a bool; got 1"),
-    ({"runs": 0}, ValueError, "runs must be .* at least 1.*; got 0"),
-    ({"seed": 1.5}, ValueError, "seed must be a whole number; got 1.5"),
-    ({"until": 0}, ValueError, "until must be .* above 0; got 0"),
+    ({"runs": 0}, ValueError, "^runs must be a whole number of at least 1; got 0$"),
+    ({"runs": "a"}, TypeError, "^runs must be a whole number of at least 1; got 'a'$"),
+    ({"runs": [1, 2]}, TypeError, r"^runs must be one number, not an array; got .*\[1, 2\]"),
+    ({"seed": 1.5}, ValueError, "seed must be a whole number of at least 0; got 1.5"),
+    ({"until": 0}, ValueError, "until must be .* above 0 and .*; got 0"),
+    ({"until": 1e15}, ValueError, r"until must be .* at most 1e\+06; got 1000000000000000.0"),
+    ({"until": "a"}, TypeError, r"^until must be a finite number above 0 and at most 1e\+06; got"),
 ]
 
 
@@ -534,6 +547,10 @@ def test_what_cannot_be_simulated_is_refused() -> None:
     wifi = RADIO.wifi()
     with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number .*; got 2.5"):
         ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
+    named = ds.Fleet((ds.HostGroup(2, 2.5, 1, name="robots"),))
+    allowed = "a whole number of at least 1 and at most 1048576"
+    with pytest.raises(ValueError, match=rf"processes of robots must be {allowed}; got 2.5"):
+        ds.simulate(named, ds.DDS, wifi)
     with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
         ds.simulate(ds.Fleet.swarm(1, 1, 1), ds.DDS, wifi)
     with pytest.raises(TypeError, match="must be a number to simulate; got N_H"):
@@ -580,6 +597,61 @@ def test_long_runs_are_announced(
     assert 500 < megabytes < 10_000
 
 
+def test_a_storm_is_what_its_collisions_are_one_by_one() -> None:
+    """While transmissions are noted down each is worked out alone, else many in one go."""
+    for table in (ds.DDS, ds.PROTOCOLS["Fast DDS"]):
+        what = plan(ds.Fleet.swarm(30, 1, 4), table, RADIO.wifi())
+        cell, alone = cell_of(what), cell_of(what)
+        alone = alone._replace(log=np.zeros(500_000, alone.log.dtype))
+        cell, alone = (finish(one, ticks(1e4), what.reserve) for one in (cell, alone))
+        assert cell.log.size < alone.now["logged"][0] < alone.log.size
+        for name in set(cell.now.dtype.names or ()) - {"logged", "free"}:
+            assert cell.now[name] == alone.now[name], name
+        assert cell.now["collided"][0] > 5_000
+        np.testing.assert_array_equal(cell.airtime, alone.airtime)
+        np.testing.assert_array_equal(cell.stations["missed"], alone.stations["missed"])
+
+
+def test_long_runs_are_estimated_by_how_long_they_are() -> None:
+    # Of one the announcements have a period of their own, of the other that of its middleware.
+    for name in ("Fast DDS", "DDS"):
+        table = ds.PROTOCOLS[name]
+
+        def seconds(table: ds.Protocol = table, **given: Any) -> float:
+            return plan(SWARM, table, RADIO.wifi(), recovery=True, **given).estimate()[0]
+
+        short, long, longest = (seconds(until=until) for until in (10.0, 1e5, 1e6))
+        assert short < 1
+        assert longest > 1
+        assert longest - short == pytest.approx(10 * (long - short), rel=1e-3)
+        # Only who has started speaks.
+        late = np.full(5, 1e6)
+        assert seconds(until=10.0, start=late) == short
+        assert seconds(until=10.0, start=late * (np.arange(5) > 0)) == pytest.approx(
+            longest, rel=1e-3
+        )
+
+
+def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("discostorm.simulation.available", lambda: 0.01)
+    with pytest.raises(
+        ValueError, match=r"^fleet must be smaller .* 0 MB are available; got 10 pr"
+    ):
+        small()
+    monkeypatch.undo()
+    assert 100 < available() < 1e8
+
+
+def test_the_same_simulation_is_equal() -> None:
+    one, same, other = small(seed=1), small(seed=1), small(seed=2)
+    assert one == same
+    assert hash(one) == hash(same)
+    assert one != other
+    assert one != "simulation"
+    assert one != replace(one, counts=one.counts | {"arrived": one.counts["arrived"] + 1})
+    assert one != replace(one, fleet=ds.Fleet.swarm(6, 2, 10))
+
+
 def test_one_run_fits_the_others() -> None:
     what = plan(SWARM, ds.DDS, RADIO.wifi())
     run = one_run(what, np.random.SeedSequence(0).spawn(1)[0])
@@ -611,9 +683,10 @@ def test_command_prints_what_the_package_finds() -> None:
     ("arguments", "message"),
     [
         (("--protocol", "CORBA"), "Invalid value for '--protocol': 'CORBA'"),
-        (("--window", "-1"), "--window must be a finite number of at least 0; got -1"),
+        (("--window", "-1"), "--window must be a finite number of at least 0 and at most 1e+06;"),
+        (("--window", "1e15"), "at most 1e+06; got 1000000000000000.0"),
         (("--runs", "0"), "runs must be"),
-        (("--loss", "1"), "loss must be below 1"),
+        (("--loss", "1"), "of at least 0 and below 1"),
         (("--wifi", "tin cans"), "--wifi must be one of"),
     ],
 )

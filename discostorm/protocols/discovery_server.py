@@ -6,11 +6,12 @@ grows with pairs, and a wired server costs less than simple discovery from two h
 Where everything matches, the server sends each of :math:`N` clients the endpoints of all others:
 its downlink grows with :math:`N^2`, as the SEDP of simple discovery does, and what is not
 acknowledged in time is sent again. Clients still exchange liveliness and the Heartbeats of users
-without it. Ten endpoints a process that all match leave a wired server cheaper, and let one on
-a robot or two servers cost as much or more in small fleets; a hundred make a wired server cost as
-much as simple discovery, and the other two more. One topic that all share, as that of the graph
-of ROS 2, makes the server tell everybody of everybody, but not of their other endpoints.
-In the steady state there is one announcement each way in 3 s a client, and nothing between clients.
+without it. If all of ten endpoints a process match, one server is still cheaper with two processes
+a host, and two servers cost more than simple discovery in small fleets; with a hundred, a wired
+server costs more in small fleets, and the other two do up to a hundred hosts. One topic that all
+share, as that of the graph of ROS 2, makes the server tell everybody of everybody, but not of their
+other endpoints. In the steady state there is one announcement each way in 3 s a client, and nothing
+between clients.
 
 A server that is wired to the access point costs each message one hop. On a robot, each
 message costs two, but for those of its own host; the server is on a host of the first group.

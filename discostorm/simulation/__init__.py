@@ -6,8 +6,11 @@ A second opinion of the closed form: one 802.11 cell whose hosts contend for the
 
 from __future__ import annotations
 
+import math
+import os
 import sys
 from importlib.util import find_spec
+from pathlib import Path
 from threading import Timer
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +29,7 @@ __all__ = ["Simulation", "simulate"]
 
 #: What users wait for without being told how long it takes [s].
 _PATIENCE = 60.0
-#: Loading what was compiled takes less [s].
+#: Loading what was compiled takes less [s], if nobody else is at work.
 _LOADING = 3.0
 #: Runs that take less in all go one after the other: starting processes takes longer [s].
 _ALONE = 5.0
@@ -67,7 +70,7 @@ def simulate(
         Frames [1] and seconds that the queue of each station and of the access point holds,
         as ns-3 has them by default; infinity or None for no limit.
     start : float, array or distribution, optional
-        When hosts start [s], at least 0: one time for all, an array of one a host, an object
+        When hosts start [s], from 0 to 1e6: one time for all, an array of one a host, an object
         with ``rvs`` (of `scipy.stats`), or a function of a `numpy.random.Generator` and
         a number of hosts that returns their times.
     loss : float or array, optional
@@ -86,8 +89,8 @@ def simulate(
         Of the random numbers [1], at least 0: the same arguments give the same result to the
         bit.
     until : float, optional
-        With recovery, when to give up [s] after the last host's start, above 0; without it a
-        run ends when the burst is through.
+        With recovery, when to give up [s] after the last host's start, above 0 and at most
+        1e6; without it a run ends when the burst is through.
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
@@ -102,7 +105,8 @@ def simulate(
     ImportError
         If numba, joblib or tqdm is missing.
     ValueError
-        If an argument is out of range, or the fleet, protocol or channel cannot be simulated.
+        If an argument is out of range, the fleet, protocol or channel cannot be simulated, or a
+        run needs more memory than the machine has available.
     TypeError
         If an argument is of another kind.
 
@@ -131,7 +135,7 @@ def simulate(
     _checks.instance("eifs", eifs, bool)
     _checks.whole("runs", runs, 1)
     _checks.whole("seed", seed, 0)
-    _checks.number("until", until, 0, above=True)
+    _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
 
     from discostorm.simulation.run import plan_runs
 
@@ -185,12 +189,20 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
 
     from discostorm.simulation.run import compiled, one_run
 
-    notice = Timer(_LOADING, _say, ["compiling the simulator, once on this machine ..."])
+    seconds, megabytes = plan.estimate()
+    free = available()
+    if megabytes > free:
+        raise ValueError(
+            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
+            f"and {free:.0f} MB are available; got {plan.hosts.host_of.size} processes"
+        )
+    notice = Timer(
+        _LOADING, _say, ["loading the simulator; the first time on a machine it is compiled ..."]
+    )
     notice.daemon = True
     notice.start()
     compiled()
     notice.cancel()
-    seconds, megabytes = plan.estimate()
     if seconds * len(seeds) > _PATIENCE:
         _say(
             f"{len(seeds)} run{'s'[: len(seeds) > 1]} of about {seconds / 60:.1f} min and "
@@ -204,16 +216,31 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
                 found.append(one_run(plan, seed))
                 bar.update()
             return found
-        jobs = Parallel(return_as="generator", **_jobs())
+        jobs = Parallel(return_as="generator", **_jobs(int(min(free / megabytes, len(seeds)))))
         for run in jobs(delayed(one_run)(plan, seed) for seed in seeds):
             found.append(run)
             bar.update()
     return found
 
 
-def _jobs() -> dict[str, int]:
-    """Return how many jobs go side by side: what the user's configuration says, or all."""
+def _jobs(most: int) -> dict[str, int]:
+    """Return how many jobs go side by side: what the user says, or as many as can and fit."""
+    from joblib import cpu_count
     from joblib.parallel import get_active_backend
 
     _, jobs = get_active_backend()
-    return {} if jobs not in (None, 1) else {"n_jobs": -1}
+    return {} if jobs not in (None, 1) else {"n_jobs": min(cpu_count(), most)}
+
+
+def available() -> float:
+    """Return the memory that the machine can still give [MB]; infinity if it does not say."""
+    try:
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+        (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
+        return int(found) * 1024 / 1e6
+    except (OSError, ValueError):
+        pass
+    try:  # of what is not Linux all that there is
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e6
+    except (AttributeError, OSError, ValueError):
+        return math.inf

@@ -68,12 +68,15 @@ def item_of(frame):
 LINE = 64
 
 
-def _record(*names: str, floats: tuple[str, ...] = (), lines: int = 0) -> np.dtype[np.void]:
+def _record(
+    *names: str, floats: tuple[str, ...] = (), short: tuple[str, ...] = (), lines: int = 0
+) -> np.dtype[np.void]:
     """Return a record of whole numbers, but for floats; as long as some lines of cache."""
-    fields = [(name, np.float64 if name in floats else np.int64) for name in names]
+    kinds = dict.fromkeys(names, np.int64) | dict.fromkeys(floats, np.float64)
+    fields = list((kinds | dict.fromkeys(short, np.int32)).items())
     if lines:
-        rest = lines * LINE // 8 - len(fields)
-        fields += [(f"_{number}", np.int64) for number in range(rest)]
+        rest = lines * LINE - np.dtype(fields).itemsize
+        fields += [(f"_{number}", np.int64) for number in range(rest // 8)]
     return np.dtype(fields)
 
 
@@ -113,16 +116,18 @@ FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 #: holds, has just sent, has numbered; whether it has to ask for a block acknowledgement; its
 #: queue; who it is; where it is in making a burst, ``made`` frames, ``times`` of ``number`` that
 #: are alike; how many were to receive its processes' frames, and for how many they are lost for
-#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h. What each
-#: transmission needs comes first, in one line of cache; what the next frame of a burst needs,
-#: ``last`` being the frame before, is in the second.
+#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h. What most
+#: transmissions need is in the first line of cache, with what the next frame of a burst needs,
+#: ``last`` being the one before. (Of an even number of lines the first ones would share few
+#: places in the cache.)
 STATION = _record(
-    *("send_slot", "waits", "failures", "held", "sent", "length", "must_ask", "number"),
-    *("begun", "made", "times", "last", "head", "tail", "following", "missed"),
-    *("to_head", "to_tail", "processes", "first", "loss", "stage", "process", "steps"),
-    *("there", "kind", "sought"),
+    *("held", "failures", "waits", "begun", "times", "number"),
+    *("length", "made", "last", "missed", "head"),
+    *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
+    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought"),
     floats=("loss",),
-    lines=4,
+    short=("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
+    lines=3,
 )
 
 #: A frame that a station is sending, the tick at which it came, its number, its failures.

@@ -32,6 +32,7 @@ from discostorm.simulation.medium import (
     wake,
 )
 from discostorm.simulation.queues import (
+    BATCHES,
     batch_of,
     burst_entry,
     change_length,
@@ -39,8 +40,10 @@ from discostorm.simulation.queues import (
     first_entry,
     frames_of,
     host_of,
+    like_last,
     lose,
     make,
+    make_like_last,
     receiver,
     receivers,
     take_same,
@@ -465,8 +468,16 @@ def transmit(cell, time, slot):
 
 @shared
 def refill(cell, station, time):
-    """Let a host take its next frame."""
-    load(cell, station, time)
+    """Let a host that holds no frame take its next one, whose age does not matter."""
+    its = cell.stations[station]
+    entry = cell.pool[its.head]
+    if like_last(its) and frames_of(entry.frame) > 1:
+        entry.frame += BATCHES  # one frame less; all else of the frame before stays
+        held = cell.window[station, 0]
+        held.frame, held.tries = make_like_last(its), 0
+        its.held = 1
+    else:
+        load(cell, station, time)
 
 
 @shared
@@ -548,15 +559,13 @@ def storm(cell, slot, until, most):
                     refill(cell, station, time)
             random = next_random(random)
             slots = scaled(random, min(least << failures, widest))
-            if its.length > 0:
-                its.send_slot = slot + 1 + slots
-                entry = its.send_slot & mask
+            if its.held:  # nobody asks for the slot of a station that waits
+                entry = (slot + 1 + slots) & mask
                 behind[station] = wheel[entry]
                 wheel[entry] = station
                 waiting += 1
             else:
-                its.send_slot = begin + slots
-                its.waits = 0
+                its.send_slot, its.waits = begin + slots, 0
     if steps > 0:
         now.slot, now.base, now.idle, now.clock, now.ahead = begin, base, base - aifs, clock, slot
         now.waiting, now.random = waiting, np.int64(random)

@@ -298,16 +298,28 @@ def count_next(cell, host, batch):
 
 
 @njit
+def like_last(maker):
+    """Return whether the next frame of a burst is like the last but for its number."""
+    # The number must not run over.
+    return maker.begun and maker.times < maker.number and maker.times & ITEMS
+
+
+@njit
+def make_like_last(maker):
+    """Return the next frame of a burst, which is like the last but for its number."""
+    maker.times += 1
+    maker.made += 1
+    maker.last += NEXT_ITEM
+    return maker.last
+
+
+@njit
 def make(cell, host, batch):
     """Return the next frame of a burst; see `make_another`."""
     maker = cell.stations[host]
-    # Most are like the one before but for their number, which must not run over.
-    if maker.begun and maker.times < maker.number and maker.times & ITEMS:
-        maker.times += 1
-        maker.made += 1
-        maker.last += NEXT_ITEM
-    else:
-        maker.last = make_another(cell, host, batch)
+    if like_last(maker):
+        return make_like_last(maker)
+    maker.last = make_another(cell, host, batch)
     return maker.last
 
 

@@ -31,6 +31,15 @@ DIRECTIONS = ("up", "down", "failed")
 OUTCOMES = ("success", "collision", "error")
 
 
+def _same(one: Any, other: Any) -> bool:
+    """Return whether two are equal, number by number if they hold arrays."""
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
+    if isinstance(one, tuple):
+        return len(one) == len(other) and all(map(_same, one, other))
+    return np.array_equal(one, other) if isinstance(one, np.ndarray) else bool(one == other)
+
+
 @dataclass(frozen=True)
 class Run:
     """What one run found; `Simulation` has them side by side."""
@@ -50,6 +59,8 @@ class Run:
 @dataclass(frozen=True, eq=False, repr=False)
 class Simulation:
     """What `simulate` found, one value a run unless it says otherwise.
+
+    Two are equal if all their numbers are, and what they are of.
 
     Parameters
     ----------
@@ -130,6 +141,14 @@ class Simulation:
             np.array([run.pair_times for run in runs]),
             runs[0].transmissions,
         )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Simulation):
+            return NotImplemented
+        return all(_same(value, getattr(other, name)) for name, value in vars(self).items())
+
+    def __hash__(self) -> int:
+        return hash((self.fleet, self.protocol, self.wifi, self.drain_time.tobytes()))
 
     def __repr__(self) -> str:
         runs = self.drain_time.size

@@ -56,6 +56,7 @@ class Plan:
     start: Any
     loss: NDArray[np.float64]
     until: float
+    spread: float
 
     def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, float]:
         """Return a cell at the start of a run, and when the last host starts [s]."""
@@ -91,12 +92,21 @@ class Plan:
         count = self.hosts.host_of.size
         alone = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
-        frames = float(
-            self.shares.to_all[:, alone].sum() + remote * self.shares.each[:, ~alone].sum()
+        of_row = np.where(alone, self.shares.to_all.sum(axis=0), 0.0)
+        of_row += np.where(alone, 0.0, remote * self.shares.each.sum(axis=0))
+        frames = float(of_row.sum())
+        # What is sent again and again, while others start and until it is given up.
+        span = self.spread + (self.until if self.repairs is not None else 0.0)
+        again = span * sum(
+            float(of_row[list(rows)].sum()) / period
+            for rows, period in zip(self.bursts.messages, self.bursts.period, strict=True)
+            if period
         )
+        if self.repairs is not None and (period := float(self.repairs["announce_most"][0]) * TICK):
+            again += span * float(of_row[alone if alone.any() else 0].sum()) / period
         held = min(frames, self.queue[0] * (1 + self.hosts.processes.size))
         carried = frames if self.repairs is not None else min(frames, 4 * held)
-        seconds = 2 * carried * _ATTEMPTS * _PER_TRANSMISSION
+        seconds = 2 * (carried + again) * _ATTEMPTS * _PER_TRANSMISSION
         items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
         pairs = 0 if self.repairs is None else count**2 * (96 + items // 8)
         return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * 48) / 1e6
@@ -116,13 +126,11 @@ def plan_runs(
     """Check what `discostorm.simulate` was given and return what a run needs."""
     hosts = hosts_of(fleet)
     count = hosts.processes.size
-    errors = np.asarray(_checks.numbers("loss", loss, 0, 1))
+    errors = np.asarray(_checks.numbers("loss", loss, 0, 1, below=True))
     if errors.ndim and errors.shape != (count,):
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
-    if (errors >= 1).any():
-        raise ValueError(f"loss must be below 1; got {errors.max():g}")
     radio = radio_record(wifi, queue, eifs)
     kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
     repairs, table = None, protocol
@@ -139,7 +147,9 @@ def plan_runs(
         bursts.period,
         bursts.times,
     )
-    plan = Plan(
+    # Refuses a bad one before all runs.
+    starts = delays(start, count, np.random.default_rng(0))
+    return Plan(
         hosts,
         kinds,
         shares,
@@ -150,9 +160,8 @@ def plan_runs(
         start,
         np.broadcast_to(errors, count),
         until if recovery else np.inf,
+        float(np.ptp(starts)),
     )
-    delays(start, count, np.random.default_rng(0))  # refuses a bad one before all runs
-    return plan
 
 
 def compiled() -> None:
@@ -213,5 +222,5 @@ def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
         np.asarray(cell.airtime * (TICK / PARTS), dtype=np.float64),
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
-        cell.log[: now["logged"]].copy(),
+        cell.log[: now["logged"]],
     )

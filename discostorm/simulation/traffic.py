@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, Fleet, Hosts, is_symbolic
+from discostorm.fleet import COUNTS, LEAST, Fleet, Hosts, is_symbolic
 from discostorm.messages import Message, Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
@@ -47,11 +47,11 @@ def hosts_of(fleet: Fleet) -> Hosts:
     rows = []
     for index, group in enumerate(fleet.groups):
         for count, value in zip(COUNTS, group.counts(), strict=True):
-            name = f"groups[{index}].{count}"
+            name = f"groups[{index}].{count}" + f" of {group.name}" * bool(group.name)
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
             most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)
-            _checks.whole(f"fleet: {name}", value, 0, most)
+            _checks.whole(f"fleet: {name}", value, LEAST[count], most)
         rows.append([int(value) for value in group.counts()])
     numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
@@ -433,7 +433,7 @@ def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float
         drawn = start(rng, hosts)
     else:
         drawn = start
-    found = _checks.numbers("start", drawn, 0)
+    found = _checks.numbers("start", drawn, 0, _checks.MOST_SECONDS)
     if np.ndim(found) and np.shape(found) != (hosts,):
         raise ValueError(
             f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"

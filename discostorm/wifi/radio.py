@@ -380,13 +380,15 @@ _UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
 def radio_named(name: str) -> Radio:
     """Return the radio that gives itself this name, such as "802.11n 20 MHz 2x2, A-MPDU 64".
 
+    It may be in any case of letters.
+
     Raises
     ------
     ValueError
         If the name is not made like that, or the standard has no such combination.
     """
     usual, *unusual = re.split(r", *", name.strip())
-    made = re.fullmatch(r"(802\.11\w+) (\d+) MHz (\d)x\3", usual)
+    made = re.fullmatch(r"(802\.11\w+) (\d+) MHz (\d)x\3", usual, re.IGNORECASE)
     if not made:
         raise ValueError(
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
@@ -395,7 +397,7 @@ def radio_named(name: str) -> Radio:
     given: dict[str, Any] = {"width": float(made[2]) * _MEGA, "streams": int(made[3])}
     for part in unusual:
         for pattern, field, unit in _UNUSUAL:
-            found = re.fullmatch(pattern, part)
+            found = re.fullmatch(pattern, part, re.IGNORECASE)
             if found and field not in given:
                 try:
                     value = Fraction(found[1]) * Fraction(unit)
@@ -405,7 +407,7 @@ def radio_named(name: str) -> Radio:
                 break
         else:
             raise ValueError(f"{part!r} is not what the name of a radio may have, or twice there")
-    return Radio(made[1], **given)
+    return Radio(made[1].lower(), **given)
 
 
 def _rows(name: str, **wanted: object) -> list[Row]:

@@ -219,8 +219,10 @@
     const guess = (endpoints) => (endpoints >= MODEL.service_endpoints ? 1 : 0);
     const nodes = [robots.get(chosen("robot"))?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
     const [ofProcess, withNode] = MODEL.shared_endpoints;
-    const shared = (endpoints, own) => Math.min(endpoints, ofProcess + (withNode - ofProcess) * own);
-    [swarm.N_S, swarm.N_S1] = [shared(swarm.N_E, nodes[0]), swarm.N_H1 ? shared(swarm.N_E1, nodes[1]) : 0];
+    const likely = (endpoints) => guess(endpoints) && Math.max(1, endpoints / MODEL.endpoints_of_a_node);
+    const shared = (endpoints, known) => Math.min(endpoints, ofProcess + (withNode - ofProcess) * (known ?? likely(endpoints)));
+    swarm.N_S = shared(swarm.N_E, robots.get(chosen("robot"))?.nodes);
+    swarm.N_S1 = swarm.N_H1 ? shared(swarm.N_E1, chosen("beside") === LAPTOP ? MODEL.laptop_nodes : undefined) : 0;
     // Which formulas count: nothing matches, what ROS 2 shares, or all.
     swarm.names = chosen("matching") === "1" ? 2 : swarm.N_S || swarm.N_S1 ? 1 : 0;
     return { middleware: chosen("middleware"), channel, swarm, nodes };
