@@ -1,6 +1,5 @@
 """The printed edition: in parts, without what is folded, solutions last, tables that fit."""
 
-import math
 import re
 from pathlib import Path
 
@@ -16,8 +15,6 @@ _UPRIGHT, _TURNED = 446.0, 680.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
-#: Lines up to which a table stays on one page.
-_SHORT = 18
 _SOLUTION = "Show the solution"
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
@@ -175,18 +172,9 @@ def _fit(table: nodes.table) -> None:
             )
             parent = table.parent
             at = parent.index(table)
-            lines = sum(
-                max(
-                    math.ceil(_natural(entry, size) / width)
-                    for entry, width in zip(row, widths, strict=True)
-                )
-                for row in rows
-            )
-            # A short table is not torn apart.
-            together = rf"\needspace{{{1.3 * size * lines + 40:.0f}pt}}" if lines <= _SHORT else ""
             parent.insert(at + 1, _latex(rf"\endgroup{back}" + "\n"))
             parent.insert(at, tabular_col_spec(spec=spec))
-            parent.insert(at, _latex(rf"{together}{turn}\begingroup{command}" + "\n"))
+            parent.insert(at, _latex(rf"{turn}\begingroup{command}" + "\n"))
             return
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
