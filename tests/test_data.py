@@ -1,6 +1,8 @@
 """Data files name a source on every row, and every symbol says what it is."""
 
+import re
 from importlib.resources import files
+from pathlib import Path
 
 import pytest
 
@@ -15,28 +17,27 @@ PROTOCOLS = [ds.DDS, ds.ZENOH]
 DATA_FILES = sorted(str(path.relative_to(data_path(""))) for path in data_path("").rglob("*.csv"))
 
 
-#: Where a table says it in a column of another name: of a claim the source is where the paper makes
-#: it, of what a quantity is called the function that computes it, of a run its capture, of a count
-#: its run, of a death how its robots were arranged, and of that the software, of what is fitted or
-#: missed the message or kind in other tables, and of a product what of the runs it is.
+#: Where a table says it in a column of another name: a claim where the paper makes it, a run its
+#: capture.
 SOURCES = {
     "paper/claims.csv": "where",
-    "paper/quantities.csv": "quantity",
     "measured/runs.csv": "sha256",
-    "measured/counts.csv": "run",
-    "measured/deaths.csv": "arrangement",
-    "measured/arrangements.csv": "version",
-    "measured/as_built.csv": "message",
-    "measured/misses.csv": "kind",
-    "measured/mitigation_counts.csv": "run",
-    "measured/mitigation_misses.csv": "kind",
     "measured/mitigation_runs.csv": "sha256",
-    "measured/mitigations.csv": "message",
-    "measured/reasons.csv": "reason",
-    "measured/hybrid.csv": "run",
-    "vendors/arrangements.csv": "product",
-    "vendors/products.csv": "product",
-    "simulated/hybrid.csv": "scenario",
+}
+#: Tables without such a column, by the README that says where all their rows are from.
+DESCRIBED = {
+    "measured/README.md": (
+        *("arrangements", "as_built", "counts", "deaths", "hybrid", "misses", "reasons"),
+        *("mitigation_counts", "mitigation_misses", "mitigations", "published"),
+    ),
+    "README.md": (
+        *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
+    ),
+}
+WITHOUT = {
+    str(Path(readme).parent / f"{table}.csv")
+    for readme, tables in DESCRIBED.items()
+    for table in tables
 }
 
 
@@ -44,11 +45,32 @@ SOURCES = {
 def test_every_row_has_a_source_and_every_column(name: str) -> None:
     rows = read_data(name)
     assert rows
+    assert (name in WITHOUT) == (SOURCES.get(name, "source") not in rows[0])
     for row in rows:
-        assert row[SOURCES.get(name, "source")].strip(), row
+        assert name in WITHOUT or row[SOURCES.get(name, "source")].strip(), row
         # csv puts what is too much under None, and None where something is missing
         assert None not in row, row
         assert None not in row.values(), row
+
+
+@pytest.mark.parametrize("readme", DESCRIBED)
+def test_a_readme_tells_of_the_tables_whose_rows_have_no_source(readme: str) -> None:
+    text = data_path(readme).read_text(encoding="utf-8")
+    assert [name for name in DESCRIBED[readme] if f"`{name}.csv`" not in text] == []
+
+
+@pytest.mark.parametrize(
+    ("table", "runs"), [("products", "runs"), ("arrangements", "mitigation_runs")]
+)
+def test_what_is_named_was_run(table: str, runs: str) -> None:
+    # Debian's and PyPI's versions have more behind that of the product.
+    ran = {
+        (row["product"], row["variant"], re.split(r"[-+]", row["version"])[0])
+        for row in read_data(f"measured/{runs}.csv")
+    }
+    for row in read_data(f"vendors/{table}.csv"):
+        for version in row["versions"].split(" and "):
+            assert (row["product"], row["variant"], version) in ran, row
 
 
 def test_table_2_adds_up_to_the_printed_frames() -> None:

@@ -103,6 +103,11 @@ def test_load_counted_by_hand():
     one = 8 * octets / 144.4e6 + 180e-6 + 8 * octets / 6e6 + 120e-6
     table = ds.utilization(HYBRID, fleet, None, None, phase="Sets")
     assert table == pytest.approx(3 * one, rel=1e-6)
+    # The one digest lists hosts, not processes.
+    octets = 64 + value["header"] + 3 * value["listed"]
+    digest = 8 * octets / 144.4e6 + 180e-6 + 8 * octets / 6e6 + 120e-6
+    table = ds.utilization(HYBRID, fleet, None, None, phase="Digests")
+    assert table == pytest.approx(digest, rel=1e-6)
 
 
 def test_frames_grow_with_hosts_alone():

@@ -618,7 +618,7 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     composed = remedy(ds.plan(FIG3, ds.DDS), "processes")
     assert composed.sentence() == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)"
     assert composed.now_fits
-    assert composed.caution().startswith("It takes nodes changed. Mind: the nodes must be built")
+    assert composed.caution().startswith("It takes nodes changed. Mind: only what is built")
     assert "; that fits." in flat
     assert max(map(len, text.splitlines())) <= 79
     assert str(ds.plan(FIG3, ds.DDS)) == text

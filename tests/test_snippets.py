@@ -1,6 +1,7 @@
 """What is to be pasted: the product itself loads each piece, in a namespace of its own."""
 
 import ast
+import csv
 import json
 import os
 import re
@@ -256,6 +257,23 @@ def test_lines_for_a_shell_are_lines_of_a_shell(file: str) -> None:
     text = of(file).text
     subprocess.run(["bash", "-n"], input=text, text=True, check=True)
     assert set(re.findall(r"^(?:export )?(\w+)=", text, re.MULTILINE)) <= NAMES
+
+
+#: What cannot be loaded here, line by line as its documentation has it: file, line, source.
+with (Path(__file__).parent / "vendor" / "snippet_lines.csv").open(encoding="utf-8") as _lines:
+    DOCUMENTED = list(csv.DictReader(_lines))
+
+
+@pytest.mark.parametrize("file", sorted({row["file"] for row in DOCUMENTED}))
+def test_what_nothing_loads_is_what_the_documentation_says(file: str) -> None:
+    lines = [line for line in of(file).text.splitlines() if not line.startswith(("#", "//"))]
+    assert lines == [row["line"] for row in DOCUMENTED if row["file"] == file]
+
+
+def test_all_that_nothing_loads_is_held_against_documentation() -> None:
+    # The staggered start and the launch file have tests of their own.
+    alone = {"staggered_start.sh", "composition.launch"}
+    assert {file for file in FILES if not loader(file)} - alone <= {r["file"] for r in DOCUMENTED}
 
 
 def test_a_staggered_start_waits_for_no_longer_than_its_window() -> None:
