@@ -16,6 +16,8 @@ _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
 _SOLUTION = "Show the solution"
+#: Lines that the print shows of an output that is folded, such as a long file.
+_LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
 
 
@@ -42,7 +44,19 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> list[nodes.container]:
                 cell.remove(source)
             if not cell.children:
                 cell.parent.remove(cell)
+        elif cell.get("hide_mode") == "output":
+            for output in cell.findall(nodes.literal_block):
+                _shorten(output)
     return solutions
+
+
+def _shorten(block: nodes.literal_block) -> None:
+    """Leave the first lines of a long text, and say how many there were."""
+    lines = block.astext().splitlines()
+    if len(lines) > 2 * _LINES:
+        rest = f"... and {len(lines) - _LINES} more lines, in the HTML edition"
+        block.children = [nodes.Text("\n".join([*lines[:_LINES], rest]))]
+        block.rawsource = block.astext()
 
 
 def _solutions(app: Sphinx, by_chapter: dict[str, list[nodes.container]]) -> nodes.section:
@@ -90,7 +104,7 @@ def _least(entry: nodes.entry, size: float) -> float:
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
     words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
-    formulas = [_formula(math.astext()) for math in entry.findall(nodes.math)]
+    formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
         words = formulas
     return max((_width(word, size, is_code=is_code) for word in words), default=0.0)

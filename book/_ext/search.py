@@ -1,6 +1,7 @@
 """Search by section: what the search page reads, made from what the pages say."""
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,8 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
 _CODE = (nodes.literal_block, nodes.doctest_block)
+#: What Python writes of an object that pages show in another form.
+_OF_PYTHON = re.compile(r"<[\w.]+ object>|<Figure .*>")
 _UNREAD = (nodes.math_block, nodes.raw, nodes.comment, nodes.system_message)
 
 
@@ -20,7 +23,9 @@ def _words(node: nodes.Node, env: BuildEnvironment) -> Iterator[tuple[bool, str]
         if isinstance(child, (nodes.section, nodes.title, *_UNREAD)):
             continue
         if isinstance(child, (*_CODE, nodes.paragraph, nodes.caption, nodes.term, nodes.rubric)):
-            yield isinstance(child, _CODE), " ".join(_text(child, env).split())
+            text = " ".join(_text(child, env).split())
+            if not _OF_PYTHON.fullmatch(text):
+                yield isinstance(child, _CODE), text
         else:
             yield from _words(child, env)
 
