@@ -127,11 +127,13 @@ def _numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -
     return found[0] if len(found) == 1 else found
 
 
-def _listing(names: Iterable[str]) -> Callable[[click.Context, click.Parameter, str], str]:
+def _listing(
+    names: Iterable[str],
+) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
     """Return what prints these names where ``list`` is given instead of one of them."""
 
-    def callback(context: click.Context, _: click.Parameter, value: str) -> str:
-        if value.lower() == "list":
+    def callback(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+        if value is not None and value.lower() == "list":
             click.echo("\n".join(names))
             context.exit()
         return value
