@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab published deaths hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile

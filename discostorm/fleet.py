@@ -3,7 +3,7 @@
 import tomllib
 from collections import Counter
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
 from os import PathLike
@@ -485,6 +485,8 @@ class Fleet:
 
     def matches(self) -> Count:
         """Return 1 if anything matches, 0 if nothing does."""
+        if self._of_numbers:
+            return float(self.matching > 0 or any(group.shared for group in self.groups))
         some: Any = self.matching > 0
         for group in self.groups:
             shares = np.not_equal(group.shared, 0) if np.ndim(group.shared) else group.shared != 0
@@ -527,12 +529,23 @@ class Fleet:
 
     def arrays(self) -> dict[str, Count]:
         """Return the counts that are not single numbers, with their names."""
+        if self._of_numbers:
+            return {}
         return {
             f"groups[{index}].{name}": count
             for index, group in enumerate(self.groups)
             for name, count in zip(COUNTS, group.counts(), strict=True)
             if not isinstance(count, float)
         }
+
+    @cached_property
+    def _of_numbers(self) -> bool:
+        """Whether all counts are single numbers."""
+        return all(
+            isinstance(count, float)
+            for group in self.groups
+            for count in (*group.counts(), group.shared)
+        )
 
     def _pairs_from(self) -> list[Count]:
         """Return, for each group, its processes times the processes on other hosts."""
@@ -576,7 +589,7 @@ def as_fleet(
 
 def reject_symbols(fleet: Fleet) -> None:
     """Raise a TypeError if the fleet is in symbols."""
-    for group in fleet.groups:
+    for group in () if fleet._of_numbers else fleet.groups:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):
                 raise TypeError(
@@ -587,6 +600,8 @@ def reject_symbols(fleet: Fleet) -> None:
 
 def is_symbolic(value: Any) -> bool:
     """Return whether it is an expression with an unknown, so that it has no value yet."""
+    if isinstance(value, float):  # as nearly all are
+        return False
     return isinstance(value, Polynomial) or (
         isinstance(value, sp.Expr) and bool(value.free_symbols)
     )

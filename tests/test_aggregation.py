@@ -107,10 +107,10 @@ def test_more_frames_together_never_cost_more_by_more_than_padding(protocol: ds.
 @pytest.mark.parametrize(
     ("args", "text"),
     [
-        ((0, 65535, 1e-4), "mpdus must be a finite number of at least 1.*; got 0"),
+        ((0, 65535, 1e-4), "mpdus must be a whole number of at least 1.*; got 0"),
         ((2.5, 65535, 1e-4), "mpdus must be a whole number.*; got 2.5"),
         ((2, 99.5, 1e-4), "most_bytes must be a whole number.*; got 99.5"),
-        ((2, 0, 1e-4), "most_bytes must be a finite number of at least 1.*; got 0"),
+        ((2, 0, 1e-4), "most_bytes must be a whole number of at least 1.*; got 0"),
         ((2, 65535, -1e-4), "overhead must be a finite number of at least 0.*; got -0.0001"),
     ],
 )

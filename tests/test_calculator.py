@@ -7,6 +7,7 @@ import math
 import random
 import statistics
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -425,7 +426,7 @@ def test_the_keyboard_is_enough(tab: Page) -> None:
     tab.keyboard.press("ArrowDown")
     wifi = tab.locator("#calc-channel").input_value()
     assert wifi == next(iter(ds.WIFI))
-    entries = {**START, "hosts": "12", "endpoints": "40.5", "wifi": wifi}
+    entries = {**START, "hosts": "12", "robot": "own", "endpoints": "40.5", "wifi": wifi}
     assert shown(tab) == same(expected(entries))
     go_to("calc-csv")
     with tab.expect_download() as download:
@@ -583,7 +584,7 @@ def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) ->
     tab.get_by_label("Robots", exact=True).fill("7")
     tab.get_by_label("Middleware", exact=True).select_option("DDS")
     assert shown(tab) == same(
-        expected({**START, "hosts": "7", "middleware": "DDS", "processes": "3"})
+        expected({**START, "hosts": "7", "middleware": "DDS", "robot": "own", "processes": "3"})
     )
     tab.get_by_label("Access point", exact=True).select_option("802.11a 20 MHz 1x1")
     expect(tab.locator("#calc-channel-error")).to_be_empty()
@@ -624,9 +625,10 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
     assert len(hosts) > 100
     assert min(hosts) == 1
     assert max(hosts) > 7
-    robot = ds.HostGroup(np.array(hosts), ROBOT.processes, ROBOT.endpoints)
     there = ds.utilization(
-        PROTOCOLS["Fast DDS"], ds.Fleet((robot, fleet.groups[1])), wifi=CHANNELS[wifi]
+        PROTOCOLS["Fast DDS"],
+        ds.Fleet((replace(fleet.groups[0], hosts=np.array(hosts)), fleet.groups[1])),
+        wifi=CHANNELS[wifi],
     )
     assert [float(row["value"]) for row in curve] == pytest.approx(list(there), rel=1e-9)
 
