@@ -72,19 +72,23 @@ class HostGroup:
     def __post_init__(self) -> None:
         for count, least in LEAST.items():
             value = getattr(self, count)
-            if not is_symbolic(value):
-                value = _checks.numbers(count, value, least, _checks.MOST)
-                if isinstance(value, np.ndarray):
-                    value = value + 0.0  # a copy, in which no zero is negative
-                    value.flags.writeable = False
-                object.__setattr__(self, count, value)
-        _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
+            if (type(value) is float and least <= value <= _checks.MOST) or is_symbolic(value):
+                continue
+            value = _checks.numbers(count, value, least, _checks.MOST)
+            if isinstance(value, np.ndarray):
+                value = value + 0.0  # a copy, in which no zero is negative
+                value.flags.writeable = False
+            object.__setattr__(self, count, value)
+        if not all(isinstance(count, float) for count in self.counts()):
+            _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         _checks.instance("name", self.name, str)
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
             object.__setattr__(self, "nodes", nodes)
         if not is_symbolic(self.shared):
-            most = _checks.MOST if is_symbolic(self.endpoints) else float(np.min(self.endpoints))
+            most = self.endpoints if isinstance(self.endpoints, float) else _checks.MOST
+            if isinstance(self.endpoints, np.ndarray):
+                most = float(np.min(self.endpoints))
             shared = _checks.number("shared", self.shared, 0, most)
             object.__setattr__(self, "shared", shared)
 
@@ -350,11 +354,11 @@ class Fleet:
 
     def pairs(self) -> Count:
         """Return the number of ordered pairs of processes on different hosts."""
-        return reduce(add, self._pairs_from())
+        return reduce(add, self._pairs_from)
 
     def endpoint_pairs(self) -> Count:
         """Return the number of pairs of an endpoint and a process on another host."""
-        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        pairs = zip(self._pairs_from, self.groups, strict=True)
         return reduce(add, (count * group.endpoints for count, group in pairs))
 
     @property
@@ -389,12 +393,12 @@ class Fleet:
 
         Half of the endpoints are taken for writers.
         """
-        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        pairs = zip(self._pairs_from, self.groups, strict=True)
         return reduce(add, (count * self._matched(group) for count, group in pairs)) / 2
 
     def unmatched(self) -> Count:
         """Return the number of pairs of an unmatched endpoint and a process on another host."""
-        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        pairs = zip(self._pairs_from, self.groups, strict=True)
         return reduce(add, (count * self._unmatched(group) for count, group in pairs))
 
     def endpoint_processes(self) -> Count:
@@ -411,7 +415,7 @@ class Fleet:
 
     def list_pairs(self) -> Count:
         """Return the same as `lists` with each process on another host."""
-        pairs = zip(self._pairs_from(), self.groups, strict=True)
+        pairs = zip(self._pairs_from, self.groups, strict=True)
         return reduce(add, (count * _listed(group) for count, group in pairs))
 
     def unmatched_endpoints(self) -> Count:
@@ -547,8 +551,9 @@ class Fleet:
             for count in (*group.counts(), group.shared)
         )
 
+    @cached_property
     def _pairs_from(self) -> list[Count]:
-        """Return, for each group, its processes times the processes on other hosts."""
+        """For each group, its processes times the processes on other hosts."""
         own = [group.hosts * group.processes for group in self.groups]
         # What comes before and after is added up rather than subtracted from the total, which
         # would cancel.
