@@ -501,9 +501,6 @@ def main() -> None:
     """
 
 
-ALONE = "A single host has nobody to find: what it sends reaches no other host."
-
-
 @main.command(short_help="Airtime of discovery in one second.")
 @several_swarms_options
 @protocol_option
@@ -538,7 +535,7 @@ def utilization(
                 )
     _print(rows, output, {"utilization": _percent, "fits": _yes})
     if output.for_people and members.alone:
-        click.echo(f"\n{ALONE}")
+        click.echo(f"\n{words.ALONE}")
 
 
 def _yes(value: bool) -> str:
@@ -589,6 +586,8 @@ def breakdown(
             "downlink_s": "down [s]",
         },
     )
+    if output.for_people and members.alone:
+        click.echo(f"\n{words.ALONE}")
 
 
 def _hosts(value: float | None) -> str:
@@ -759,8 +758,6 @@ def plan(
         click.echo(_json(answer.to_dict()))
     else:
         click.echo(visible(answer.advice()))
-        if sum(group.hosts for group in members.groups) == 1:
-            click.echo(f"\n{ALONE}")
 
 
 @dataclass(frozen=True)

@@ -387,6 +387,8 @@ class Plan:
         """Return what it costs, what dominates and what would help, in words."""
         told = self.told()
         lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
+        if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
+            return "\n".join(map(words.wrapped, (*lines, "", words.ALONE)))
         if "What would help most, alone:" not in told:
             lines += ["", "Nothing that was tried helps."]
         for title, remedies in told.items():

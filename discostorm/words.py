@@ -6,6 +6,8 @@ import textwrap
 
 #: From this on, numbers are told with their power of ten [1 or s].
 HUGE = 1e6
+#: What is said of a fleet of one host.
+ALONE = "A single host has nobody to find: what it sends reaches no other host."
 
 
 def fits(utilization: float) -> bool:

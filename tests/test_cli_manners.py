@@ -168,7 +168,10 @@ def test_a_lone_robot_is_told_that_it_has_nobody_to_find(folder: Path) -> None:
     alone = NAV2[: NAV2.rindex("[[groups]]")].replace("hosts = 10", "hosts = 1")
     (folder / "alone.toml").write_text(alone, encoding="utf-8")
     lone = ["--hosts", "1", "--processes", "2", "--endpoints", "10"]
-    for words in (["utilization", *lone], ["utilization", "alone.toml"], ["plan", "alone.toml"]):
+    for words in (
+        *(["utilization", *lone], ["utilization", "alone.toml"], ["plan", "alone.toml"]),
+        ["breakdown", *lone],
+    ):
         assert LONE in run(*words).stdout
         assert LONE not in run(*words, "--json").stdout
     assert LONE not in run("utilization", *SWARM).stdout

@@ -869,9 +869,8 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
     assert "All charged to one second, that is 100% of it, so it does not fit." in plan.advice()
     composed = remedy(ds.plan(FIG3), "processes")
     assert composed.utilization < 1
-    full = replace(
-        plan, utilization=2.0, remedies=(replace(composed, utilization=1.0),), combinations=()
-    )
+    found = (replace(composed, utilization=1.0),)
+    full = replace(plan, fleet=FIG3, utilization=2.0, remedies=found, combinations=())
     assert full.to_frame()["fits"].tolist() == [False]
     assert full.to_dict()["remedies"][0]["fits"] is False
     assert "; that fits" not in full.advice()
@@ -931,7 +930,7 @@ def test_a_fleet_that_sends_nothing_has_nothing_to_save() -> None:
     assert plan.utilization == 0
     assert {found.saved for found in plan.remedies} == {0}
     assert {share.share for share in plan.shares} == {0}
-    assert "Nothing that was tried helps." in plan.advice()
+    assert "Nothing that was tried helps." in replace(plan, fleet=FIG3).advice()
 
 
 def test_unnamed_groups_are_told_apart_from_named_ones() -> None:
@@ -1174,3 +1173,11 @@ def test_every_remedy_that_can_be_done_says_what_to_paste(name: str) -> None:
             (piece,) = found.snippets
             width = found.wifi.radio.width / 1e6 if found.wifi.radio else 0
             assert f"{width:.0f}mhz" in piece.file
+
+
+def test_a_host_without_others_is_advised_nothing() -> None:
+    for protocol in ds.PROTOCOLS.values():
+        advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).advice()
+        assert advice.endswith("what it sends reaches no other host.")
+        assert "would help" not in advice
+        assert "would help" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
