@@ -242,7 +242,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
         12,
     ),
     ("bounds, 1000 groups / 100", lambda: on_groups(lambda f: bounds(ds.DDS, f)), 11),
-    ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 17),
+    ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 12),
     (
         "import discostorm / import sympy",
         lambda: ratio(python("import discostorm"), python("import sympy"), rounds=7),
@@ -254,8 +254,8 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
         lambda: beside_help("saturation", "--processes", "2", "--endpoints", "10"),
         1.5,
     ),
-    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.9),
-    ("discostorm claims / --help", lambda: beside_help("claims"), 3.6),
+    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.5),
+    ("discostorm claims / --help", lambda: beside_help("claims"), 3.0),
     ("discostorm figures / importing them", figures, 3.4),
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
 ]
