@@ -254,7 +254,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
         lambda: beside_help("saturation", "--processes", "2", "--endpoints", "10"),
         1.5,
     ),
-    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.5),
+    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.7),
     ("discostorm claims / --help", lambda: beside_help("claims"), 3.0),
     ("discostorm figures / importing them", figures, 3.4),
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
