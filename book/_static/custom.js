@@ -26,7 +26,8 @@ window.addEventListener("load", async () => {
   }
 
   await window.MathJax?.startup?.promise;
-  const boxes = document.querySelectorAll(`div.math, ${TABLE}, .bd-article pre`);
+  // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
+  const boxes = document.querySelectorAll(`div.math, ${TABLE}, .bd-article pre:not(.calc pre)`);
   // A wide table fades where it goes on, and a line above it says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
   const hint = (box, wider) => {
