@@ -98,7 +98,7 @@ def version(product: str) -> str:
 
 def arrangements(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     """Return what is run at a point: every product as shipped, or the one that it names."""
-    shipped = {key: (*value, []) for key, value in PRODUCTS.items()}
+    shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
     if "arrangement" not in point:
         return shipped
     product, _, variant = point["arrangement"].partition("-")
