@@ -42,14 +42,14 @@ help: ## list what can be made
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
-	@$(BIN)/python scripts/run_notebooks.py --times _build/run_times.csv
+	@$(BIN)/python scripts/run_notebooks.py --report _build
 	@$(BUILD)
 	@touch _build/.done
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
 test: $(READY) ## run all tests, notebooks included
 	@$(BIN)/python scripts/loopback.py
-	@$(BIN)/pytest -n 2 --nbval
+	@$(BIN)/pytest -n 2
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/check_latex.sh

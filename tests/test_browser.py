@@ -60,19 +60,27 @@ CODE_SHARE = """() => {
 }"""
 #: Unfolds what is folded.
 OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
-#: Leaves one word of code in each of its colors, as axe-core judges every word for itself.
-ONE_OF_EACH_COLOR = """() => {
-    const blocks = [...document.querySelectorAll("pre")];
-    const grounds = blocks.map((block) => getComputedStyle(block).backgroundColor);
+#: Leaves one text of each look, as axe-core judges every one for itself and takes long for each.
+#: Links, buttons and heads of tables keep theirs, by which they are named.
+ONE_OF_EACH_LOOK = """() => {
+    const texts = ":is(p, span, td, li, strong, em):not(a *, button *, summary *, label *, th *)";
+    const ground = (element) =>
+        element ? getComputedStyle(element).backgroundColor + ground(element.parentElement) : "";
     const seen = new Set();
-    blocks.forEach((block, i) => {
-        for (const word of block.querySelectorAll("span")) {
-            const color = `${word.className} on ${grounds[i]}`;
-            if (seen.has(color)) word.replaceWith(...word.childNodes);
-            else seen.add(color);
-        }
-        block.normalize();
-    });
+    for (const element of document.querySelectorAll(`.bd-article ${texts}`)) {
+        const own = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE);
+        if (!own.some((node) => node.data.trim())) continue;
+        const { color, fontSize, fontWeight, opacity } = getComputedStyle(element);
+        const look = [color, fontSize, fontWeight, opacity, ground(element)];
+        const key = [...look, element.querySelector("a") !== null].join();
+        if (seen.has(key)) for (const node of own) node.remove();
+        seen.add(key);
+    }
+}"""
+#: Waits until the page is as wide, and in the color scheme, as it is told.
+FOLLOWED = """async ({ theme, width }) => {
+    while (innerWidth !== width || document.documentElement.dataset.theme !== theme)
+        await new Promise(requestAnimationFrame);
 }"""
 COLORS = {"runOnly": ["color-contrast", "link-in-text-block"]}
 
@@ -127,31 +135,35 @@ def show(tab: Page, theme: Literal["light", "dark"], size: ViewportSize) -> None
     """Show the page in another color scheme and size, and wait until it has followed."""
     tab.emulate_media(color_scheme=theme)
     tab.set_viewport_size(size)
-    tab.wait_for_function(f"innerWidth === {size['width']}")
-    tab.wait_for_function(f"document.documentElement.dataset.theme === '{theme}'")
+    tab.evaluate(FOLLOWED, {"theme": theme, "width": size["width"]})
     tab.evaluate(REST)
 
 
 def look(tab: Page, visit: Visit, page: str) -> None:
-    """Visit a page as on a phone in light mode; if from a file, then as on a desktop in dark mode.
+    """Visit a page as on a phone in light mode; if from a file, first as on a desktop in dark mode.
 
     Once is enough for that, and for axe-core: how a page came does not change what it looks like.
     """
+    if not visit.base.startswith("file:"):
+        tab.goto(f"{visit.base}{page}.html")
+        tab.evaluate(REST)
+        visit.phone = tab.evaluate(FACTS)
+        return
+    tab.emulate_media(color_scheme="dark")
+    tab.set_viewport_size(DESKTOP)
     tab.goto(f"{visit.base}{page}.html")
     tab.evaluate(REST)
-    visit.phone = tab.evaluate(FACTS)
-    if not visit.base.startswith("file:"):
-        return
-    show(tab, "dark", DESKTOP)
     visit.code_share = tab.evaluate(CODE_SHARE)
     tab.evaluate(OPEN)
     tab.evaluate(REST)
     visit.desktop = tab.evaluate(FACTS)
-    tab.evaluate(ONE_OF_EACH_COLOR)
-    tab.evaluate(AXE)
-    visit.barriers["dark"] = tab.evaluate(BARRIERS, {})
     show(tab, "light", PHONE)
-    visit.barriers["light"] = tab.evaluate(BARRIERS, COLORS)  # the others see no colors
+    visit.phone = tab.evaluate(FACTS)
+    tab.evaluate(AXE)
+    tab.evaluate(ONE_OF_EACH_LOOK)
+    visit.barriers["light"] = tab.evaluate(BARRIERS, {})
+    show(tab, "dark", PHONE)
+    visit.barriers["dark"] = tab.evaluate(BARRIERS, COLORS)  # the others see no colors
 
 
 Visitor = Callable[[str, str], Visit]
