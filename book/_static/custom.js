@@ -25,16 +25,16 @@ window.addEventListener("load", async () => {
       }
   }
 
-  // On a phone the smallest letters of a figure, 12 px of its own size, are at least 10 px high; what is
-  // then a little wider than the screen is left as wide as that.
-  const [SMALLEST, LEGIBLE, LITTLE] = [12, 10, 1.05];
+  // On a phone ticks and legends of a figure, 12 px high in its own size, are 10 px high; what is then only
+  // a little wider than the screen is left as wide as that.
+  const [DRAWN, LEGIBLE, LITTLE] = [12, 10, 1.05];
   const FIGURE = ".ds-figure";
   for (const image of document.querySelectorAll(".bd-article figure img")) {
     const box = document.createElement("div");
     box.className = FIGURE.slice(1);
     image.replaceWith(box);
     box.append(image);
-    const least = (LEGIBLE / SMALLEST) * image.naturalWidth;
+    const least = (LEGIBLE / DRAWN) * image.naturalWidth;
     if (least > LITTLE * window.innerWidth) image.style.setProperty("--least", `${Math.round(least)}px`);
   }
 
