@@ -15,7 +15,7 @@ READY := .venv/.ready
 OUT ?= build/figures
 # Points of the lab: lab/GRID.csv. What the whole grids gave belongs to the package.
 GRID ?= grid
-MEASURED = $(if $(filter grid mitigations,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
+MEASURED = $(if $(filter grid mitigations shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)

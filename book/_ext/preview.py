@@ -46,10 +46,10 @@ def _add(
         return
     base = _base(app.config.html_baseurl)
     to_root = context["pathto"]("", 1).removesuffix(".").rstrip("/") + "/"
-    title = nodes.Text(context.get("title", app.config.project)).astext()
+    title = nodes.Text(context.get("title", app.config.html_title)).astext()
     told = {
         ("property", "og:type"): "article",
-        ("property", "og:site_name"): app.config.project,
+        ("property", "og:site_name"): app.config.html_title,
         ("property", "og:title"): title,
         ("property", "og:description"): _description(doctree),
         ("property", "og:image"): (base or to_root) + PICTURE,

@@ -324,7 +324,7 @@
     };
   }
 
-  /** Return the first three things that help, the best of each kind, in the planner's order: the same functions, asked again. */
+  /** Return the first three things that help, the best of each kind, in the planner's order, and what might in the best case: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
     const found = [];
@@ -348,11 +348,11 @@
     });
     for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
     for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
-    // What makes it fit first, the easiest before all; then what saves most.
-    found.sort((a, b) => b.fits - a.fits || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
+    // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
+    found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
-      .slice(0, 3)
+      .filter((one, i) => i < 3 || one.best_case)
       .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), paste: pasted(one) }));
   }
 
@@ -442,13 +442,14 @@
 
   function showRemedies(answer) {
     byId("remedies").replaceChildren(
-      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste }) => {
+      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste, best_case }) => {
         const item = make(
           "li",
           {},
           make("span", { class: "calc-what" }, `${capitalized(what)}: `),
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
+          best_case ? " at best" : "",
           then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
