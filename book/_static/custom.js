@@ -31,11 +31,12 @@ window.addEventListener("load", async () => {
   const [DRAWN, LEGIBLE, LITTLE] = [12, 10, 1.05];
   const FIGURE = ".ds-figure";
   for (const image of document.querySelectorAll(".bd-article figure img")) {
-    const [box, link] = ["div", "a"].map((name) => document.createElement(name));
+    const linked = image.closest("a"); // Sphinx does where a width is given
+    const [box, link] = [document.createElement("div"), linked ?? document.createElement("a")];
     box.className = FIGURE.slice(1);
     link.href = image.src;
     link.title = "Open the figure at its own size";
-    image.replaceWith(box);
+    (linked ?? image).replaceWith(box);
     box.append(link);
     link.append(image);
     const least = (LEGIBLE / DRAWN) * image.naturalWidth;
