@@ -329,7 +329,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("groups = []", r"at least one \[\[groups\]\] table; got \[\]"),
         ("groups = 3", r"at least one \[\[groups\]\] table; got 3"),
         ("groups = [3]", "group 1: it must be a table with hosts, processes, endpoints; got 3"),
-        ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'hosts'"),
+        ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'endpoints': 1"),
         ("[[groups]\n", "must be a TOML file: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,

@@ -508,7 +508,7 @@
           make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
           make("td", {}, exact(message.load, count(message.load), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
-          make("td", {}, percent(share), bar),
+          make("td", {}, make("span", { class: "calc-part" }, percent(share)), bar),
         );
       }),
       make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
@@ -623,18 +623,30 @@
       ctx.stroke();
       ctx.setLineDash([]);
       ctx.font = `${13 * scale}px sans-serif`;
-      // Where the curves are not.
-      const { log } = view(answer);
+      // Where no curve runs: at either end of the line, above it or below, in fewer words if there is little
+      // room; if there is none, on a plate.
       ctx.textBaseline = "bottom";
-      // On a plate of its own, as a curve may run below.
-      const words = "1 s: the channel is full";
-      const { width } = ctx.measureText(words);
-      const left = bbox.left + (log ? bbox.width - width - 6 * scale : 6 * scale);
+      const height = 17 * scale;
+      const [above, below] = [limit - height - 2 * scale, limit + 2 * scale];
+      const spots = ["1 s: the channel is full", "channel full", "full"].flatMap((words) => {
+        const { width } = ctx.measureText(words);
+        const ends = [bbox.left + 6 * scale, bbox.left + bbox.width - width - 6 * scale];
+        return [[ends[0], above], [ends[1], below], [ends[0], below], [ends[1], above]].map((at) => [...at, width, words]);
+      });
+      const { x, lines } = curve(answer);
+      const across = x.map((value) => u.valToPos(value, "x", true));
+      const along = lines.map((line) => line.map((value) => u.valToPos(value, "y", true)));
+      const isFree = ([left, top, width]) =>
+        top + height < bbox.top + bbox.height &&
+        !along.some((line) =>
+          line.some((y, i) => across[i] > left - height && across[i] < left + width + height && y > top && y < top + height),
+        );
+      const [left, top, width, words] = spots.find(isFree) ?? spots[0];
       ctx.textAlign = "left";
       ctx.fillStyle = background;
-      ctx.fillRect(left - 2 * scale, limit - 19 * scale, width + 4 * scale, 17 * scale);
+      ctx.fillRect(left - 2 * scale, top, width + 4 * scale, height);
       ctx.fillStyle = text;
-      ctx.fillText(words, left, limit - 3 * scale);
+      ctx.fillText(words, left, top + height - 2 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);
