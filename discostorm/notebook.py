@@ -130,7 +130,8 @@ class Advice:
 
 def _card(remedy: Remedy) -> str:
     """Return a remedy as HTML: what it brings, what it takes, and what to paste, folded."""
-    fits = '<strong class="plan-fits">fits</strong>' if remedy.now_fits else ""
+    how = "would fit" if remedy.best_case else "fits"
+    fits = f'<strong class="plan-fits">{how}</strong>' if remedy.now_fits else ""
     what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
     pieces = "".join(
         f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"

@@ -98,10 +98,11 @@ def version(product: str) -> str:
 
 def arrangements(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     """Return what is run at a point: every product as shipped, or the one that it names."""
+    shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
     if "arrangement" not in point:
-        return {key: (*value, []) for key, value in PRODUCTS.items()}
+        return shipped
     product, _, variant = point["arrangement"].partition("-")
-    return {(product, variant): ARRANGEMENTS[product, variant]}
+    return {(product, variant): (shipped | ARRANGEMENTS)[product, variant]}
 
 
 def jobs(

@@ -42,7 +42,8 @@ def main() -> None:
     host, process = map(int, sys.argv[2:4])
     listed = [item.split() for item in sys.argv[4].split(",") if " " in item]
     endpoints = 0 if listed else int(sys.argv[4])
-    matching, variant = sys.argv[5] == "matching", sys.argv[6]
+    matching = {"matching": endpoints // 2, "shared": 1}.get(sys.argv[5], 0)
+    variant = sys.argv[6]
     tokens = variant not in ("default", "warm")
     config = configured(variant)
     zenoh.init_log_from_env_or("error")
@@ -67,7 +68,7 @@ def main() -> None:
     for number in range(endpoints // 2):
         for count, role in enumerate("wr"):
             name = f"lab_{host:02}{process:02}_{role}{number:03}"
-            if matching:
+            if number < matching:
                 name = f"lab_0000_t{number:03}"
             key = f"0/{name}/{TYPE}/{HASH}"
             if role == "w":
