@@ -167,6 +167,8 @@ _UNITS = {
     "GHz": "GHz",
     "Mbit_s": "Mbit/s",
 }
+#: Names of the standard, which are not words.
+_TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
 _NUMBER = re.compile(
     rf"[-+<≤>≥≈ ]*\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
@@ -178,8 +180,8 @@ def heading(name: str) -> str:
 
     Examples
     --------
-    >>> heading("slot_us"), heading("rate_Mbit_s"), heading("how_many"), heading("hosts")
-    ('slot [µs]', 'rate [Mbit/s]', 'how many', 'hosts')
+    >>> heading("sifs_us"), heading("rate_Mbit_s"), heading("how_many"), heading("hosts")
+    ('SIFS [µs]', 'rate [Mbit/s]', 'how many', 'hosts')
     """
     if not re.fullmatch(r"\w+", name):
         return name
@@ -188,6 +190,7 @@ def heading(name: str) -> str:
     units = sorted(_UNITS, key=len, reverse=True)
     unit = next((unit for unit in units if name.endswith(f"_{unit}")), None)
     words = name.removesuffix(f"_{unit}").replace("_", " ")
+    words = _TERMS.get(words, words)
     return f"{words} [{_UNITS[unit]}]" if unit else words
 
 

@@ -382,7 +382,10 @@ def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) 
     ]
     times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
     assert f"20 with {name} in {times['rule']:.0f} s instead of {times['together']:.0f} s" in said
-    assert times["rule"] < times["together"]
+    # By more than the runs scatter: these intervals of the medians do not meet.
+    ends = {row["start"]: row for row in rows}
+    column = "convergence_time_s"
+    assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
 
 
 def test_domains_are_no_remedy_for_zenoh() -> None:

@@ -88,3 +88,16 @@ window.addEventListener("load", async () => {
 window.addEventListener("load", () => {
   for (const link of document.querySelectorAll(".btn-download-source-button")) link.download = "";
 });
+
+// A figure leads to its file, which opens at its own size, to be enlarged with fingers.
+window.addEventListener("load", () => {
+  for (const image of document.querySelectorAll(".bd-article figure img")) {
+    if (image.closest("a")) continue;
+    const link = document.createElement("a");
+    link.className = "ds-figure";
+    link.href = image.src;
+    link.title = "Open the figure at its own size";
+    image.replaceWith(link);
+    link.append(image);
+  }
+});
