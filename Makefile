@@ -15,7 +15,7 @@ READY := .venv/.ready
 OUT ?= build/figures
 # Points of the lab: lab/GRID.csv. What the whole grids gave belongs to the package.
 GRID ?= grid
-MEASURED = $(if $(filter grid mitigations,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
+MEASURED = $(if $(filter grid mitigations shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
@@ -42,14 +42,14 @@ help: ## list what can be made
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@rm -rf _build
-	@$(BIN)/python scripts/run_notebooks.py --times _build/run_times.csv
+	@$(BIN)/python scripts/run_notebooks.py --report _build
 	@$(BUILD)
 	@touch _build/.done
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
 test: $(READY) ## run all tests, notebooks included
 	@$(BIN)/python scripts/loopback.py
-	@$(BIN)/pytest -n 2 --nbval
+	@$(BIN)/pytest -n 2
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/check_latex.sh

@@ -1,10 +1,10 @@
 """Checks of what a user passes in: the error names parameter, value and allowed range."""
 
+import reprlib
 import sys
 from collections.abc import Iterable, Sequence
 from numbers import Real
 from os import PathLike, fspath
-from reprlib import repr as short
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,11 @@ MOST_BYTES = 1e9
 LEAST_SECONDS, MOST_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
 MOST_UTILIZATION = 1e100
+
+
+def short(value: Any) -> str:
+    """Return what was given in a line that can be read, however long or deeply nested it is."""
+    return " ".join(reprlib.repr(value).split())
 
 
 def wanted(
@@ -58,8 +63,8 @@ def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDA
     if hasattr(value, "to_numpy"):
         # As in pandas and xarray: by position, values of different labels would meet.
         raise TypeError(
-            f"{name} must be {any_of}; got a {type(value).__name__}, whose "
-            f"labels would be lost: give its .to_numpy()"
+            f"{name} must be {any_of}; got a value of type {type(value).__name__}, whose labels, "
+            "if it has any, would be lost: give its .to_numpy()"
         )
     try:
         given = np.asarray(value)
@@ -106,9 +111,8 @@ def within(
         ):
             good = np.isfinite(array) & (array > low if above else array >= low)
             good &= array < high if below else array <= high
-            raise ValueError(
-                f"{name} must be {wanted(low, high, above, below)}; got {given[~good].item(0)!r}"
-            )
+            bad = short(given[~good].item(0))
+            raise ValueError(f"{name} must be {wanted(low, high, above, below)}; got {bad}")
     return array
 
 
@@ -162,7 +166,7 @@ def whole(name: str, value: Any, low: float, high: float = np.inf, note: str = "
     allowed = wanted(low, high, what="a whole number") + note
     given = _one(name, value, allowed).astype(np.float64).item()
     if not (low <= given <= high and given % 1 == 0):
-        raise ValueError(f"{name} must be {allowed}; got {value!r}")
+        raise ValueError(f"{name} must be {allowed}; got {short(value)}")
 
 
 def _one(name: str, value: Any, allowed: str) -> NDArray[Any]:

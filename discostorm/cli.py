@@ -913,13 +913,14 @@ def capture(
     airtime is that on the paper's channel. Record with:
 
     \b
-      tcpdump -i wlan0 -s 0 -w discovery.pcap 'udp or ip6 or (tcp and not port 22)'
+      {record_file}
 
     \b
     Examples:
       discostorm capture discovery.pcap
       discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
-      timeout 60 tcpdump -i wlan0 -s 0 -w - udp | discostorm capture -
+      timeout 60 {record_out} |
+        discostorm capture -
     """
     with _bad_input(), _working("reading"):
         if file == fleet == "-":
@@ -953,6 +954,12 @@ def capture(
         click.echo(_json(answer))
     elif output.for_people:
         _show_capture(found, groups, rows, output)
+
+
+assert capture.help
+capture.help = capture.help.format(
+    record_file=words.RECORD.format(file="discovery.pcap"), record_out=words.RECORD.format(file="-")
+)
 
 
 def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:

@@ -21,7 +21,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Patch, Polygon
-from matplotlib.ticker import MultipleLocator, PercentFormatter
+from matplotlib.ticker import FuncFormatter, MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
 from discostorm import words
@@ -463,14 +463,21 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
     return figure
 
 
+#: From which utilization on `remedies` draws on a logarithmic axis [1].
+_FAR = 10.0
+
+
 def remedies(bars: pd.DataFrame) -> Figure:
     """Draw utilizations as bars from the top down, each below its name, with a line at 100%.
+
+    Changes that fit are dark, others light, and what is not changed is gray. If something takes
+    more than ten times the channel, the axis is logarithmic, and bars begin at the line.
 
     Parameters
     ----------
     bars : pandas.DataFrame
-        One row a bar, with columns bar (its name), protocol, which gives its colour, and
-        utilization [1]; the first is what the others change.
+        One row a bar, with columns bar (its name) and utilization [1]; the first, and those whose
+        names begin with its name, are what the others change.
 
     Returns
     -------
@@ -479,23 +486,35 @@ def remedies(bars: pd.DataFrame) -> Figure:
     with style():
         figure = Figure(figsize=(WIDTH, 0.8 + 0.42 * len(bars)))
         axis = figure.subplots()
-        most = max(1.0, bars["utilization"].max())
-        columns = (bars[column] for column in ("bar", "protocol", "utilization"))
-        for place, (name, protocol, taken) in enumerate(zip(*columns, strict=True)):
-            color = COLORS.get(protocol, "gray")
-            axis.barh(place, taken, height=0.4, color=color, alpha=0.45 if place else 1)
-            white = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
-            axis.text(
-                0.005 * most, place - 0.42, name, va="center", fontsize=9, bbox=white, zorder=3
-            )
-            axis.text(taken + 0.01 * most, place, words.percent(taken), va="center", fontsize=9)
-        axis.axvline(1, color="black", linewidth=1, zorder=0.5)
-        axis.set_xlim(0, 1.14 * most)
+        taken = bars["utilization"].to_numpy()
+        far = bool(taken.max() > _FAR)
+        if far:
+            axis.set_xscale("log")
+            axis.set_xlim(min(0.5, taken.min()) / 3, 6 * taken.max())
+        else:
+            axis.set_xlim(0, 1.14 * max(1.0, taken.max()))
+        start = 1.0 if far else 0.0
+        places = np.arange(len(bars))
+        unchanged = bars["bar"].str.startswith(bars["bar"].iloc[0])
+        colors = np.where(unchanged, "#777777", np.where(taken < 1, "#0072B2", "#a9c9e3"))
+        axis.barh(places, taken - start, left=start, height=0.4, color=colors)
+        # Not through the names, which stand between the bars.
+        axis.vlines(np.ones(len(bars)), places - 0.25, places + 0.25, color="black", linewidth=1.2)
+        white = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
+        left = axis.get_yaxis_transform()
+        for place, name, part in zip(places, bars["bar"], taken, strict=True):
+            axis.text(0.005, place - 0.42, name, va="center", fontsize=9, transform=left)
+            inward = far and part < 1
+            axis.annotate(
+                words.percent(part), (part, place), (-4 if inward else 4, 0),
+                textcoords="offset points", va="center", ha="right" if inward else "left",
+                fontsize=9, bbox=white,
+            )  # fmt: skip
         axis.set_ylim(len(bars) - 0.6, -0.8)
         axis.set_yticks([])
         axis.set_ylabel("what is changed")
         axis.grid(visible=False, axis="y")
-        axis.xaxis.set_major_formatter(PercentFormatter(1))
+        axis.xaxis.set_major_formatter(FuncFormatter(lambda part, _: words.percent(part)))
         axis.set_xlabel("utilization by discovery [%]; the line is the whole channel")
     return figure
 

@@ -2,7 +2,7 @@
 
 import tomllib
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
@@ -70,6 +70,16 @@ class HostGroup:
     shared: Count = 0.0
 
     def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        try:
+            self._check()
+        except (TypeError, ValueError) as error:
+            if not self.name:
+                raise
+            raise type(error)(f"group {self.name!r}: {error}") from error
+
+    def _check(self) -> None:
+        """Check the numbers, and keep them as floats and arrays that nobody can change."""
         for count, least in LEAST.items():
             value = getattr(self, count)
             if (type(value) is float and least <= value <= _checks.MOST) or is_symbolic(value):
@@ -81,7 +91,6 @@ class HostGroup:
             object.__setattr__(self, count, value)
         if not all(isinstance(count, float) for count in self.counts()):
             _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
-        _checks.instance("name", self.name, str)
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
             object.__setattr__(self, "nodes", nodes)
@@ -299,19 +308,23 @@ class Fleet:
         try:
             # With a byte order mark, too, as Windows' editors write it.
             tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
-        except ValueError as error:  # neither UTF-8 nor TOML
+        except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
             raise ValueError(f"{name} must be a TOML file: {error}") from error
         except RecursionError:
-            raise ValueError(f"{name} must be a TOML file that is not nested as deep") from None
+            raise ValueError(f"{name} must be a TOML file; it is nested too deep to read") from None
+        except ValueError:  # more digits than Python reads
+            raise ValueError(f"{name} must be a TOML file of numbers with fewer digits") from None
         try:
             _only_keys(tables, ("groups", "matching"))
             groups = tables.get("groups")
             if not isinstance(groups, list) or not groups:
-                raise ValueError(f"it must have at least one [[groups]] table; got {groups!r}")
+                raise ValueError(
+                    f"it must have at least one [[groups]] table; got {_checks.short(groups)}"
+                )
             matching = tables.get("matching", 0.0)
             if type(matching) not in (int, float):
                 raise TypeError(
-                    f"matching must be {_checks.wanted(0, 1)}; got {tables['matching']!r}"
+                    f"matching must be {_checks.wanted(0, 1)}; got {_checks.short(matching)}"
                 )
             members = tuple(_group(index, table) for index, table in enumerate(groups, start=1))
             return cls(members, matching)
@@ -581,7 +594,9 @@ def as_fleet(
     if isinstance(hosts, Fleet):
         for name, value in given.items():
             if value is not None:
-                raise TypeError(f"{name} must be left out when hosts is a Fleet; got {value!r}")
+                raise TypeError(
+                    f"{name} must be left out when hosts is a Fleet; got {_checks.short(value)}"
+                )
         fleet = hosts
     else:
         for name, value in given.items():
@@ -632,26 +647,30 @@ def _brief(count: Count) -> str:
 def _only_keys(table: dict[str, Any], known: tuple[str, ...]) -> None:
     for key, value in table.items():
         if key not in known:
-            raise ValueError(f"key must be {' or '.join(known)}; got {key} = {value!r}")
+            raise ValueError(
+                f"key must be {' or '.join(known)}; got {key} = {_checks.short(value)}"
+            )
 
 
 def _group(number: int, table: Any) -> HostGroup:
     """Return the group of one table of a fleet file; the error says which it is."""
     try:
         if not isinstance(table, dict):
-            raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {table!r}")
+            raise TypeError(
+                f"it must be a table with {', '.join(COUNTS)}; got {_checks.short(table)}"
+            )
         _only_keys(table, (*COUNTS, "name", "nodes", "shared"))
         for key, least in LEAST.items():
             allowed = _checks.wanted(least, _checks.MOST)
             if key not in table:
                 raise ValueError(f"{key} is missing; it must be {allowed}")
             if type(table[key]) not in (int, float):
-                raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
+                raise TypeError(f"{key} must be {allowed}; got {_checks.short(table[key])}")
         for key in ("nodes", "shared"):
             if type(table.get(key, 0)) not in (int, float):
                 allowed = _checks.wanted(0, _checks.MOST)
-                raise TypeError(f"{key} must be {allowed}; got {table[key]!r}")
-        return HostGroup(**table)
+                raise TypeError(f"{key} must be {allowed}; got {_checks.short(table[key])}")
+        return replace(HostGroup(**table | {"name": ""}), name=table.get("name", ""))
     except (TypeError, ValueError) as error:
         name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""
         raise ValueError(f"group {number}{name}: {error}") from error

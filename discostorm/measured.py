@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
+#: Endpoints of a process that are on the one topic of all, where the others are not [1].
+SHARED = 2
+
 #: Messages, frames and bytes where none was seen.
 NONE = (0.0, 0.0, 0.0)
 
@@ -38,7 +41,8 @@ class Point:
     Parameters
     ----------
     name : str
-        Hosts, processes and endpoints, and whether names match (m) or are unique (u).
+        Hosts, processes and endpoints, and whether names match (m), are unique (u), or one topic
+        is shared beside unique ones (s).
     use : str
         The half of the grid: "fit" or "test".
     fleet : Fleet
@@ -85,13 +89,16 @@ def _counts(kind: str) -> dict[str, dict[Key, tuple[float, ...]]]:
 
 
 @cache
-def points(name: str) -> tuple[Point, ...]:
+def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     """Return the points of the grid that a table is held against, with at least two hosts.
 
     Parameters
     ----------
     name : str
         Of a table of ``data/vendors/products.csv`` or ``arrangements.csv``.
+    shared : bool, optional
+        Instead of these, the points of ``lab/shared.csv``, where the first writer and the first
+        reader of each process are on one topic of all, and the others on topics of their own.
 
     Returns
     -------
@@ -107,6 +114,7 @@ def points(name: str) -> tuple[Point, ...]:
     known = products() | arrangements()
     _checks.choice("name", name, list(known))
     row, kind = known[name], "mitigation_" if name in arrangements() else ""
+    kind = "shared_" if shared else kind
     return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
 
 
@@ -127,7 +135,8 @@ def points_of(
     for (hosts, processes, endpoints, names, use), runs in of_point.items():
         if int(hosts) < 2 or int(hosts) * int(processes) < least:
             continue
-        host = HostGroup(int(hosts), int(processes), int(endpoints))
+        same = SHARED if names == "shared" else 0
+        host = HostGroup(int(hosts), int(processes), int(endpoints), shared=same)
         found.append(
             Point(
                 f"{hosts}x{processes}x{endpoints}{names[0]}",
@@ -164,13 +173,15 @@ def expected(message: Message, fleet: Fleet, window: str) -> float:
     return float(message.load(fleet)) * times(message.schedule, window)
 
 
-def held(protocol: Protocol) -> pd.DataFrame:
+def held(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
     """Hold a table as built against the medians of all points of the grid.
 
     Parameters
     ----------
     protocol : Protocol
         Of a name in ``data/vendors/products.csv`` or ``arrangements.csv``.
+    shared : bool, optional
+        Against those with one shared topic beside unique ones; see `points`.
 
     Returns
     -------
@@ -189,7 +200,7 @@ def held(protocol: Protocol) -> pd.DataFrame:
     import pandas as pd
 
     rows = []
-    for point in points(protocol.name):
+    for point in points(protocol.name, shared):
         for window in WINDOWS:
             for phase in protocol.phases:
                 mine = protocol.of_phase(phase)

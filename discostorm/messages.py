@@ -66,7 +66,9 @@ class Unit:
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
         if not callable(self.count):
-            raise TypeError(f"count must take a Fleet and return how many; got {self.count!r}")
+            raise TypeError(
+                f"count must take a Fleet and return how many; got {_checks.short(self.count)}"
+            )
         for side in ("senders", "receivers"):
             if not (getattr(self, side) is None or callable(getattr(self, side))):
                 raise TypeError(
@@ -360,14 +362,16 @@ class Schedule:
 
     def __post_init__(self) -> None:
         if not np.iterable(self.starts):
-            raise TypeError(f"starts must be a tuple of times in seconds; got {self.starts!r}")
-        object.__setattr__(self, "starts", tuple(self.starts))
-        if not self.starts:
+            raise TypeError(
+                f"starts must be a tuple of times in seconds; got {_checks.short(self.starts)}"
+            )
+        starts = tuple(_checks.number("starts", t, 0, _checks.MOST_SECONDS) for t in self.starts)
+        if not starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
-        for time in self.starts:
-            _checks.number("starts", time, 0, _checks.MOST_SECONDS)
+        object.__setattr__(self, "starts", starts)
         if self.period != np.inf:
-            _checks.number("period", self.period, _checks.LEAST_SECONDS)
+            period = _checks.number("period", self.period, _checks.LEAST_SECONDS)
+            object.__setattr__(self, "period", period)
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
@@ -623,6 +627,8 @@ class Protocol:
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
+        if not self.name.strip():
+            raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
         if self.wired is not None:
             _checks.instance("wired", self.wired, Protocol)
         if self.lease != np.inf:

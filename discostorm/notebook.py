@@ -130,7 +130,8 @@ class Advice:
 
 def _card(remedy: Remedy) -> str:
     """Return a remedy as HTML: what it brings, what it takes, and what to paste, folded."""
-    fits = '<strong class="plan-fits">fits</strong>' if remedy.now_fits else ""
+    how = "would fit" if remedy.best_case else "fits"
+    fits = f'<strong class="plan-fits">{how}</strong>' if remedy.now_fits else ""
     what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
     pieces = "".join(
         f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"
@@ -166,6 +167,8 @@ _UNITS = {
     "GHz": "GHz",
     "Mbit_s": "Mbit/s",
 }
+#: Names of the standard, which are not words.
+_TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
 _NUMBER = re.compile(
     rf"[-+<≤>≥≈ ]*\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
@@ -177,8 +180,8 @@ def heading(name: str) -> str:
 
     Examples
     --------
-    >>> heading("slot_us"), heading("rate_Mbit_s"), heading("how_many"), heading("hosts")
-    ('slot [µs]', 'rate [Mbit/s]', 'how many', 'hosts')
+    >>> heading("sifs_us"), heading("rate_Mbit_s"), heading("how_many"), heading("hosts")
+    ('SIFS [µs]', 'rate [Mbit/s]', 'how many', 'hosts')
     """
     if not re.fullmatch(r"\w+", name):
         return name
@@ -187,6 +190,7 @@ def heading(name: str) -> str:
     units = sorted(_UNITS, key=len, reverse=True)
     unit = next((unit for unit in units if name.endswith(f"_{unit}")), None)
     words = name.removesuffix(f"_{unit}").replace("_", " ")
+    words = _TERMS.get(words, words)
     return f"{words} [{_UNITS[unit]}]" if unit else words
 
 

@@ -116,6 +116,8 @@ class Remedy:
     spread : float
         Within how long hosts should start so that the channel can carry what is left [s]:
         `discostorm.staggered.window`.
+    best_case : bool
+        Whether a part of the gain is that of the best case, as that of exchanges that are all full.
     """
 
     kind: str
@@ -133,6 +135,7 @@ class Remedy:
     fails: str = ""
     steps: tuple[str, ...] = ()
     spread: float = 0.0
+    best_case: bool = False
 
     @property
     def saved(self) -> float:
@@ -176,6 +179,7 @@ class Remedy:
             # What is left may be less than what numbers tell apart from all.
             most = math.nextafter(1, 0) if self.utilization else 1.0
             brings = f"cut{s} {before} to {after} ({words.percent(min(self.saved, most))})"
+            brings += " at best" * self.best_case
         return f"{self.what} {brings}{'; ' * bool(self.note)}{self.note}"
 
     @property
@@ -212,6 +216,7 @@ class Remedy:
             "before": self.before,
             "utilization": self.utilization,
             "saved": self.saved,
+            "best_case": self.best_case,
             "fits": words.fits(self.utilization),
             "start_within_s": self.spread,
             "paste": [
@@ -246,8 +251,8 @@ class Plan:
         Messages, phases and groups, each kind with the largest first.
     remedies : tuple of Remedy
         What could be changed, one thing each: what makes it fit first, that which is easiest
-        before all; then what saves most. Those after which not all hosts find each other
-        stand behind all others.
+        before all; then what saves most. In both parts those of which the gain is that of the best
+        case stand behind. Those after which not all hosts find each other stand behind all others.
     combinations : tuple of Remedy
         The best of two or three of them together, in the same order; none that does without
         one of its changes as well.
@@ -276,13 +281,16 @@ class Plan:
         -------
         pandas.DataFrame
             One row each, indexed by what it is, with columns kind, before and utilization
-            [1], saved [1], fits (whether it is less than the window), start_within_s [s],
-            effort [1], from 1 on, all_find_each_other, price, fails and note.
+            [1], saved [1], best_case (whether that is the gain of the best case), fits (whether it
+            is less than the window), start_within_s [s], effort [1], from 1 on,
+            all_find_each_other, price, fails and note.
         """
         import pandas as pd
 
-        columns = ("kind", "before", "utilization", "saved", "fits", "start_within_s", "effort")
-        columns += ("all_find_each_other", "price", "fails", "note")  # type: ignore[assignment]
+        columns = [
+            *("kind", "before", "utilization", "saved", "best_case", "fits", "start_within_s"),
+            *("effort", "all_find_each_other", "price", "fails", "note"),
+        ]
         rows = [found.to_dict() for found in (*self.remedies, *self.combinations)]
         index = pd.Index([row["what"] for row in rows], name="remedy")
         return pd.DataFrame({name: [row[name] for row in rows] for name in columns}, index)
@@ -360,10 +368,13 @@ class Plan:
     def best(self) -> Remedy | None:
         """The best combination: one that fits with less effort than any remedy alone.
 
-        Or, where none fits alone, the first; None if there is nothing to combine.
+        Or, where none fits alone, the first; None if there is nothing to combine. What fits in the
+        best case alone is nothing beside what fits by the count.
         """
-        alone = min((r.rank for r in self.remedies if r.now_fits and r.whole), default=math.inf)
         first = next(iter(self.combinations), None)
+        sure = first is not None and first.now_fits and not first.best_case
+        fitting = (r for r in self.remedies if r.now_fits and r.whole)
+        alone = min((r.rank for r in fitting if not (sure and r.best_case)), default=math.inf)
         needed = first is not None and not words.fits(self.utilization)
         if first is None or not needed or (alone < math.inf and not first.rank < alone):
             return None
@@ -377,6 +388,7 @@ class Plan:
         split = [r for r in helps if not r.whole]
         found = {
             "What would help most, alone:": tuple(kept[:_TOLD]),
+            "What might help, in the best case:": tuple(r for r in kept[_TOLD:] if r.best_case),
             "Best together:": (self.best,) if self.best else (),
             "One after the other:": tuple(r for r in self.remedies if r.kind == "staggered start"),
             "What would help, but not all hosts would find each other any more:": tuple(split[:1]),
@@ -467,7 +479,7 @@ class Plan:
     def _ranked(remedies: Sequence[Remedy]) -> Iterator[str]:
         """Yield remedies with their places, effort, price and what fails."""
         for place, remedy in enumerate(remedies, start=1):
-            fits = "; that fits" * remedy.now_fits
+            fits = f"; that {'would fit' if remedy.best_case else 'fits'}" * remedy.now_fits
             yield f"{place:2}. {words.capitalized(remedy.sentence())}{fits}."
             yield f"    {remedy.caution()}"
 
@@ -613,6 +625,7 @@ def plan(
             "; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
             tuple(kind for step in steps for kind in step.steps),
             of_all(spreads),
+            any(row["gain"] == "best case" for row in rows),
         )
 
     singles = {step: remedy([step]) for step in found if isinstance(step, Change)}
@@ -634,7 +647,8 @@ def _order(remedy: Remedy) -> tuple[Any, ...]:
     """Return by what remedies are sorted; see `Plan`."""
     effort = (remedy.rank, len(remedy.steps)) if remedy.now_fits else (0, 0)
     research = "research" in remedy.efforts
-    return not remedy.whole, research, not remedy.now_fits, effort, -remedy.saved
+    fits = remedy.now_fits
+    return not remedy.whole, research, not fits, remedy.best_case, effort, -remedy.saved
 
 
 def _together(
@@ -648,6 +662,7 @@ def _together(
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -singles[c].saved)
     usable = [c for c in usable if c.slot != "table" or c in tables[:_TABLES]]
     usable.sort(key=lambda change: SLOTS.index(change.slot))
+    unsure = {change for change in usable if singles[change].best_case}
     after: dict[tuple[Change, ...], float] = {}
     found: list[tuple[Any, tuple[Change, ...]]] = []
     for many in range(1, _TOGETHER + 1):
@@ -665,7 +680,8 @@ def _together(
                 continue
             fits = words.fits(taken) and not words.fits(before)
             rank = max(singles[step].rank for step in steps) if fits else 0
-            found.append(((not fits, rank, many if fits else 0, -saved), steps))
+            order = (not fits, not unsure.isdisjoint(steps), rank, many if fits else 0, -saved)
+            found.append((order, steps))
     return [steps for _, steps in sorted(found, key=lambda item: item[0])[:_KEPT]]
 
 

@@ -8,6 +8,8 @@ import textwrap
 HUGE = 1e6
 #: What is said of a fleet of one host.
 ALONE = "A single host has nobody to find: what it sends reaches no other host."
+#: How discovery is recorded so that nothing of it is lost; the chapter on captures says why.
+RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
 
 def fits(utilization: float) -> bool:

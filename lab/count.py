@@ -150,6 +150,7 @@ def main() -> int:
         print(f"  in {many}: {note}", file=sys.stderr)
     given.out.mkdir(parents=True, exist_ok=True)
     kind = "mitigation_" if arranged else ""
+    kind = "shared_" if told["names"] == "shared" else kind
     write(given.out / f"{kind}runs.csv", RUNS, runs)
     write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
     print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)

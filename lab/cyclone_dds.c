@@ -53,7 +53,7 @@ int main(int argc, char **argv) {
     }
     const double seconds = atof(argv[1]);
     const int host = atoi(argv[2]), process = atoi(argv[3]), pairs = atoi(argv[4]) / 2;
-    const int matching = strcmp(argv[5], "matching") == 0;
+    const int matching = strcmp(argv[5], "matching") == 0 ? pairs : strcmp(argv[5], "shared") == 0;
 
     dds_qos_t *own = dds_create_qos();
     dds_qset_userdata(own, "enclave=/;", strlen("enclave=/;"));
@@ -82,11 +82,11 @@ int main(int argc, char **argv) {
         char name[32];
         dds_entity_t topic = 0;
         for (int reads = 0; reads < 2; ++reads) {
-            if (matching)
+            if (number < matching)
                 snprintf(name, sizeof name, "rt/lab_0000_t%03d", number);
             else
                 snprintf(name, sizeof name, "rt/lab_%02d%02d_%c%03d", host, process, "wr"[reads], number);
-            if (!matching || !reads)
+            if (number >= matching || !reads)
                 topic = named_topic(participant, name, std_msgs_msg_dds__String__desc.m_typename);
             make(participant, topic, reads, qos);
         }

@@ -26,7 +26,7 @@ def tell(what: str) -> None:
 def main() -> None:
     seconds = float(sys.argv[1])
     host, process, endpoints = map(int, sys.argv[2:5])
-    matching = sys.argv[5] == "matching"
+    matching = {"matching": endpoints // 2, "shared": 1}.get(sys.argv[5], 0)
     qos = Qos(
         Policy.Reliability.Reliable(duration(infinite=True)),
         Policy.Durability.Volatile,
@@ -44,7 +44,7 @@ def main() -> None:
     kept = []
     for number in range(endpoints // 2):
         names = [f"rt/lab_{host:02}{process:02}_{role}{number:03}" for role in "wr"]
-        if matching:
+        if number < matching:
             names = [f"rt/lab_0000_t{number:03}"]
         topics = [Topic(participant, name, String_) for name in names]
         kept += [DataWriter(participant, topics[0], qos), DataReader(participant, topics[-1], qos)]

@@ -76,7 +76,7 @@ public:
 
 std::string topic_name(const std::string& names, int host, int process, char role, int number) {
     char text[32];
-    if (names == "matching") {
+    if (names == "matching" || (names == "shared" && number == 0)) {
         std::snprintf(text, sizeof text, "rt/lab_0000_t%03d", number);
     } else {
         std::snprintf(text, sizeof text, "rt/lab_%02d%02d_%c%03d", host, process, role, number);

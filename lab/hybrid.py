@@ -231,7 +231,7 @@ def rows(out: Path) -> list[dict[str, Any]]:
     job = json.loads(out.with_suffix(".json").read_text())
     ends = job["seconds"]
     windows = {name: window for name, window in WINDOWS.items() if window[1] <= ends}
-    if job["scenario"] != "no losses":
+    if job["scenario"] != "no losses" or not windows:
         windows = {"run": (0.0, ends)}
     count: Counter[tuple[str, str]] = Counter()
     size: Counter[tuple[str, str]] = Counter()

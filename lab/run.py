@@ -75,6 +75,7 @@ ARRANGEMENTS: dict[
     ("fast_dds", "static"): (FAST_DDS, {}, []),
     ("cyclone_dds_0.10", "multicast"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_MULTICAST}, []),
     ("cyclone_dds_0.10", "peers"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_PEERS}, []),
+    ("zenoh_peer", "peers"): (ZENOH, {"PEERS": "PEERS"}, []),
     ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
 }
@@ -98,10 +99,11 @@ def version(product: str) -> str:
 
 def arrangements(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     """Return what is run at a point: every product as shipped, or the one that it names."""
+    shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
     if "arrangement" not in point:
-        return {key: (*value, []) for key, value in PRODUCTS.items()}
+        return shipped
     product, _, variant = point["arrangement"].partition("-")
-    return {(product, variant): ARRANGEMENTS[product, variant]}
+    return {(product, variant): (shipped | ARRANGEMENTS)[product, variant]}
 
 
 def jobs(

@@ -2,13 +2,15 @@
 
 Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With a
 VARIANT other than "default" there is a liveliness token for the node and for each endpoint too,
-and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it.
+and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it,
+"peers" has those that the package says to paste, with the hosts in the environment's PEERS.
 ENDPOINTS may list them instead, "w KEY TYPE,r KEY TYPE"; with the VARIANT "warm" they are declared
 a third of the SECONDS after the session has been opened. The session is left without a close.
 """
 
 import json
 import os
+import re
 import sys
 import time
 from pathlib import Path
@@ -27,8 +29,18 @@ def ignore(sample: object) -> None:
     """Take what comes; nothing is ever published."""
 
 
+SNIPPETS = Path(__file__).parent.parent / "discostorm" / "data" / "vendors" / "snippets"
+
+
 def configured(variant: str) -> zenoh.Config:
-    """Zenoh's own settings, or for a variant with a router those of rmw_zenoh."""
+    """Zenoh's own settings, for a variant with a router those of rmw_zenoh, or what is pasted."""
+    if variant == "peers":
+        config = zenoh.Config.from_file(str(SNIPPETS / "zenoh_peers.json5"))
+        own, *_ = json.loads(config.get_json("connect/endpoints"))
+        hosts = re.findall(r"[\d.]{7,}", os.environ["PEERS"])
+        links = [own, *(f"tcp/{host}:7447" for host in hosts)]
+        config.insert_json5("connect/endpoints", json.dumps(links))
+        return config
     settings = json.loads(Path(__file__).with_name("zenoh.json").read_text())
     config = zenoh.Config()
     if variant in settings:
@@ -42,7 +54,8 @@ def main() -> None:
     host, process = map(int, sys.argv[2:4])
     listed = [item.split() for item in sys.argv[4].split(",") if " " in item]
     endpoints = 0 if listed else int(sys.argv[4])
-    matching, variant = sys.argv[5] == "matching", sys.argv[6]
+    matching = {"matching": endpoints // 2, "shared": 1}.get(sys.argv[5], 0)
+    variant = sys.argv[6]
     tokens = variant not in ("default", "warm")
     config = configured(variant)
     zenoh.init_log_from_env_or("error")
@@ -67,7 +80,7 @@ def main() -> None:
     for number in range(endpoints // 2):
         for count, role in enumerate("wr"):
             name = f"lab_{host:02}{process:02}_{role}{number:03}"
-            if matching:
+            if number < matching:
                 name = f"lab_0000_t{number:03}"
             key = f"0/{name}/{TYPE}/{HASH}"
             if role == "w":

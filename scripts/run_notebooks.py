@@ -6,11 +6,13 @@ warnings are not for readers, and differ between machines.
 """
 
 import argparse
+import copy
 import csv
 import os
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
@@ -21,10 +23,19 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 
 
-def run(path: Path) -> float:
-    """Execute one notebook and write it back; return the seconds it took."""
+@dataclass
+class Run:
+    """What came of a notebook."""
+
+    seconds: float
+    changed: list[int]  # the cells, from 1, that have other outputs than before
+
+
+def run(path: Path) -> Run:
+    """Execute one notebook and write it back."""
     start = time.perf_counter()
     notebook = nbformat.read(path, as_version=4)
+    before = copy.deepcopy(notebook.cells)
     for cell in notebook.cells:
         if cell.cell_type == "code":
             cell.update(execution_count=None, outputs=[])
@@ -60,14 +71,33 @@ def run(path: Path) -> float:
         beside.replace(path)
     finally:
         beside.unlink(missing_ok=True)
-    return time.perf_counter() - start
+    pairs = enumerate(zip(before, notebook.cells, strict=True), 1)
+    changed = [number for number, (old, new) in pairs if old != new]
+    return Run(time.perf_counter() - start, changed)
+
+
+def report(folder: Path, runs: dict[str, Run]) -> None:
+    """Write how long each notebook took, and which of its cells came out otherwise."""
+    tables: dict[str, list[tuple[str, float | str]]] = {
+        "run_times.csv": [("notebook", "seconds")],
+        "changed_cells.csv": [("notebook", "cells")],
+    }
+    for name, run in runs.items():
+        tables["run_times.csv"].append((name, run.seconds))
+        tables["changed_cells.csv"].append((name, " ".join(map(str, run.changed))))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, rows in tables.items():
+        with (folder / name).open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows(rows)
 
 
 def main(arguments: list[str]) -> int:
     """Run the named notebooks, or all of them; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
-    parser.add_argument("--times", type=Path, help="CSV file to write the run times to")
+    parser.add_argument(
+        "--report", type=Path, metavar="FOLDER", help="for run_times.csv and changed_cells.csv"
+    )
     options = parser.parse_args(arguments)
     paths = [path.resolve() for path in options.notebooks] or sorted(NOTEBOOKS.glob("*.ipynb"))
     missing = [path for path in paths if not path.is_file()]
@@ -75,7 +105,7 @@ def main(arguments: list[str]) -> int:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
     check()
-    seconds: dict[str, float] = {}
+    runs: dict[str, Run] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
@@ -83,17 +113,15 @@ def main(arguments: list[str]) -> int:
             start = f"[{done}/{len(jobs)}] {name}"
             error = job.exception()
             if error is None:
-                seconds[name] = job.result()
-                print(f"{start} {seconds[name]:.1f} s", flush=True)
+                runs[name] = job.result()
+                print(f"{start} {runs[name].seconds:.1f} s", flush=True)
             else:
                 print(f"{start} FAILED", flush=True)
                 kind = "" if type(error) is RuntimeError else f"{name}: {type(error).__name__}: "
                 print(f"{kind}{error}\n", file=sys.stderr, flush=True)
-    if options.times:
-        options.times.parent.mkdir(parents=True, exist_ok=True)
-        with options.times.open("w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([("notebook", "seconds"), *sorted(seconds.items())])
-    failed = len(jobs) - len(seconds)
+    if options.report:
+        report(options.report, dict(sorted(runs.items())))
+    failed = len(jobs) - len(runs)
     if failed:
         print(f"{failed} of {len(jobs)} notebooks failed", file=sys.stderr)
     return 1 if failed else 0

@@ -29,7 +29,7 @@ def main() -> int:
     names = {part.strip("_") for path in changed for part in Path(path).with_suffix("").parts[1:]}
     first = sorted(str(path) for name in names for path in Path("tests").glob(f"test_*{name}*.py"))
     files = [*changed, *first, "tests", "discostorm"]
-    options = ["-x", "-q", "--failed-first", "--assert=plain", "-p", "no:nbval", "-m", "not book"]
+    options = ["-x", "-q", "--failed-first", "--assert=plain", "-m", "not book"]
     return pytest.main([*options, "-k", f"not ({LEFT_OUT})", *files])
 
 

@@ -450,6 +450,7 @@ def remedies(kinds: Iterable[str]) -> Code:
         return {
             "effort": number(int(efforts[found["effort"]]["rank"])),
             "takes": data(efforts[found["effort"]]["what"]),
+            "best_case": data(found["gain"] == "best case"),
             "mind": data("; ".join(filter(None, (found["price"], found["fails"])))),
         }
 

@@ -25,7 +25,7 @@ settings.register_profile("same", derandomize=True, database=None, deadline=None
 settings.load_profile("same")
 
 ROOT = Path(__file__).parents[1]
-HTML = ROOT / "_build" / "html"
+BUILD = ROOT / "_build"
 TOC = ROOT / "_toc.yml"
 
 
@@ -75,9 +75,9 @@ def unshare(*namespaces: str) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def book(browser: Browser) -> Path:  # noqa: ARG001 - without a browser there is no need to build
-    """Return the folder of the built book; build it unless it is newer than its sources."""
-    done = ROOT / "_build" / ".done"
+def built() -> Path:
+    """Return the folder that `make book` writes; make it unless it is newer than its sources."""
+    done = BUILD / ".done"
     with TOC.open() as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # not twice at a time, whoever else runs tests
         if not done.exists() or done.stat().st_mtime < newest(sources()):
@@ -86,7 +86,14 @@ def book(browser: Browser) -> Path:  # noqa: ARG001 - without a browser there is
                 ["make", "book"], cwd=ROOT, env=env, capture_output=True, text=True, check=False
             )
             assert made.returncode == 0, f"make book failed:\n{made.stdout}{made.stderr}"
-    return HTML
+    return BUILD
+
+
+@pytest.fixture(scope="module")
+def book(browser: Browser, request: pytest.FixtureRequest) -> Path:  # noqa: ARG001 - see below
+    """Return the folder of the book's pages; without a browser there is no need to build them."""
+    built: Path = request.getfixturevalue("built")
+    return built / "html"
 
 
 @pytest.fixture(scope="module")

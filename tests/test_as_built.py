@@ -41,6 +41,17 @@ def test_the_fit_is_that_of_the_measurements(tmp_path: Path) -> None:
             assert now == data_path(f"measured/{name}").read_text(encoding="utf-8")
 
 
+def test_no_factor_of_the_fit_is_negative(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A falling line meets all three points; of those that do not fall, the flat one through the
+    # middle is nearest.
+    monkeypatch.syspath_prepend(str(ROOT / "lab"))
+    import fit
+
+    terms = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]])
+    assert fit.least_deviations(terms, np.array([3.0, 2.0, 1.0])) == [2.0, 0.0]
+    assert fit.least_deviations(terms, np.array([1.0, 2.0, 3.0])) == [1.0, 1.0]
+
+
 def test_each_row_says_where_it_is_from() -> None:
     given = read_data("vendors/as_built.csv")
     assert {row["protocol"] for row in given} == set(TABLES) == MEASURED

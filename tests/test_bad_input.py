@@ -224,6 +224,8 @@ def test_host_group(name: str) -> None:
     fails(ValueError, f"{allowed}; got -1", ds.HostGroup, **{**SWARM, name: sp.Integer(-1)})
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: "many"})
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: sp.nan})
+    named = {**SWARM, name: 10**300, "name": "scouts"}
+    fails(ValueError, f"group 'scouts': {allowed}; got 1000", ds.HostGroup, **named)
 
 
 def test_symbols_where_numbers_are_needed() -> None:
@@ -302,9 +304,11 @@ def test_message() -> None:
 
 
 def test_protocol() -> None:
-    def protocol(messages: Any) -> object:
-        return ds.Protocol("mine", messages)
+    def protocol(messages: Any, name: str = "mine") -> object:
+        return ds.Protocol(name, messages)
 
+    text = "name must be a text that is not blank; got ' '"
+    fails(ValueError, text, protocol, messages=ds.DDS.messages, name=" ")
     fails(ValueError, "messages must hold at least one Message; got none", protocol, messages=())
     fails(TypeError, "messages must be a tuple of Message; got 'SPDP'", protocol, messages="SPDP")
     fails(TypeError, "messages[0] must be a Message; got 'SPDP'", protocol, messages=["SPDP"])

@@ -3,8 +3,11 @@
 import csv
 import importlib.util
 import io
+import json
 import math
 import random
+import re
+import shlex
 import statistics
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -15,11 +18,13 @@ from urllib.parse import urlsplit
 import numpy as np
 import pytest
 import sympy as sp
+from click.testing import CliRunner
 from playwright.sync_api import Browser, Page, expect
 
 import discostorm as ds
 from discostorm import timeline
-from discostorm.data import read_data
+from discostorm.cli import main
+from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
 
@@ -373,7 +378,8 @@ def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> 
         and remedy.protocol == ds.PROTOCOLS[remedy.protocol.name]
         and "research" not in remedy.efforts
     }
-    wanted = sorted(best, key=lambda kind: plan.remedies.index(best[kind]))[:3]
+    order = sorted(best, key=lambda kind: plan.remedies.index(best[kind]))
+    wanted = order[:3] + [kind for kind in order[3:] if best[kind].best_case]
     numbers: dict[str, str] = tab.evaluate("calculatorTest.shown()")
     told = {name: float(value) for name, value in numbers.items() if name.startswith("remedy ")}
     assert list(told) == wanted
@@ -381,7 +387,23 @@ def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> 
     assert len(told) > 1
     for item, kind in zip(tab.locator("#calc-remedies > li").all(), wanted, strict=True):
         expect(item).to_contain_text(best[kind].caution())
+        assert ("% less at best" in item.inner_text()) == best[kind].best_case
         expect(item.locator("pre")).to_have_text([piece.text for piece in best[kind].snippets])
+
+
+def test_the_planner_tries_what_the_page_says_beside_its_own() -> None:
+    page = (ROOT / "book" / "calculator.md").read_text(encoding="utf-8")
+    (command,) = re.findall(r"^    discostorm (plan .*)$", page, re.M)
+    command = command.replace("fleet.toml", str(data_path("fleets/nav2_laptop.toml")))
+    said = CliRunner().invoke(main, [*shlex.split(command), "--json"])
+    assert said.exit_code == 0, said.output
+    plan = json.loads(said.output)
+    kinds = {remedy["kind"] for remedy in plan["remedies"]}
+    assert {"announcements", "channels", "domains"} <= kinds
+    assert {len(set(found["steps"])) for found in plan["combinations"]} <= {2, 3}
+    assert plan["combinations"]
+    peers = ds.plan(ds.Fleet.swarm(10, 1, 678), PROTOCOLS["Zenoh peer"]).remedies
+    assert "peers" in {remedy.kind for remedy in peers}
 
 
 def test_a_robot_brings_its_numbers_and_where_they_are_from(tab: Page) -> None:

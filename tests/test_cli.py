@@ -23,6 +23,7 @@ from discostorm import cli, figures, notebook
 from discostorm.cli import LINK_OPTIONS, main
 from discostorm.data import data_path
 from discostorm.paper.claims import ledger
+from discostorm.words import RECORD
 
 NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
 
@@ -414,6 +415,18 @@ def test_help_has_examples_that_run(name: str, folder: Path) -> None:
         done = runner.invoke(main, shlex.split(example)[1:])
         assert done.exit_code == 0, f"{example}: {done.output}"
     assert folder.is_dir()
+
+
+def test_whoever_is_told_how_to_record_loses_nothing() -> None:
+    # Whatever is written: no filter, or the one that keeps fragments, Zenoh's TCP and IPv6.
+    readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    texts = {"README": readme, "help": main.commands["capture"].help or ""}
+    whole = RECORD.partition("{file}")[2]
+    for name, text in texts.items():
+        found = re.findall(r"tcpdump -i \S+ -s 0 -w \S+( '[^']*'| *)", text)
+        assert len(found) == text.count("tcpdump -i") > 0, name
+        assert set(map(str.rstrip, found)) <= {"", whole}, name
+    assert texts["help"].count(whole) == 2
 
 
 @pytest.mark.parametrize(

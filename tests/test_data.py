@@ -23,12 +23,13 @@ SOURCES = {
     "paper/claims.csv": "where",
     "measured/runs.csv": "sha256",
     "measured/mitigation_runs.csv": "sha256",
+    "measured/shared_runs.csv": "sha256",
 }
 #: Tables without such a column, by the README that says where all their rows are from.
 DESCRIBED = {
     "measured/README.md": (
         *("arrangements", "as_built", "counts", "deaths", "hybrid", "misses", "reasons"),
-        *("mitigation_counts", "mitigation_misses", "mitigations", "published"),
+        *("mitigation_counts", "mitigation_misses", "mitigations", "published", "shared_counts"),
     ),
     "README.md": (
         *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),

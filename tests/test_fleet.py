@@ -252,12 +252,16 @@ def test_a_fleet_is_read_from_toml(tmp_path: Path) -> None:
     assert ds.Fleet.from_toml(path) == ds.Fleet.from_toml(str(path)) == expected
 
 
-def test_the_laptop_of_the_example_has_the_endpoints_that_its_parts_add_up_to() -> None:
-    robots, laptop = ds.Fleet.from_toml(data_path("fleets/nav2_laptop.toml")).groups
-    assert (robots.name, laptop.name) == ("robots", "laptop")
+def test_the_fleet_of_the_example_has_the_parts_that_its_sources_add_up_to() -> None:
+    fleet = ds.Fleet.from_toml(data_path("fleets/nav2_laptop.toml"))
     parts = read_data("fleets/rviz_endpoints.csv")
     endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
-    assert laptop == ds.HostGroup(1, 1, endpoints, name="laptop")
+    (nodes,) = (int(part["how_many"]) for part in parts if "parameter services" in part["part"])
+    nav2 = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
+    assert fleet.groups == (
+        ds.HostGroup(10, 1, 678, name="robots", nodes=nav2),
+        ds.HostGroup(1, 1, endpoints, name="laptop", nodes=nodes),
+    )
 
 
 def test_ready_made_robots_are_the_sum_of_their_parts() -> None:
@@ -325,7 +329,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("groups = []", r"at least one \[\[groups\]\] table; got \[\]"),
         ("groups = 3", r"at least one \[\[groups\]\] table; got 3"),
         ("groups = [3]", "group 1: it must be a table with hosts, processes, endpoints; got 3"),
-        ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'hosts'"),
+        ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'endpoints': 1"),
         ("[[groups]\n", "must be a TOML file: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,

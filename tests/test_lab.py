@@ -22,6 +22,7 @@ ROOT = Path(__file__).parents[1]
 LAB = ROOT / "lab"
 sys.path.insert(0, str(LAB))
 
+import count  # noqa: E402
 import run as lab  # noqa: E402
 
 pytestmark = pytest.mark.book
@@ -142,20 +143,23 @@ def wait_until(true: object, seconds: float = 20.0) -> bool:
     return False
 
 
-def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[str]:
-    """Run the lab on one point of two hosts, for all products or some."""
-    grid = out.with_suffix(".csv")
-    heading = "hosts,processes,endpoints,names,use,runs,seconds"
-    grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
-    command = [sys.executable, str(LAB / "run.py"), "--grid", str(grid), "--out", str(out)]
-    command += ["--spacing", "0.2", *(f"--only={name}" for name in only)]
+def started(program: str, mark: str, *arguments: object) -> subprocess.Popen[str]:
+    """Start a program of the lab; what it begins inherits the mark."""
     return subprocess.Popen(
-        command,
+        [sys.executable, str(LAB / program), *map(str, arguments)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
         env=os.environ | {"DISCOSTORM_MARK": mark},
     )
+
+
+def begin(out: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
+    """Run the lab on one point of two hosts, for all products."""
+    grid = out.with_suffix(".csv")
+    heading = "hosts,processes,endpoints,names,use,runs,seconds"
+    grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
+    return started("run.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2)
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
@@ -196,7 +200,9 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     assert wait_until(lambda: not marked(mark))
 
 
-def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
+def test_a_short_lab_captures_every_product_and_counts_windows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """For real: two hosts, and each product's processes find each other."""
     ready()
     mark = uuid.uuid4().hex
@@ -215,29 +221,27 @@ def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
         hosts = talk(capture)
         assert hosts >= {("10.77.0.1", "10.77.0.2"), ("10.77.0.2", "10.77.0.1")}, capture
         assert {who for who, _ in hosts} == {"10.77.0.1", "10.77.0.2"}
-
-
-def test_captures_are_counted_in_windows(tmp_path: Path) -> None:
-    """Of a run of 14 s the start-up is counted, and of the steady window nothing."""
-    ready()
-    made = begin(out := tmp_path / "out", uuid.uuid4().hex, 14, "fast_dds-default")
-    said, _ = made.communicate(timeout=300)
-    assert made.returncode == 0, said
-    command = [sys.executable, str(LAB / "count.py"), str(out), "--out", str(tmp_path / "tables")]
-    subprocess.run(command, check=True, capture_output=True)
+    # Of a run of 4 s a start-up of 3 s is counted, and of what comes later nothing.
+    monkeypatch.setattr(count, "WINDOWS", {"startup": (-np.inf, 3.0), "steady": (3.0, 9.0)})
+    monkeypatch.setattr(sys, "argv", ["count.py", str(out), "--out", str(tmp_path / "tables")])
+    assert count.main() == 0
     with (tmp_path / "tables" / "runs.csv").open(newline="") as file:
-        [run] = csv.DictReader(file)
-    assert (run["product"], run["hosts"], run["command"].split()[:2]) == (
-        "fast_dds",
-        "2",
-        ["fast_dds", "14"],
-    )
+        runs = {run["run"]: run for run in csv.DictReader(file)}
+    assert {(run["product"], run["variant"]) for run in runs.values()} == set(lab.PRODUCTS)
     with (tmp_path / "tables" / "counts.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     assert {row["window"] for row in rows} == {"startup"}
-    announced = [row for row in rows if row["kind"] == "SPDP" and row["multicast"] == "1"]
-    # At once, five times 0.1 s apart, at 3.5, 6.5, 9.5 s, and for the other: 10 for each of two.
-    assert [row["messages"] for row in announced] == ["20"]
+    assert {row["run"] for row in rows} == set(runs)
+    [number] = (
+        key
+        for key, run in runs.items()
+        if run["command"].startswith("fast_dds 4 HOST") and run["variant"] == "default"
+    )
+    announced = [
+        row for row in rows if (row["run"], row["kind"], row["multicast"]) == (number, "SPDP", "1")
+    ]
+    # At once, five times 0.1 s apart, and for the other: 7 for each of two.
+    assert [row["messages"] for row in announced] == ["14"]
 
 
 def talk(capture: Path) -> set[tuple[str, str]]:
@@ -262,27 +266,21 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     heading = "hosts,processes,endpoints,software,scenario,runs,seconds"
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")
-    command = [sys.executable, str(LAB / "hybrid.py"), "--grid", str(grid)]
-    command += ["--captures", str(tmp_path / "out"), "--out", str(tmp_path / "hybrid.csv")]
-    return subprocess.Popen(
-        command,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        env=os.environ | {"DISCOSTORM_MARK": mark},
-    )
+    where = ("--captures", tmp_path / "out", "--out", tmp_path / "hybrid.csv")
+    return started("hybrid.py", mark, "--grid", grid, *where)
 
 
 def test_speakers_of_the_hybrid_discovery_find_each_other(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
-    made = hybrid(tmp_path, mark, 12)
+    made = hybrid(tmp_path, mark, 5)
     said, _ = made.communicate(timeout=300)
     assert made.returncode == 0, said
     assert not marked(mark)
     with (tmp_path / "hybrid.csv").open(newline="") as file:
         rows = {row["kind"]: row for row in csv.DictReader(file)}
     assert int(rows["Announce"]["frames"]) == 3
-    assert int(rows["Heartbeat"]["frames"]) >= 9
+    # The first of each comes 1.5 s after its announcement.
+    assert int(rows["Heartbeat"]["frames"]) >= 3
     assert float(rows["Announce"]["converged_s"]) < 1
 
 

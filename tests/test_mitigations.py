@@ -261,3 +261,42 @@ def test_what_is_better_than_simple_discovery_and_what_is_worse() -> None:
             )
             server, without = map(float, steady)
             assert server < without
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("Fast DDS", "Cyclone DDS", "Cyclone DDS, wired", "Zenoh peer", "Zenoh peer, tokens"),
+        *("Fast DDS Discovery Server", "Zenoh router"),
+    ],
+)
+def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
+    # One topic that all share, beside names of their own: nothing was fitted to that.
+    runs = [row for row in read_data("measured/shared_runs.csv") if row["use"] == "test"]
+    product, variant = (
+        {**measured.products(), **measured.arrangements()}[name][column]
+        for column in ("product", "variant")
+    )
+    mine = [
+        (r["hosts"], r["processes"])
+        for r in runs
+        if r["product"] == product and r["variant"] == variant
+    ]
+    assert {point: mine.count(point) for point in mine} == {("3", "2"): 5, ("4", "1"): 5}
+    table = measured.held(ds.PROTOCOLS[name], shared=True)
+    table = table[table["kind"] == "all"]
+    tells = table[table["phase"].isin(["SEDP", "Declaration"]) & (table["window"] == "startup")]
+    assert len(tells) == 2
+    assert tells[["error", "error_bytes"]].abs().max().max() <= 0.15
+    announced = table[table["phase"].isin(["SPDP", "Scouting"]) & (table["window"] == "steady")]
+    assert np.allclose(announced["error"], 0)
+    if name == "Fast DDS Discovery Server":
+        # It introduces each two processes, as it would not if nothing matched.
+        for row in tells.to_dict("records"):
+            hosts, processes, endpoints = map(int, row["point"].rstrip("s").split("x"))
+            alone = sum(
+                measured.expected(message, ds.Fleet.swarm(hosts, processes, endpoints), "startup")
+                for message in ds.PROTOCOLS[name].of_phase("SEDP")
+                if message.frames
+            )
+            assert row["least"] > 1.3 * alone

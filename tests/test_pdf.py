@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 import yaml
 from bs4 import BeautifulSoup, SoupStrainer
-from conftest import HTML, missing, newest, sources
+from conftest import BUILD, missing, newest, sources
 from pypdf import PdfReader
 from test_browser import PAGES, source
 
@@ -137,12 +137,12 @@ def test_figures_are_vectors(pdf: PdfReader) -> None:
 
 
 def test_equations_are_numbered_as_in_the_html(pdf: PdfReader, text: list[str]) -> None:
-    if not HTML.exists():
+    if not (BUILD / "html").exists():
         missing("no HTML here: run `make book`")
     shown = {}
     for page in PAGES:
         html = BeautifulSoup(
-            (HTML / f"{page}.html").read_text(encoding="utf-8"),
+            (BUILD / "html" / f"{page}.html").read_text(encoding="utf-8"),
             "html.parser",
             parse_only=SoupStrainer("div", id=re.compile("^equation-")),
         )

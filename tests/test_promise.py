@@ -44,7 +44,7 @@ class Labelled:
     ids=lambda v: type(v).__name__,
 )
 def test_what_has_labels_is_refused_and_the_way_to_pass_it_is_told(value: Any) -> None:
-    text = rf"hosts must be .*; got a {type(value).__name__}.*\.to_numpy\(\)"
+    text = rf"hosts must be .*; got a value of type {type(value).__name__}, .*\.to_numpy\(\)"
     with pytest.raises(TypeError, match=text):
         ds.utilization(ds.DDS, value, 2, 10)
     with pytest.raises(TypeError, match=text):

@@ -27,7 +27,11 @@ def run(path: Path, *sources: str) -> "subprocess.CompletedProcess[str]":
 
 
 def again(path: Path) -> "subprocess.CompletedProcess[str]":
-    return command(sys.executable, SCRIPT, path)
+    return command(sys.executable, SCRIPT, path, "--report", path.parent / "report")
+
+
+def changed(folder: Path) -> str:
+    return (folder / "report" / "changed_cells.csv").read_text(encoding="utf-8")
 
 
 def command(*words: str | Path) -> "subprocess.CompletedProcess[str]":
@@ -44,8 +48,10 @@ def test_a_notebook_comes_out_the_same(tmp_path: Path) -> None:
     _, printed, result = nbformat.read(path, as_version=4).cells
     assert [output.text for output in printed.outputs] == ["0\n1\n2\n"]
     assert result.outputs[0].data["text/plain"] == "42"
+    assert changed(tmp_path) == "notebook,cells\ngood.ipynb,2 3\n"
     assert again(path).returncode == 0
     assert path.read_bytes() == once
+    assert changed(tmp_path) == "notebook,cells\ngood.ipynb,\n"
 
 
 def test_an_error_names_notebook_and_cell_and_leaves_the_file(tmp_path: Path) -> None:

@@ -2,10 +2,11 @@
 
 from pathlib import Path
 from typing import Any
-from urllib.parse import urljoin
+from urllib.parse import urlsplit
 
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.errors import ConfigError
 
 from discostorm import DDS
 from discostorm.paper import storm
@@ -26,21 +27,32 @@ def _description(doctree: nodes.document) -> str:
     return ""
 
 
+def _base(address: str) -> str:
+    """Return the address of the book with a slash at its end, or nothing if none is known."""
+    if not address:
+        return ""
+    if urlsplit(address).scheme not in {"http", "https"} or not urlsplit(address).netloc:
+        raise ConfigError(
+            "html.baseurl in _config.yml must be empty or an address such as "
+            f"https://example.org/storm/; got {address!r}"
+        )
+    return address.rstrip("/") + "/"
+
+
 def _add(
     app: Sphinx, pagename: str, templatename: str, context: dict[str, Any], doctree: Any
 ) -> None:
     if doctree is None:
         return
-    base = app.config.html_baseurl
-    to_root = context["pathto"]("", 1).removesuffix(".")
-    picture = urljoin(base, PICTURE) if base else to_root.rstrip("/") + "/" + PICTURE
-    title = nodes.Text(context.get("title", app.config.project)).astext()
+    base = _base(app.config.html_baseurl)
+    to_root = context["pathto"]("", 1).removesuffix(".").rstrip("/") + "/"
+    title = nodes.Text(context.get("title", app.config.html_title)).astext()
     told = {
         ("property", "og:type"): "article",
-        ("property", "og:site_name"): app.config.project,
+        ("property", "og:site_name"): app.config.html_title,
         ("property", "og:title"): title,
         ("property", "og:description"): _description(doctree),
-        ("property", "og:image"): picture,
+        ("property", "og:image"): (base or to_root) + PICTURE,
         ("property", "og:image:width"): str(SIZE[0]),
         ("property", "og:image:height"): str(SIZE[1]),
         ("property", "og:image:alt"): "Robots around an access point, and a bar of airtime",
@@ -48,7 +60,7 @@ def _add(
         ("name", "description"): _description(doctree),
     }
     if base:
-        told["property", "og:url"] = urljoin(base, f"{pagename}.html")
+        told["property", "og:url"] = f"{base}{pagename}.html"
     context["metatags"] = context.get("metatags", "") + "".join(
         f'\n<meta {kind}="{name}" content="{_quoted(text)}">' for (kind, name), text in told.items()
     )

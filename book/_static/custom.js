@@ -25,18 +25,31 @@ window.addEventListener("load", async () => {
       }
   }
 
+  // On a phone the smallest letters of a figure, 12 px of its own size, are at least 10 px high; what is
+  // then a little wider than the screen is left as wide as that.
+  const [SMALLEST, LEGIBLE, LITTLE] = [12, 10, 1.05];
+  const FIGURE = ".ds-figure";
+  for (const image of document.querySelectorAll(".bd-article figure img")) {
+    const box = document.createElement("div");
+    box.className = FIGURE.slice(1);
+    image.replaceWith(box);
+    box.append(image);
+    const least = (LEGIBLE / SMALLEST) * image.naturalWidth;
+    if (least > LITTLE * window.innerWidth) image.style.setProperty("--least", `${Math.round(least)}px`);
+  }
+
   await window.MathJax?.startup?.promise;
   // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
-  const boxes = document.querySelectorAll(`div.math, ${TABLE}, .bd-article pre:not(.calc pre)`);
-  // A wide table fades where it goes on, and a line above it says so.
+  const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, .bd-article pre:not(.calc pre)`);
+  // A wide table fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
   const hint = (box, wider) => {
-    if (!box.matches(TABLE) || box.classList.contains("ds-wider") === wider) return;
+    if (!box.matches(`${TABLE}, ${FIGURE}`) || box.classList.contains("ds-wider") === wider) return;
     box.classList.toggle("ds-wider", wider);
     if (!wider) return box.previousElementSibling.remove();
     const line = document.createElement("p");
     line.className = "ds-scroll-hint";
-    line.textContent = "\u2190 the table scrolls sideways \u2192";
+    line.textContent = `\u2190 the ${box.matches(TABLE) ? "table" : "figure"} scrolls sideways \u2192`;
     box.before(line);
     box.addEventListener("scroll", () => atEnd(box), { passive: true });
     atEnd(box);
@@ -74,4 +87,17 @@ window.addEventListener("load", async () => {
 // A notebook is saved, whatever type the server gives it.
 window.addEventListener("load", () => {
   for (const link of document.querySelectorAll(".btn-download-source-button")) link.download = "";
+});
+
+// A figure leads to its file, which opens at its own size, to be enlarged with fingers.
+window.addEventListener("load", () => {
+  for (const image of document.querySelectorAll(".bd-article figure img")) {
+    if (image.closest("a")) continue;
+    const link = document.createElement("a");
+    link.className = "ds-figure";
+    link.href = image.src;
+    link.title = "Open the figure at its own size";
+    image.replaceWith(link);
+    link.append(image);
+  }
 });

@@ -324,7 +324,7 @@
     };
   }
 
-  /** Return the first three things that help, the best of each kind, in the planner's order: the same functions, asked again. */
+  /** Return the first three things that help, the best of each kind, in the planner's order, and what might in the best case: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
     const found = [];
@@ -348,11 +348,11 @@
     });
     for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
     for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
-    // What makes it fit first, the easiest before all; then what saves most.
-    found.sort((a, b) => b.fits - a.fits || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
+    // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
+    found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
-      .slice(0, 3)
+      .filter((one, i) => i < 3 || one.best_case)
       .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), paste: pasted(one) }));
   }
 
@@ -442,13 +442,14 @@
 
   function showRemedies(answer) {
     byId("remedies").replaceChildren(
-      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste }) => {
+      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste, best_case }) => {
         const item = make(
           "li",
           {},
           make("span", { class: "calc-what" }, `${capitalized(what)}: `),
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
+          best_case ? " at best" : "",
           then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
@@ -507,7 +508,7 @@
           make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
           make("td", {}, exact(message.load, count(message.load), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
-          make("td", {}, percent(share), bar),
+          make("td", {}, make("span", { class: "calc-part" }, percent(share)), bar),
         );
       }),
       make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
@@ -622,18 +623,30 @@
       ctx.stroke();
       ctx.setLineDash([]);
       ctx.font = `${13 * scale}px sans-serif`;
-      // Where the curves are not.
-      const { log } = view(answer);
+      // Where no curve runs: at either end of the line, above it or below, in fewer words if there is little
+      // room; if there is none, on a plate.
       ctx.textBaseline = "bottom";
-      // On a plate of its own, as a curve may run below.
-      const words = "1 s: the channel is full";
-      const { width } = ctx.measureText(words);
-      const left = bbox.left + (log ? bbox.width - width - 6 * scale : 6 * scale);
+      const height = 17 * scale;
+      const [above, below] = [limit - height - 2 * scale, limit + 2 * scale];
+      const spots = ["1 s: the channel is full", "channel full", "full"].flatMap((words) => {
+        const { width } = ctx.measureText(words);
+        const ends = [bbox.left + 6 * scale, bbox.left + bbox.width - width - 6 * scale];
+        return [[ends[0], above], [ends[1], below], [ends[0], below], [ends[1], above]].map((at) => [...at, width, words]);
+      });
+      const { x, lines } = curve(answer);
+      const across = x.map((value) => u.valToPos(value, "x", true));
+      const along = lines.map((line) => line.map((value) => u.valToPos(value, "y", true)));
+      const isFree = ([left, top, width]) =>
+        top + height < bbox.top + bbox.height &&
+        !along.some((line) =>
+          line.some((y, i) => across[i] > left - height && across[i] < left + width + height && y > top && y < top + height),
+        );
+      const [left, top, width, words] = spots.find(isFree) ?? spots[0];
       ctx.textAlign = "left";
       ctx.fillStyle = background;
-      ctx.fillRect(left - 2 * scale, limit - 19 * scale, width + 4 * scale, 17 * scale);
+      ctx.fillRect(left - 2 * scale, top, width + 4 * scale, height);
       ctx.fillStyle = text;
-      ctx.fillText(words, left, limit - 3 * scale);
+      ctx.fillText(words, left, top + height - 2 * scale);
       // The one in front last, so that its point is on top.
       for (const one of [...answer.drawn].reverse()) {
         const x = u.valToPos(answer.hosts, "x", true);

@@ -14,7 +14,8 @@
   const MOST_OF_A_PAGE = 3;
   const LENGTH = 240;
 
-  const plain = (text) => text.toLowerCase().replace(/wi-fi/g, "wifi").replace(/[’']/g, "");
+  const plain = (text) =>
+    text.toLowerCase().replace(/wi-fi/g, "wifi").replace(/\b(cyclone|fast)dds\b/g, "$1 dds").replace(/[’']/g, "");
   const singular = (term) => (/[^su]s$/.test(term) && term.length > 3 ? term.slice(0, -1) : term);
   const tokenize = (text) => plain(text).match(/[\p{L}\p{N}_]+/gu) ?? [];
   const processTerm = (term) => (STOP.has(term) ? null : singular(term));
@@ -25,7 +26,7 @@
     fields: ["title", "page", "text", "code"],
     tokenize,
     processTerm,
-    searchOptions: { boost: { title: 6, page: 2, code: 0.3 }, prefix: (term) => term.length > 3 },
+    searchOptions: { prefix: (term) => term.length > 3 },
   });
   index.addAll(sections);
 
@@ -41,13 +42,18 @@
         name === words[i] ? name : { combineWith: "OR", queries: [name], boostTerm: () => 0.4 },
       ),
     }));
+    // The words side by side, the oftener the better; before all the pages to which all readers are led.
     const boostDocument = (id) => {
-      const { title, text } = sections[id];
-      if (!several) return 1;
-      return (phrase(title).includes(asked) ? 4 : 1) * (phrase(text).includes(asked) ? 2 : 1);
+      const { title, text, url } = sections[id];
+      const front = /^book\/(index|calculator)\./.test(url) ? 1.5 : 1;
+      if (!several) return front;
+      const often = phrase(text).split(asked.trimEnd() + " ").length - 1;
+      return front * (phrase(title).includes(asked) ? 4 : 1) * (1 + Math.log2(1 + often));
     };
-    const all = index.search({ combineWith: "AND", queries }, { boostDocument });
-    const found = all.length ? all : index.search({ combineWith: "OR", queries }, { boostDocument, fuzzy: 0.2 });
+    // One of several words in a title says little; all of them side by side count above.
+    const options = { boostDocument, boost: { title: several ? 2 : 6, page: 2, code: 0.3 } };
+    const all = index.search({ combineWith: "AND", queries }, options);
+    const found = all.length ? all : index.search({ combineWith: "OR", queries }, { ...options, fuzzy: 0.2 });
     const ofPage = new Map();
     return found.filter(({ id }) => {
       const { page } = sections[id];
@@ -95,7 +101,8 @@
       where.textContent = page === title ? number && ` chapter ${number}` : ` in ${number ? `${number}. ` : ""}${page}`;
       const matched = new Set(terms);
       const inText = excerpt(text, matched);
-      item.append(link, where, inText.querySelector("mark") || !code ? inText : excerpt(code, matched));
+      const shown = inText.querySelector("mark") || !code || (text && tokenize(title).some((word) => matched.has(singular(word))));
+      item.append(link, where, shown ? inText : excerpt(code, matched));
       list.append(item);
     }
     document.getElementById("search-results").replaceChildren(list);

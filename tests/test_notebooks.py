@@ -1,0 +1,30 @@
+"""Each notebook, run from its first cell to its last, gives the outputs that are stored in it.
+
+`make book` runs them all and writes down which cells came out otherwise; where the book is older
+than its sources, it is made first. A cell that fails, or writes to standard error, ends that.
+"""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+pytestmark = [pytest.mark.book, pytest.mark.locked]
+
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
+
+
+@pytest.fixture(scope="module")
+def changed(built: Path) -> dict[str, str]:
+    """Return the cells of each notebook that came out otherwise."""
+    with (built / "changed_cells.csv").open(encoding="utf-8", newline="") as file:
+        return {row["notebook"]: row["cells"] for row in csv.DictReader(file)}
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_what_is_stored_is_what_comes_out(path: Path, changed: dict[str, str]) -> None:
+    cells = changed[path.name]
+    assert not cells, (
+        f"cells {cells} of {path.name} came out otherwise when `make book` ran it; what came out "
+        "is in the file now: look at the difference, and run `make book` once more"
+    )
