@@ -60,22 +60,26 @@ CODE_SHARE = """() => {
 }"""
 #: Unfolds what is folded.
 OPEN = "document.querySelectorAll('details').forEach((details) => { details.open = true })"
-#: Leaves one text of each look, as axe-core judges every one for itself and takes long for each.
+#: Leaves one text of each look, as axe-core judges every element for itself, and three formulas.
 #: Links, buttons and heads of tables keep theirs, by which they are named.
 ONE_OF_EACH_LOOK = """() => {
     const texts = ":is(p, span, td, li, strong, em):not(a *, button *, summary *, label *, th *)";
     const ground = (element) =>
         element ? getComputedStyle(element).backgroundColor + ground(element.parentElement) : "";
     const seen = new Set();
+    const again = []; // taken out at the end, as each change has the page styled anew
     for (const element of document.querySelectorAll(`.bd-article ${texts}`)) {
         const own = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE);
         if (!own.some((node) => node.data.trim())) continue;
         const { color, fontSize, fontWeight, opacity } = getComputedStyle(element);
         const look = [color, fontSize, fontWeight, opacity, ground(element)];
         const key = [...look, element.querySelector("a") !== null].join();
-        if (seen.has(key)) for (const node of own) node.remove();
+        const whole = element.matches("pre *") && element.childElementCount === 0;
+        if (seen.has(key)) again.push(...(whole ? [element] : own));
         seen.add(key);
     }
+    again.push(...[...document.querySelectorAll("mjx-container")].slice(3));
+    again.forEach((node) => node.remove());
 }"""
 #: Waits until the page is as wide, and in the color scheme, as it is told.
 FOLLOWED = """async ({ theme, width }) => {
