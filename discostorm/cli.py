@@ -959,6 +959,8 @@ def capture(
         click.echo(_json(answer))
     elif output.for_people:
         _show_capture(found, groups, rows, output)
+        if against is None and rows:
+            _name_own_tables(found)
 
 
 assert capture.help
@@ -975,7 +977,8 @@ def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def _show_capture(
     found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
-    click.echo(visible(f"{found.path}: {found.packets} packets in {found.duration:.3f} s"))
+    packets = words.many(found.packets, "packet")
+    click.echo(visible(f"{found.path}: {packets} in {found.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = words.many(processes, "process", "es")
@@ -995,6 +998,14 @@ def _show_capture(
         click.echo("There is no message of RTPS or Zenoh in it.")
     for note in found.notes:
         click.echo(visible(f"Note: {note}."))
+
+
+def _name_own_tables(found: Capture) -> None:
+    """Say how to hold the capture against the tables of the products that sent it."""
+    own = sorted(set(found.processes()["product"]) & set(ds.PROTOCOLS))
+    if own:
+        options = " or ".join(f'--against "{name}"' for name in own)
+        click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
 
 
 def _count(value: float | None) -> str:
