@@ -11,6 +11,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import numba
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -22,6 +23,7 @@ from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.fleet import Hosts
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
+from discostorm.simulation._compile import shown
 from discostorm.simulation._memory import available
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
@@ -651,6 +653,23 @@ def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("discostorm.simulation.find_spec", lambda _: None)
     with pytest.raises(ImportError, match=r"pip install discostorm\[simulation\]"):
         small()
+
+
+def test_compiling_is_said_and_counted_but_not_what_is_compiled_already(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    inner = numba.njit(lambda x: x + 1)
+    outer = numba.njit(lambda x: inner(x) * 2)
+    said: list[str] = []
+    with shown(said.append):
+        assert outer(1) == 4
+    assert len(said) == 1
+    assert "about a minute" in said[0]
+    assert "2 parts" in capsys.readouterr().err
+    with shown(said.append):
+        assert outer(2) == 6
+    assert len(said) == 1
+    assert not capsys.readouterr().err
 
 
 def test_long_runs_are_announced(

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 from importlib.util import find_spec
-from threading import Timer
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,8 +26,6 @@ __all__ = ["Simulation", "simulate"]
 
 #: What users wait for without being told how long it takes [s].
 _PATIENCE = 60.0
-#: Loading what was compiled takes less [s], if nobody else is at work.
-_LOADING = 3.0
 #: Runs that take less in all go one after the other: starting processes takes longer [s].
 _ALONE = 5.0
 
@@ -188,6 +185,7 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
     from joblib import Parallel, delayed
     from tqdm import tqdm
 
+    from discostorm.simulation._compile import shown
     from discostorm.simulation.run import compiled, one_run
 
     seconds, megabytes = plan.estimate()
@@ -197,13 +195,8 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
             f"and {free:.0f} MB are available; got {plan.hosts.host_of.size} processes"
         )
-    notice = Timer(
-        _LOADING, _say, ["loading the simulator; the first time on a machine it is compiled ..."]
-    )
-    notice.daemon = True
-    notice.start()
-    compiled()
-    notice.cancel()
+    with shown(_say):
+        compiled()
     if seconds * len(seeds) > _PATIENCE:
         _say(
             f"{len(seeds)} run{'s'[: len(seeds) > 1]} of about {seconds / 60:.1f} min and "

@@ -1,6 +1,7 @@
 """How the inner loops are compiled: to machine code that is kept on disk."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Any, TypeVar
 
 try:
     import numba
+    from numba.core import event
 except ImportError as error:
     raise ImportError(
         "discostorm.simulation needs numba; to get it: pip install discostorm[simulation]",
@@ -43,6 +45,39 @@ def entry(function: Function) -> Function:
     except RuntimeError:  # nowhere to write
         compiled = numba.njit(**_OPTIONS)(function)
     return compiled
+
+
+class _Parts(event.Listener):
+    """Counts the parts that are compiled; of what is loaded from disk numba does not tell it."""
+
+    def __init__(self, say: Callable[[str], None]) -> None:
+        self.say, self.bar = say, None
+
+    def on_start(self, _: Any) -> None:
+        from tqdm import tqdm
+
+        if self.bar is None:
+            self.say(
+                "compiling the simulator, once on a machine: about a minute of a core of its own, "
+                "longer beside others; kept when all of it is done ..."
+            )
+            self.bar = tqdm(desc="compiling", unit=" parts", mininterval=1.0)
+
+    def on_end(self, _: Any) -> None:
+        if self.bar is not None:
+            self.bar.update()
+
+
+@contextmanager
+def shown(say: Callable[[str], None]) -> Iterator[None]:
+    """Say so if something is compiled meanwhile, and count its parts."""
+    parts = _Parts(say)
+    try:
+        with event.install_listener("numba:compile", parts):
+            yield
+    finally:
+        if parts.bar is not None:
+            parts.bar.close()
 
 
 @cache
