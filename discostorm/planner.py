@@ -216,7 +216,7 @@ class Remedy:
             "fails": self.fails,
             "note": self.note,
             "all_find_each_other": self.whole,
-            "fleets": [_groups(fleet) for fleet in self.fleets],
+            "fleets": [fleet.described() for fleet in self.fleets],
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "before": self.before,
@@ -323,7 +323,7 @@ class Plan:
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
-            "fleet": _groups(self.fleet),
+            "fleet": self.fleet.described(),
             "steady": self.steady,
             "steady_fits": words.fits(self.steady),
             "window_s": self.window if math.isfinite(self.window) else None,
@@ -792,14 +792,6 @@ def _largest(
 ) -> Iterator[Share]:
     for name, taken in sorted(parts, key=lambda item: -item[1]):
         yield Share(kind, name, taken, taken / whole if whole else 0.0)
-
-
-def _groups(fleet: Fleet) -> list[dict[str, Any]]:
-    return [
-        {"name": name}
-        | dict(zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True))
-        for name, group in zip(fleet.names, fleet.groups, strict=True)
-    ]
 
 
 def _amount(utilization: float, window: float) -> str:

@@ -5,6 +5,7 @@ Whoever starts later meets a calmer channel. The rules give what `discostorm.sim
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,11 +93,18 @@ def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
         If it is not a number.
     """
     seconds = _checks.number("within", within, 0)
+    return _AtRandom(seconds)
 
-    def draw(rng: np.random.Generator, hosts: int) -> Floats:
-        return rng.uniform(0.0, seconds, hosts)
 
-    return draw
+@dataclass(frozen=True)
+class _AtRandom:
+    within: float
+
+    def __call__(self, rng: np.random.Generator, hosts: int) -> Floats:
+        return rng.uniform(0.0, self.within, hosts)
+
+    def __str__(self) -> str:
+        return f"at random within {_checks.exactly(self.within)} s, each time equally likely"
 
 
 def in_turn(

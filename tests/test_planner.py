@@ -383,7 +383,10 @@ def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) 
     ]
     times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
     assert f"20 with {name} in {times['rule']:.0f} s instead of {times['together']:.0f} s" in said
-    assert times["rule"] < times["together"]
+    # By more than the runs scatter: these intervals of the medians do not meet.
+    ends = {row["start"]: row for row in rows}
+    column = "convergence_time_s"
+    assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
 
 
 def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_advised() -> None:
