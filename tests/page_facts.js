@@ -46,6 +46,11 @@
       // An error in a formula, and a command that is not known, which MathJax shows in red.
       .concat(all("mjx-container [data-mml-node=merror], mjx-container [fill=red]"))
       .map(name),
+    formulas_that_scroll: all("div.math, .bd-article mjx-container[display]")
+      .filter((e) => e.scrollWidth > e.clientWidth + 1 && shown(e))
+      .map(name),
+    // Ticks and legends are drawn with letters of 9 points, 12 px: how high these are on the page [px].
+    letters_of_figures: all(".bd-article figure img").filter(shown).map((e) => (12 * e.clientWidth) / e.naturalWidth),
     raw_tex: prose.flatMap((text) => text.match(/\$\$|\\\(|\\\[|\\[a-z]+\{.{0,40}/gi) ?? []),
     figures: all("figure").filter((e) => e.querySelector("img, svg")).map((e) => e.id),
     images_not_loaded: images.filter((e) => !e.naturalWidth).map(name),

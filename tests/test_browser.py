@@ -244,6 +244,15 @@ def test_mathematics_is_rendered(visit: Visit, page: str) -> None:
     assert not visit.phone["raw_tex"]
 
 
+@every_page
+def test_formulas_and_the_letters_of_figures_can_be_read_on_a_phone(
+    visitor: Visitor, page: str
+) -> None:
+    phone = visitor(page, "file").phone
+    assert not phone["formulas_that_scroll"]
+    assert all(height > 9.5 for height in phone["letters_of_figures"])
+
+
 @each_chapter
 def test_figures_are_there_and_described(visit: Visit, page: str) -> None:
     _, expected = source(page)

@@ -187,6 +187,32 @@ def _reduced(span: list[int], value: int) -> int:
     return value
 
 
+class Zeros:
+    """Chance that always draws the first slot and damages nothing; notes among how many."""
+
+    def __init__(self):
+        self.slots = []
+
+    def integers(self, slots):
+        self.slots.append(slots)
+        return 0
+
+    def random(self):
+        return 1.0
+
+
+def test_each_collision_doubles_the_contention_window():
+    rng = Zeros()
+    medium = Channel(timing_of(ds.Radio("802.11n").wifi()), 2, 0.0, (500, 10.0), rng)
+    for host in (0, 1, 0):
+        medium.offer(host, Frame("x", host, 100, None, to=1 - host), 0.0)
+    for _ in range(7):
+        assert medium.transmit() is None
+    # Seven attempts of two frames; then both are dropped and the window is the least again.
+    assert (medium.collisions, medium.dropped) == (7, 2)
+    assert rng.slots == [32, 32, 64, 64, 128, 128, 256, 256, 512, 512, 1024, 1024, 16]
+
+
 def test_medium_agrees_with_the_frame_by_frame_engine():
     # 20 hosts that each have ten frames to the group at once: how long until all are through.
     hosts, frames = 20, 10

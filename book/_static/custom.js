@@ -25,17 +25,22 @@ window.addEventListener("load", async () => {
       }
   }
 
-  // On a phone the smallest letters of a figure, 12 px of its own size, are at least 10 px high; what is
-  // then a little wider than the screen is left as wide as that.
-  const [SMALLEST, LEGIBLE, LITTLE] = [12, 10, 1.05];
+  // A figure leads to its file, which opens at its own size, to be enlarged with fingers. On a phone its ticks
+  // and legends, 12 px high in its own size, are 10 px high; what is then only a little wider than the screen
+  // is left as wide as that.
+  const [DRAWN, LEGIBLE, LITTLE] = [12, 10, 1.05];
   const FIGURE = ".ds-figure";
   for (const image of document.querySelectorAll(".bd-article figure img")) {
-    const box = document.createElement("div");
+    const linked = image.closest("a"); // Sphinx does where a width is given
+    const [box, link] = [document.createElement("div"), linked ?? document.createElement("a")];
     box.className = FIGURE.slice(1);
-    image.replaceWith(box);
-    box.append(image);
-    const least = (LEGIBLE / SMALLEST) * image.naturalWidth;
-    if (least > LITTLE * window.innerWidth) image.style.setProperty("--least", `${Math.round(least)}px`);
+    link.href = image.src;
+    link.title = "Open the figure at its own size";
+    (linked ?? image).replaceWith(box);
+    box.append(link);
+    link.append(image);
+    const least = (LEGIBLE / DRAWN) * image.naturalWidth;
+    if (least > LITTLE * window.innerWidth) link.style.setProperty("--least", `${Math.round(least)}px`);
   }
 
   await window.MathJax?.startup?.promise;
@@ -87,17 +92,4 @@ window.addEventListener("load", async () => {
 // A notebook is saved, whatever type the server gives it.
 window.addEventListener("load", () => {
   for (const link of document.querySelectorAll(".btn-download-source-button")) link.download = "";
-});
-
-// A figure leads to its file, which opens at its own size, to be enlarged with fingers.
-window.addEventListener("load", () => {
-  for (const image of document.querySelectorAll(".bd-article figure img")) {
-    if (image.closest("a")) continue;
-    const link = document.createElement("a");
-    link.className = "ds-figure";
-    link.href = image.src;
-    link.title = "Open the figure at its own size";
-    image.replaceWith(link);
-    link.append(image);
-  }
 });
