@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 import click
 
 import discostorm as ds
-from discostorm import _checks, words
+from discostorm import _checks, staggered, words
 from discostorm.fleet import COUNTS
 from discostorm.scalability import message_costs
 from discostorm.wifi import Wifi
@@ -775,7 +775,7 @@ class Runs:
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of the package's function."""
         _checks.number("--window", self.window, 0, _checks.MOST_SECONDS)
-        start = (lambda rng, hosts: rng.uniform(0, self.window, hosts)) if self.window else 0.0
+        start = staggered.at_random(self.window) if self.window else 0.0
         return {
             "queue": None if self.unlimited else (500, 0.5),
             "start": start,
@@ -785,6 +785,15 @@ class Runs:
             "seed": self.seed,
             "until": self.until,
         }
+
+    def time(self, seconds: float) -> str:
+        """Return a time in words; infinity is what was not seen."""
+        if seconds < float("inf"):
+            return _seconds(seconds)
+        if self.no_recovery:  # nothing more will be sent
+            return "never, as frames were lost"
+        after = " after the last start" * bool(self.window)
+        return f"not within {_checks.exactly(self.until)} s{after}"
 
 
 @main.command(short_help="The start of a fleet on the air, frame by frame.")
@@ -847,13 +856,9 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     _print(
         table.to_dict("records"),
         output,
-        {"drain_time_s": _never, "lost": _percent, "convergence_time_s": _never},
+        {"drain_time_s": how.time, "lost": _percent, "convergence_time_s": how.time},
         {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},
     )
-
-
-def _never(value: float) -> str:
-    return "never" if value == float("inf") else _seconds(value)
 
 
 @main.command(short_help="Write the paper's figures and their data.")
@@ -954,6 +959,8 @@ def capture(
         click.echo(_json(answer))
     elif output.for_people:
         _show_capture(found, groups, rows, output)
+        if against is None and rows:
+            _name_own_tables(found)
 
 
 assert capture.help
@@ -970,7 +977,8 @@ def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def _show_capture(
     found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
-    click.echo(visible(f"{found.path}: {found.packets} packets in {found.duration:.3f} s"))
+    packets = words.many(found.packets, "packet")
+    click.echo(visible(f"{found.path}: {packets} in {found.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = words.many(processes, "process", "es")
@@ -990,6 +998,14 @@ def _show_capture(
         click.echo("There is no message of RTPS or Zenoh in it.")
     for note in found.notes:
         click.echo(visible(f"Note: {note}."))
+
+
+def _name_own_tables(found: Capture) -> None:
+    """Say how to hold the capture against the tables of the products that sent it."""
+    own = sorted(set(found.processes()["product"]) & set(ds.PROTOCOLS))
+    if own:
+        options = " or ".join(f'--against "{name}"' for name in own)
+        click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
 
 
 def _count(value: float | None) -> str:

@@ -384,6 +384,16 @@ class Fleet:
             for group, number in zip(self.groups, numbers, strict=True)
         )
 
+    def described(self) -> list[dict[str, Any]]:
+        """Return its groups, of one number each, as what JSON can hold; keys as in `from_toml`."""
+        return [
+            {"name": name}
+            | dict(
+                zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True)
+            )
+            for name, group in zip(self.names, self.groups, strict=True)
+        ]
+
     def endpoints(self) -> Count:
         """Return the number of endpoints in the fleet."""
         return reduce(add, (g.hosts * g.processes * g.endpoints for g in self.groups))

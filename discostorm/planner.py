@@ -16,7 +16,7 @@ from functools import cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Literal
 
-from discostorm import _checks, staggered, words
+from discostorm import _checks, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.messages import PAPER_WINDOW, Protocol, Unit
@@ -37,8 +37,9 @@ from discostorm.remedies import (
     of_ros2,
     product,
 )
-from discostorm.scalability import message_costs, unit_costs, utilization, without_each
+from discostorm.scalability import burst, message_costs, unit_costs, utilization, without_each
 from discostorm.snippets import Snippet, snippets
+from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
 
 if TYPE_CHECKING:
@@ -115,7 +116,9 @@ class Remedy:
         The kinds of its changes: one, but for a combination.
     spread : float
         Within how long hosts should start so that the channel can carry what is left [s]:
-        `discostorm.staggered.window`.
+        `discostorm.staggered.window`; infinity where what is repeated fills the channel.
+    steady : float
+        What is repeated then takes of the channel [1].
     best_case : bool
         Whether a part of the gain is that of the best case, as that of exchanges that are all full.
     """
@@ -135,6 +138,7 @@ class Remedy:
     fails: str = ""
     steps: tuple[str, ...] = ()
     spread: float = 0.0
+    steady: float = 0.0
     best_case: bool = False
 
     @property
@@ -194,7 +198,9 @@ class Remedy:
         efforts = list(dict.fromkeys(_efforts()[name]["what"] for name in self.efforts))
         fails = f"; {self.fails}" * bool(self.fails)
         later = ""
-        if self.kind == "combination" and not words.fits(self.utilization):
+        if not words.fits(self.steady):
+            later = f" What is repeated still takes {words.percent(self.steady)}: no start fits."
+        elif self.kind == "combination" and not words.fits(self.utilization):
             later = f" It still does not fit: start within {words.duration(self.spread)}."
         return f"It takes {words.listed(efforts)}. Mind: {self.price}{fails}.{later}"
 
@@ -210,7 +216,7 @@ class Remedy:
             "fails": self.fails,
             "note": self.note,
             "all_find_each_other": self.whole,
-            "fleets": [_groups(fleet) for fleet in self.fleets],
+            "fleets": [fleet.described() for fleet in self.fleets],
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "before": self.before,
@@ -218,7 +224,8 @@ class Remedy:
             "saved": self.saved,
             "best_case": self.best_case,
             "fits": words.fits(self.utilization),
-            "start_within_s": self.spread,
+            "steady": self.steady,
+            "start_within_s": self.spread if math.isfinite(self.spread) else None,
             "paste": [
                 {"where": piece.where, "version": piece.version, "text": piece.text}
                 for piece in self.snippets
@@ -247,6 +254,9 @@ class Plan:
         The seconds that are averaged [s]; infinity for the steady state.
     utilization : float
         What discovery takes of them [1]; what is less than 1 fits.
+    steady : float
+        What is repeated takes of the channel [1]; if that is 1 or more, no start fits, however
+        slow it is.
     shares : tuple of Share
         Messages, phases and groups, each kind with the largest first.
     remedies : tuple of Remedy
@@ -265,6 +275,7 @@ class Plan:
     wifi: Wifi
     window: float
     utilization: float
+    steady: float
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
@@ -312,7 +323,9 @@ class Plan:
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
-            "fleet": _groups(self.fleet),
+            "fleet": self.fleet.described(),
+            "steady": self.steady,
+            "steady_fits": words.fits(self.steady),
             "window_s": self.window if math.isfinite(self.window) else None,
             "utilization": self.utilization,
             "fits": words.fits(self.utilization),
@@ -416,6 +429,11 @@ class Plan:
     def _cost_in_words(self) -> Iterator[str]:
         hosts = sum(group.hosts for group in self.fleet.groups)
         takes = _amount(self.utilization, self.window)
+        if not words.fits(self.steady) and math.isfinite(self.window):
+            yield (
+                f"What is repeated does not fit: it takes {words.percent(self.steady)} of the "
+                "channel by itself, so that no start fits, however slow it is."
+            )
         fit = "so it fits" if words.fits(self.utilization) else "so it does not fit"
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
@@ -577,6 +595,11 @@ def plan(
             costs_of[key] = float(utilization(table, members, wifi=channel, window=window))
         return costs_of[key]
 
+    def repeated(members: Fleet, table: Protocol = protocol, channel: Wifi = wifi) -> float:
+        if not table.repeats:
+            return 0.0
+        return float(utilization(table, members, wifi=channel, window=math.inf))
+
     base = Setting(fleet, protocol, wifi)
     found = tuple(changes_of(base, own, " (assumed)" if guessed else ""))
     counted: dict[int, dict[Unit, float]] = {}
@@ -595,7 +618,8 @@ def plan(
         old, new = base.before(steps), base.after(steps)
         parts = next((step.parts for step in steps if step.parts), (new.fleet,))
         costs = [cost(part, new.protocol, new.wifi) for part in parts]
-        spreads = [staggered.window(new.protocol, part, wifi=new.wifi) for part in parts]
+        starts = [float(burst(new.protocol, part, wifi=new.wifi)) for part in parts]
+        steadies = [repeated(part, new.protocol, new.wifi) for part in parts]
         of_all: Callable[[Iterable[float]], float] = sum
         if any(step.kind == "channels" for step in steps):
             of_all = max
@@ -624,11 +648,19 @@ def plan(
             tuple(row["effort"] for row in rows),
             "; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
             tuple(kind for step in steps for kind in step.steps),
-            of_all(spreads),
+            float(drained(of_all(starts), of_all(steadies))),
+            of_all(steadies),
             any(row["gain"] == "best case" for row in rows),
         )
 
     singles = {step: remedy([step]) for step in found if isinstance(step, Change)}
+    steady = repeated(fleet)
+    late = [step for step in singles if step.slot == "time" and not words.fits(steady)]
+    never = [
+        f"{singles.pop(step).what}: what is repeated takes {words.percent(steady)} of the channel "
+        "by itself, so that no window is long enough"
+        for step in late
+    ]
     alone = [r for step, r in singles.items() if len(step.steps) == 1]
     return Plan(
         fleet,
@@ -636,10 +668,11 @@ def plan(
         wifi,
         float(window),
         (before := cost(fleet)),
+        steady,
         tuple(_shares(fleet, protocol, wifi, float(window), before)),
         tuple(sorted(alone, key=_order)),
         tuple(sorted(map(remedy, _together(base, singles, roughly)), key=_order)),
-        (*(reason for reason in found if isinstance(reason, str)), *inapplicable(protocol)),
+        (*never, *(r for r in found if isinstance(r, str)), *inapplicable(protocol)),
     )
 
 
@@ -754,14 +787,6 @@ def _largest(
 ) -> Iterator[Share]:
     for name, taken in sorted(parts, key=lambda item: -item[1]):
         yield Share(kind, name, taken, taken / whole if whole else 0.0)
-
-
-def _groups(fleet: Fleet) -> list[dict[str, Any]]:
-    return [
-        {"name": name}
-        | dict(zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True))
-        for name, group in zip(fleet.names, fleet.groups, strict=True)
-    ]
 
 
 def _amount(utilization: float, window: float) -> str:

@@ -297,7 +297,7 @@ def _simulated(protocol: Protocol) -> str:
     return (
         "but queues lose less of it: simulated by the paper's tables, robots of "
         f"{robot['processes']} processes with {robot['endpoints']} endpoints all know each other, "
-        f"{words.listed(gains)}"
+        f"{words.listed(gains)} (medians)"
     )
 
 
@@ -319,7 +319,7 @@ def _aggregated() -> str:
         gains.append(f"in {many:.0f} s instead of {one:.0f} s with {name}")
     return (
         f"simulated by the paper's tables, {most['hosts']} robots of {most['processes']} processes "
-        f"with {most['endpoints']} endpoints all know each other {words.listed(gains)}"
+        f"with {most['endpoints']} endpoints all know each other {words.listed(gains)} (medians)"
     )
 
 

@@ -5,6 +5,7 @@ Whoever starts later meets a calmer channel. The rules give what `discostorm.sim
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.scalability import burst
+from discostorm.timeline import drain_time
 from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
@@ -25,7 +27,12 @@ def window(
     endpoints: float | None = None,
     wifi: Wifi = PAPER,
 ) -> float:
-    """Return the rule of thumb's window: as long as the airtime of the whole start.
+    """Return the rule of thumb's window: by when the channel could have carried the whole start.
+
+    That is `discostorm.timeline.drain_time`: the airtime of the whole start where nothing is
+    repeated, as in the paper's tables, by which the rule was simulated
+    (``data/simulated/staggered.csv``). Where something is, it has its share of the channel from
+    the first start on, as if all hosts were there: longer than needed, if anything.
 
     Parameters
     ----------
@@ -35,7 +42,8 @@ def window(
     Returns
     -------
     float
-        Within how long all hosts should start [s].
+        Within how long all hosts should start [s]; infinity where what is repeated fills the
+        channel by itself, so that no window is long enough.
 
     Raises
     ------
@@ -58,7 +66,7 @@ def window(
     >>> round(staggered.window(ds.DDS, nav2))
     28
     """
-    found = burst(protocol, hosts, processes, endpoints, wifi)
+    found = drain_time(protocol, hosts, processes, endpoints, wifi)
     given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     _checks.one_each((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
     return float(found)
@@ -85,11 +93,18 @@ def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
         If it is not a number.
     """
     seconds = _checks.number("within", within, 0)
+    return _AtRandom(seconds)
 
-    def draw(rng: np.random.Generator, hosts: int) -> Floats:
-        return rng.uniform(0.0, seconds, hosts)
 
-    return draw
+@dataclass(frozen=True)
+class _AtRandom:
+    within: float
+
+    def __call__(self, rng: np.random.Generator, hosts: int) -> Floats:
+        return rng.uniform(0.0, self.within, hosts)
+
+    def __str__(self) -> str:
+        return f"at random within {_checks.exactly(self.within)} s, each time equally likely"
 
 
 def in_turn(

@@ -30,6 +30,12 @@ BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 
+def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
+    """Return `DRAIN` of bursts [s] beside steady states [1]; see `drain_time`."""
+    with np.errstate(divide="ignore"):  # NumPy computes both branches
+        return evaluate(DRAIN, {BURST: np.asarray(extra), STEADY: np.asarray(steady)})
+
+
 def drain_time(
     protocol: Protocol,
     hosts: ArrayLike | Fleet,
@@ -84,10 +90,7 @@ def drain_time(
     """
     _checks.instance("protocol", protocol, Protocol)
     swarm = (hosts, processes, endpoints, wifi)
-    extra = np.asarray(burst(protocol, *swarm))
-    steady = np.asarray(utilization(protocol, *swarm, window=np.inf))
-    with np.errstate(divide="ignore"):  # NumPy computes both branches
-        return evaluate(DRAIN, {BURST: extra, STEADY: steady})
+    return drained(burst(protocol, *swarm), utilization(protocol, *swarm, window=np.inf))
 
 
 def demand(

@@ -946,7 +946,7 @@ def test_mutated_captures_are_read_or_refused(name: str, tmp_path: Path) -> None
     path = tmp_path / "mutated.pcap"
     outcomes: Counter[str] = Counter()
     found = packets(name)
-    for turn in range(600):
+    for turn in range(300):
         first = chance.randrange(len(found))
         some = found[first : first + 12]
         if turn % 3 == 0:  # the framing, too
@@ -964,8 +964,8 @@ def test_mutated_captures_are_read_or_refused(name: str, tmp_path: Path) -> None
         except CaptureError as error:
             assert str(error).startswith(f"{path}: byte ")  # noqa: PT017
             outcomes["refused"] += 1
-    assert outcomes["read"] > 300
-    assert outcomes["refused"] > 30
+    assert outcomes["read"] > 150
+    assert outcomes["refused"] > 15
 
 
 # ---------------------------------------------------------------- the command
@@ -979,6 +979,11 @@ def test_the_command_tells_what_the_package_does(tmp_path: Path) -> None:
     done = CliRunner().invoke(main, ["capture", path, "--picture", str(picture)])
     assert done.exit_code == 0
     assert "hosts: 3 with 2 processes of 10 endpoints each" in done.output
+    hint = '--against "Fast DDS" has what the product sends'
+    assert hint in done.output
+    own = CliRunner().invoke(main, ["capture", path, "--against", "fast dds"])
+    assert own.exit_code == 0
+    assert hint not in own.output
     assert picture.read_text().startswith("<?xml")
     answer = json.loads(CliRunner().invoke(main, ["capture", path, "--json"]).output)
     table = captured("fast_dds").compare(ds.DDS)

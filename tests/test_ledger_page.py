@@ -65,6 +65,9 @@ def test_the_head_stays_in_sight(ledger: Page) -> None:
     box = ledger.locator(".tag_ledger thead th").first.bounding_box()
     assert box is not None
     assert 0 <= box["y"] < 120
+    # Rows that pass below it do not shine through.
+    ground = "(head) => getComputedStyle(head).backgroundColor"
+    assert ledger.locator(".tag_ledger thead th").first.evaluate(ground).startswith("rgb(")
 
 
 def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:

@@ -1,6 +1,7 @@
 """The planner: every gain is computed a second time, from hosts and frames written out."""
 
 import json
+import math
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -13,7 +14,7 @@ from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
-from discostorm import measured, remedies, staggered
+from discostorm import measured, remedies, staggered, words
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.protocols import ARRANGED, MEASURED
@@ -382,7 +383,35 @@ def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) 
     ]
     times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
     assert f"20 with {name} in {times['rule']:.0f} s instead of {times['together']:.0f} s" in said
-    assert times["rule"] < times["together"]
+    # By more than the runs scatter: these intervals of the medians do not meet.
+    ends = {row["start"]: row for row in rows}
+    column = "convergence_time_s"
+    assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
+
+
+def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_advised() -> None:
+    fleet = ds.Fleet((ds.HostGroup(12, 25, 30), ds.HostGroup(2, 3, 200)))
+    plan = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
+    assert plan.steady == ds.utilization(ds.PROTOCOLS["Fast DDS"], plan.fleet, window=math.inf) > 1
+    assert plan.advice().startswith("What is repeated does not fit: it takes ")
+    assert not any("staggered start" in found.steps for found in plan.remedies)
+    (reason,) = (r for r in plan.left_out if r.startswith("starting one after the other"))
+    assert f"takes {words.percent(plan.steady)} of the channel by itself" in reason
+    told = json.loads(plan.to_json())
+    assert [told["steady"], told["steady_fits"]] == [plan.steady, False]
+    for found, row in zip(
+        (*plan.remedies, *plan.combinations), told["remedies"] + told["combinations"], strict=True
+    ):
+        fits = found.steady < 1
+        assert (row["start_within_s"] is not None) == fits == math.isfinite(found.spread)
+        assert ("no start fits" in found.caution()) != fits
+    assert {found.steady < 1 for found in plan.remedies} == {True, False}
+    # What fits is told as before.
+    small = ds.plan(ds.Fleet.swarm(4, 2, 10), ds.PROTOCOLS["Fast DDS"])
+    found = remedy(small, "staggered start")
+    start = found.before - small.steady
+    assert found.spread == pytest.approx(start / (1 - small.steady))
+    assert "does not fit:" not in small.advice()
 
 
 def test_domains_are_no_remedy_for_zenoh() -> None:

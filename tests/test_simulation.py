@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import partial
 from itertools import product
 from math import comb
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,11 +17,12 @@ from click.testing import CliRunner
 from numpy.typing import NDArray
 
 import discostorm as ds
+from discostorm import staggered
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.fleet import Hosts
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
-from discostorm.simulation import available
+from discostorm.simulation._memory import available
 from discostorm.simulation.cell import Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
@@ -477,7 +480,20 @@ def test_tables_pictures_and_json_hold_the_same() -> None:
     assert answer["drain_time"] == found.drain_time.tolist()
     assert answer["counts"]["ppdus"] == found.counts["ppdus"].tolist()
     airtime = found.airtime_table()
-    assert airtime.loc["SEDP", "up_s"] == answer["airtime"]["SEDP"]["up"] > 0
+    up = answer["airtime"]["SEDP"]["up"]
+    assert up == found.airtime[:, list(airtime.index).index("SEDP"), 0].tolist()
+    assert airtime.loc["SEDP", "up_s"] == pytest.approx(np.mean(up))
+    assert min(up) > 0
+    assert answer["lost_by_host"] == found.lost_by_host.tolist()
+    time, hosts, access_point = found.queues[1].T.tolist()
+    assert answer["queues"][1] == {"time_s": time, "hosts": hosts, "access_point": access_point}
+    pairs = answer["pair_times"]
+    assert pairs["pairs"] == found.pair_times.shape[1] == 80
+    for of_run, run in zip(pairs["times"], found.pair_times, strict=True):
+        for share, value in zip(pairs["quantiles"], of_run, strict=True):
+            # That part of the pairs is complete by then, and not before.
+            assert (run <= value).mean() >= share
+            assert (run < value).mean() <= share
     sent = found.transmission_table()
     assert (sent["start_s"].diff().dropna() >= 0).all()
     # At the start all send at once.
@@ -488,8 +504,60 @@ def test_tables_pictures_and_json_hold_the_same() -> None:
     assert len(labels) == 2
     assert all("[s]" in label and "[1]" in label for label in labels)
     assert "DDS" in repr(found)
-    never = small(loss=0.9, until=0.01, runs=1)
-    assert json.loads(never.to_json())["convergence_time"] == [None]
+    never = json.loads(small(loss=0.9, until=0.01, runs=1).to_json())
+    assert never["convergence_time"] == [None]
+    assert never["pair_times"]["times"] == [[None] * 21]
+
+
+class Uniform:
+    """As frozen distributions of SciPy are."""
+
+    dist, args, kwds = SimpleNamespace(name="uniform"), (0.0,), {"scale": 3.0}
+
+    def rvs(self, size: int, random_state: np.random.Generator) -> Any:
+        return random_state.uniform(self.args[0], self.kwds["scale"], size)
+
+
+def one_each_second(_: np.random.Generator, hosts: int) -> Any:
+    return np.arange(hosts)
+
+
+@pytest.mark.parametrize(
+    ("start", "said"),
+    [
+        (1, 1.0),
+        (np.arange(6.0), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]),
+        (staggered.at_random(2.5), "at random within 2.5 s, each time equally likely"),
+        (Uniform(), "scipy.stats.uniform(0.0, scale=3.0)"),
+        (one_each_second, "test_simulation.one_each_second"),
+    ],
+)
+def test_a_run_can_be_repeated_from_its_json(start: Any, said: Any) -> None:
+    wifi = ds.Radio("802.11n", streams=2, aifsn=3, mpdus=8).wifi()
+    fleet = ds.Fleet((ds.HostGroup(2, 2, 7, "robots", shared=3), ds.HostGroup(4, 1, 9)), 0.25)
+    loss = np.linspace(0, 0.2, 6)
+    table = ds.PROTOCOLS["Fast DDS"]
+    found = ds.simulate(
+        fleet, table, wifi, queue=(50, 0.25), start=start, loss=loss, seed=7, until=9.0, eifs=True
+    )
+    told = json.loads(found.to_json())
+    settings = told["settings"]
+    assert settings["start"] == said
+    groups = tuple(ds.HostGroup(**group) for group in told["fleet"])
+    again = ds.simulate(
+        ds.Fleet(groups, told["matching"]),
+        ds.PROTOCOLS[told["protocol"]],
+        ds.Radio(**told["radio"]).wifi(),
+        queue=(settings["queue_frames"], settings["queue_s"]),
+        start=told["starts"][0],
+        loss=settings["loss"],
+        **{name: settings[name] for name in ("recovery", "runs", "seed", "eifs")},
+        until=settings["until_s"],
+    ).to_dict()
+    assert again["settings"]["start"] == told["starts"][0]
+    for answer in (again, told):
+        del answer["settings"]["start"]
+    assert again == told
 
 
 def test_time_grows_with_transmissions_not_with_stations() -> None:
@@ -642,6 +710,43 @@ def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch
     assert 100 < available() < 1e8
 
 
+@pytest.mark.parametrize(
+    ("own", "files", "megabytes"),
+    [
+        (None, {}, 4096.0),
+        ("0::/a/b", {}, 4096.0),
+        ("0::/a/b", {"a/b/memory.max": "max", "a/b/memory.current": "5"}, 4096.0),
+        # What is kept of files is given back.
+        ("0::/a/b", {"a/b/memory.max": "900000000", "a/b/memory.current": "200000000"}, 750.0),
+        # The limit of a group holds for those within it.
+        ("0::/a/b", {"a/memory.max": "900000000", "a/memory.current": "200000000"}, 750.0),
+        # In a container.
+        ("0::/", {"memory.max": "900000000", "memory.current": "200000000"}, 750.0),
+        ("0::/", {"memory.max": "900000000", "memory.current": "999000000"}, 0.0),
+        (
+            "5:cpu,cpuacct:/x\n4:memory:/outside\n0::/x",
+            {"memory/memory.limit_in_bytes": "9" * 8, "memory/memory.usage_in_bytes": "9"},
+            99.99999 + 60.0,
+        ),
+    ],
+)
+def test_a_container_has_the_memory_that_it_is_given(
+    own: str | None, files: dict[str, str], megabytes: float, tmp_path: Path
+) -> None:
+    groups, proc = tmp_path / "sys/fs/cgroup", tmp_path / "proc"
+    (proc / "self").mkdir(parents=True)
+    (proc / "meminfo").write_text("MemTotal: 9999999 kB\nMemAvailable: 4000000 kB\n")
+    if own is not None:
+        (proc / "self/cgroup").write_text(own + "\n")
+    for name, text in files.items():
+        (groups / name).parent.mkdir(parents=True, exist_ok=True)
+        (groups / name).write_text(text + "\n")
+        (groups / name).with_name("memory.stat").write_text(
+            "anon 1\ninactive_file 50000000\ntotal_inactive_file 60000000\n"
+        )
+    assert available(tmp_path) == pytest.approx(megabytes)
+
+
 def test_the_same_simulation_is_equal() -> None:
     one, same, other = small(seed=1), small(seed=1), small(seed=2)
     assert one == same
@@ -676,7 +781,15 @@ def test_command_prints_what_the_package_finds() -> None:
     assert len(rows) == 3
     table = command("--no-recovery", "--protocol", "Zenoh", "--window", "3")
     assert "drained [s]" in table.stdout
-    assert "never" in table.stdout
+    assert "never, as frames were lost" in table.stdout
+    # What was not seen may come later.
+    table = command("--until", "0.01")
+    assert "not within 0.01 s" in table.stdout
+    assert "never" not in table.stdout
+    assert (
+        "not within 0.01 s after the last start"
+        in command("--until", "0.01", "--window", "3").stdout
+    )
 
 
 @pytest.mark.parametrize(

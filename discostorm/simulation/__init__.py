@@ -6,11 +6,8 @@ A second opinion of the closed form: one 802.11 cell whose hosts contend for the
 
 from __future__ import annotations
 
-import math
-import os
 import sys
 from importlib.util import find_spec
-from pathlib import Path
 from threading import Timer
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +16,7 @@ import numpy as np
 from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
+from discostorm.simulation._memory import available
 from discostorm.simulation.result import Run, Simulation
 from discostorm.wifi import Wifi
 
@@ -138,6 +136,7 @@ def simulate(
     _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
 
     from discostorm.simulation.run import plan_runs
+    from discostorm.simulation.traffic import told
 
     plan = plan_runs(
         fleet,
@@ -155,6 +154,8 @@ def simulate(
         "hosts": plan.hosts.processes.size,
         "queue_frames": plan.queue[0],
         "queue_s": plan.queue[1],
+        "start": told(plan.start),
+        "loss": np.asarray(loss, dtype=np.float64).tolist(),
         "recovery": recovery,
         "runs": int(runs),
         "seed": int(seed),
@@ -230,17 +231,3 @@ def _jobs(most: int) -> dict[str, int]:
 
     _, jobs = get_active_backend()
     return {} if jobs not in (None, 1) else {"n_jobs": min(cpu_count(), most)}
-
-
-def available() -> float:
-    """Return the memory that the machine can still give [MB]; infinity if it does not say."""
-    try:
-        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
-        (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
-        return int(found) * 1024 / 1e6
-    except (OSError, ValueError):
-        pass
-    try:  # of what is not Linux all that there is
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e6
-    except (AttributeError, OSError, ValueError):
-        return math.inf

@@ -487,17 +487,24 @@ def storm(cell, slot, until, most):
     It does what `transmit` and `collide` do; but in a storm nearly all that happens is this, so
     that what many need is looked up once. Before it changes anything of a collision it makes sure
     that only hosts send, a frame each, and that the next transmission begins before their
-    timeouts end: then they stand in the wheel at once, behind it.
+    timeouts end, whatever they send: then they stand in the wheel at once, behind it.
     """
     now, radio = cell.now[0], cell.radio[0]
     if radio.mpdus > 1 or radio.heard > 0 or radio.lifetime < NEVER or not radio.edca:
         return np.int64(0)
     if now.strays > 0 or now.logged < cell.log.size:
         return np.int64(0)
-    senders, stations, window, kinds = cell.senders, cell.stations, cell.window, cell.kinds
+    stations, window, kinds = cell.stations, cell.window, cell.kinds
     wheel, behind, airtime, mask = cell.wheel, cell.behind, cell.airtime, cell.wheel.size - 1
-    hosts, attempts, slot_ticks = now.hosts, radio.attempts, radio.slot
-    timeout, aifs, least, widest = radio.timeout, radio.aifs, radio.cw_min + 1, radio.cw_max + 1
+    attempts, slot_ticks, aifs = radio.attempts, radio.slot, radio.aifs
+    least, widest = radio.cw_min + 1, radio.cw_max + 1
+    shortest, longest = NEVER, np.int64(0)
+    for kind in range(now.kinds):
+        shortest, longest = min(shortest, kinds[kind].time_up), max(longest, kinds[kind].time_up)
+    # So many slots may stay empty before the next transmission.
+    empty = (radio.timeout - (longest - shortest) - 1) // slot_ticks
+    access_point = stations[now.hosts]
+    never = access_point.send_slot if access_point.waits else np.int64(-1)
     begin, base, waiting, random = now.slot, now.base, now.waiting, np.uint64(now.random)
     open_frames, queued, drained, clock = now.open, now.queued, now.drained, now.clock
     steps, collided, retried = np.int64(0), np.int64(0), np.int64(0)
@@ -506,46 +513,38 @@ def storm(cell, slot, until, most):
     end_of_all = min(until + 1, now.sample, event)
     while steps < most and open_frames > 0:
         time = base + (slot - begin) * slot_ticks
-        if time >= end_of_all:
-            break
         station = np.int64(wheel[slot & mask])
-        if behind[station] < 0:
-            break
-        count, first, last, shown = np.int64(0), NEVER, np.int64(0), drained
-        while station >= 0 and station < hosts:
-            if not stations[station].held:
-                refill(cell, station, time)
-            frame = window[station, 0].frame
-            end = time + kinds[kind_of(frame)].time_up
-            first, last = min(first, end), max(last, end)
-            shown = max(shown, drained if frame & STEADY else end)
-            senders[count].station, senders[count].end = station, end
-            count += 1
-            station = np.int64(behind[station])
-        if station >= 0 or waiting == count:
+        if time >= end_of_all or slot == never or behind[station] < 0:
             break
         following = slot + 1
-        while wheel[following & mask] < 0:
+        while wheel[following & mask] < 0 and following <= slot + empty + 1:
             following += 1
-        begins = last + aifs + (following - slot - 1) * slot_ticks
-        if begins >= min(max(first + timeout, last) + aifs, event):
+        late = following - slot - 1
+        if late > empty or time + longest + aifs + late * slot_ticks >= event:
             break
         wheel[slot & mask] = -1
-        begin, base, clock, drained = slot + 1, last + aifs, time, shown
-        waiting -= count
-        collided += count
-        busy += last - time
+        begin, clock = slot + 1, time
         steps += 1
         slot = following
-        for place in range(count):
-            station = senders[place].station
+        last, shown = np.int64(0), np.int64(0)
+        while station >= 0:
             its, held = stations[station], window[station, 0]
+            if not its.held:
+                refill(cell, station, time)
+            after = np.int64(behind[station])
             kind = kind_of(held.frame)
-            airtime[kind, FAILED] += (senders[place].end - time) * PARTS
+            length = kinds[kind].time_up
+            last = max(last, length)
+            shown = max(shown, np.int64(0) if held.frame & STEADY else length)
+            airtime[kind, FAILED] += length * PARTS
             failures = its.failures + 1 if its.failures < attempts else np.int64(0)
             its.failures = failures
             retried += held.tries > 0
             held.tries += 1
+            waiting -= 1
+            collided += 1
+            random = next_random(random)
+            slots = scaled(random, min(least << failures, widest))
             if held.tries >= attempts:
                 if not held.frame & STEADY:
                     times = receivers(cell, held.frame)
@@ -557,8 +556,6 @@ def storm(cell, slot, until, most):
                 queued -= 1
                 if its.length > 0:
                     refill(cell, station, time)
-            random = next_random(random)
-            slots = scaled(random, min(least << failures, widest))
             if its.held:  # nobody asks for the slot of a station that waits
                 entry = (slot + 1 + slots) & mask
                 behind[station] = wheel[entry]
@@ -566,6 +563,11 @@ def storm(cell, slot, until, most):
                 waiting += 1
             else:
                 its.send_slot, its.waits = begin + slots, 0
+            station = after
+        busy += last
+        base = time + last + aifs
+        if shown:
+            drained = max(drained, time + shown)
     if steps > 0:
         now.slot, now.base, now.idle, now.clock, now.ahead = begin, base, base - aifs, clock, slot
         now.waiting, now.random = waiting, np.int64(random)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,6 +29,15 @@ COUNTS = (
 )
 DIRECTIONS = ("up", "down", "failed")
 OUTCOMES = ("success", "collision", "error")
+#: Which quantiles of the pairs' times JSON has: each twentieth, from the first to the last pair's.
+QUANTILES = tuple(part / 20 for part in range(21))
+
+
+def _plain(value: Any) -> Any:
+    """Return it with None for infinity, which JSON has not."""
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -44,6 +53,7 @@ def _same(one: Any, other: Any) -> bool:
 class Run:
     """What one run found; `Simulation` has them side by side."""
 
+    starts: Floats
     drain_time: float
     lost: float
     lost_by_host: Floats
@@ -71,7 +81,11 @@ class Simulation:
     wifi : Wifi
         The channel.
     settings : dict
-        The other arguments of `simulate`.
+        The other arguments of `simulate`: ``start`` as it was given, or in words if it was a
+        distribution or a function; ``queue_frames`` and ``queue_s`` for ``queue``, ``until_s``
+        for ``until``. And ``hosts``, how many there were.
+    starts : ndarray of shape (runs, hosts)
+        When each host started [s], in the order of the fleet's groups.
     drain_time : ndarray
         End of the last transmission of the burst, with its acknowledgement [s]; infinity if
         some of it was still waiting at the end. With recovery the repairs belong to it.
@@ -109,6 +123,7 @@ class Simulation:
     protocol: Protocol
     wifi: Wifi
     settings: dict[str, Any]
+    starts: Floats
     drain_time: Floats
     lost: Floats
     lost_by_host: Floats
@@ -130,6 +145,7 @@ class Simulation:
             protocol,
             wifi,
             settings,
+            np.array([run.starts for run in runs]),
             np.array([run.drain_time for run in runs]),
             np.array([run.lost for run in runs]),
             np.array([run.lost_by_host for run in runs]),
@@ -227,27 +243,43 @@ class Simulation:
         return figure
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all numbers a run as plain Python; infinity is None, as JSON has none."""
-        finite = {
-            name: [value if np.isfinite(value) else None for value in getattr(self, name).tolist()]
-            for name in ("drain_time", "lost", "convergence_time", "busy_time")
-        }
+        """Return what was simulated and all numbers a run as plain Python, for JSON.
+
+        Infinity is None. Of `pair_times` it has quantiles, of `transmissions` nothing: see
+        `transmission_table`. The protocol is named; the channel is ``Radio(**radio).wifi()``.
+        A run with the ``starts`` of one as its ``start`` repeats that one, if it is the first.
+        """
+        assert self.wifi.radio is not None
+        names = [*(message.name for message in self.protocol.messages), "block ACK request"]
+        columns = ("time_s", "hosts", "access_point")
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
-            "settings": {
-                key: None if isinstance(value, float) and not np.isfinite(value) else value
-                for key, value in self.settings.items()
+            "radio": asdict(self.wifi.radio),
+            "fleet": self.fleet.described(),
+            "matching": self.fleet.matching,
+            "settings": {key: _plain(value) for key, value in self.settings.items()},
+            "starts": self.starts.tolist(),
+            **{
+                name: _plain(getattr(self, name).tolist())
+                for name in ("drain_time", "lost", "convergence_time", "busy_time", "lost_by_host")
             },
-            **finite,
             "counts": {name: values.tolist() for name, values in self.counts.items()},
             "airtime": {
-                str(name): dict(zip(DIRECTIONS, row, strict=True))
-                for name, row in zip(
-                    self.airtime_table().index, self.airtime.mean(axis=0).tolist(), strict=True
-                )
+                name: dict(zip(DIRECTIONS, self.airtime[:, row].T.tolist(), strict=True))
+                for row, name in enumerate(names)
             },
+            "queues": [dict(zip(columns, run.T.tolist(), strict=True)) for run in self.queues],
+            "pair_times": self._pair_quantiles(),
         }
+
+    def _pair_quantiles(self) -> dict[str, Any]:
+        """Return the number of pairs [1], and quantiles of their times that are such times [s]."""
+        pairs = self.pair_times.shape[1]
+        if not pairs:
+            return {"pairs": 0, "quantiles": [], "times": []}
+        found = np.quantile(self.pair_times, QUANTILES, axis=1, method="higher").T.tolist()
+        return {"pairs": pairs, "quantiles": list(QUANTILES), "times": _plain(found)}
 
     def to_json(self) -> str:
         """Return `to_dict` as JSON."""

@@ -58,8 +58,8 @@ class Plan:
     until: float
     spread: float
 
-    def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, float]:
-        """Return a cell at the start of a run, and when the last host starts [s]."""
+    def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
+        """Return a cell at the start of a run, and when each host starts [s]."""
         for_start, for_run, for_parts = seed.spawn(3)
         count = self.hosts.processes.size
         starts = delays(self.start, count, np.random.default_rng(for_start))
@@ -75,7 +75,7 @@ class Plan:
             for_parts,
             self.repairs,
         )
-        return cell, float(starts.max())
+        return cell, starts
 
     @property
     def reserve(self) -> int:
@@ -194,8 +194,8 @@ def finish(cell: Cell, until: int, reserve: int = 1024) -> Cell:
 
 def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
     """Return what one run finds."""
-    cell, last = plan.cell(seed)
-    until = min(ticks(last + plan.until), int(_cell.NEVER) - 1)
+    cell, starts = plan.cell(seed)
+    until = min(ticks(float(starts.max()) + plan.until), int(_cell.NEVER) - 1)
     cell = finish(cell, until, plan.reserve)
     now = cell.now[0]
     counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
@@ -213,6 +213,7 @@ def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
     hosts = cell.stations[: now["hosts"]]
     samples = cell.samples[: now["samples"]]
     return Run(
+        starts,
         drained,
         lost / counts["expected"] if counts["expected"] else 0.0,
         hosts["missed"] / np.maximum(hosts["sought"], 1),

@@ -425,6 +425,20 @@ def grown(cell: Cell) -> Cell:
     return cell._replace(pool=pool, events=events)
 
 
+def told(start: Any) -> float | list[float] | str:
+    """Return what was given as starts, in words if they are drawn."""
+    if not hasattr(start, "rvs") and not callable(start):
+        number_or_list: float | list[float] = np.asarray(start, dtype=np.float64).tolist()
+        return number_or_list
+    if hasattr(start, "dist"):  # of SciPy, with its parameters
+        given = [*map(repr, start.args), *(f"{key}={value!r}" for key, value in start.kwds.items())]
+        return f"scipy.stats.{start.dist.name}({', '.join(given)})"
+    if "__str__" in vars(type(start)):
+        return str(start)
+    named = start if hasattr(start, "__qualname__") else type(start)
+    return f"{named.__module__}.{named.__qualname__}"
+
+
 def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
     """Return when each host starts [s]; see `discostorm.simulate`."""
     if hasattr(start, "rvs"):
