@@ -118,6 +118,41 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
 
 
+@cache
+def largest(name: str) -> tuple[int, int]:
+    """Return the most hosts, and the most processes of all of them, that a table was measured with.
+
+    Parameters
+    ----------
+    name : str
+        Of a table of ``data/vendors/products.csv`` or ``arrangements.csv``.
+
+    Returns
+    -------
+    tuple of int
+        Hosts and processes [1]; not always of the same run.
+
+    Raises
+    ------
+    ValueError
+        If there is no such table.
+
+    Examples
+    --------
+    >>> largest("Fast DDS")
+    (8, 12)
+    """
+    known = products() | arrangements()
+    _checks.choice("name", name, list(known))
+    row, kind = known[name], "mitigation_" if name in arrangements() else ""
+    runs = [
+        (int(run["hosts"]), int(run["processes"]))
+        for run in read_data(f"measured/{kind}runs.csv")
+        if (run["product"], run["variant"]) == (row["product"], row["variant"])
+    ]
+    return max(hosts for hosts, _ in runs), max(hosts * each for hosts, each in runs)
+
+
 def points_of(
     product: str, variant: str, least: int = 2, kind: str = "mitigation_"
 ) -> tuple[Point, ...]:

@@ -16,7 +16,7 @@ from functools import cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Literal
 
-from discostorm import _checks, words
+from discostorm import _checks, measured, words
 from discostorm.data import read_data
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.messages import PAPER_WINDOW, Protocol, Unit
@@ -452,9 +452,14 @@ class Plan:
             exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
         yield (f"Counted with nothing lost, no collisions and each unicast message in {exchanges}.")
         if self.protocol.name in MEASURED | ARRANGED:
+            sizes = (hosts, self.fleet.processes())
+            most = measured.largest(self.protocol.name)
+            beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
             yield (
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
-                "in small swarms that began all at once; of the endpoints "
+                f"in swarms of up to {words.many(most[0], 'host')} and "
+                f"{words.many(most[1], 'process', 'es')} that began all at once"
+                f"{', so that this fleet is extrapolated' * beyond}; of the endpoints "
                 f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} match in "
                 "every process."
             )

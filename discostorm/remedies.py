@@ -217,10 +217,9 @@ def _other_tables(protocol: Protocol) -> Iterator[Change | str]:
     elif family(protocol) == "DDS":
         yield f"calmer announcements: what {protocol.name} repeats is not of a product as built"
     if family(protocol) == "Zenoh":
-        first = protocol.messages[0]
-        rest = tuple(m for m in protocol.messages if m.phase != first.phase)
-        if rest and first.kind == "Scout":
-            yield Change("peers", "static peers", "table", table=replace(protocol, messages=rest))
+        listed = _listed(protocol)
+        if listed is not None:
+            yield Change("peers", "static peers", "table", table=listed)
         else:
             yield f"static peers: {protocol.name} sends no Scouts whose place they could take"
     hybrid = PROTOCOLS.get("hybrid")
@@ -234,6 +233,28 @@ def _other_tables(protocol: Protocol) -> Iterator[Change | str]:
             continue
         if family(table) is not None and _alike(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
+
+
+def _listed(table: Protocol) -> Protocol | None:
+    """Return a table of Zenoh peers that have a list of others instead of Scouts, if it may.
+
+    What belongs to a connection is counted once for each two processes, as the one of them dials
+    that has the other on its list; peers that find each other by Scouts both may.
+    """
+    first = table.messages[0]
+    rest = tuple(message for message in table.messages if message.phase != first.phase)
+    if not rest or first.kind != "Scout":
+        return None
+    dialed = [m.per_unit for m in rest if m.kind == "Init" and m.name == "InitSyn"]
+    once = 0.5 / dialed[0] if dialed else 1.0
+    linked = ("Init", "Open", "KeepAlive", "TCP control")
+    messages = (
+        replace(m, per_unit=m.per_unit * once)
+        if dialed and (m.kind in linked or m.answers == "KeepAlive")
+        else m
+        for m in rest
+    )
+    return replace(table, messages=tuple(messages))
 
 
 def _calmer(table: Protocol) -> Protocol | None:

@@ -75,7 +75,7 @@ ARRANGEMENTS: dict[
     ("fast_dds", "static"): (FAST_DDS, {}, []),
     ("cyclone_dds_0.10", "multicast"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_MULTICAST}, []),
     ("cyclone_dds_0.10", "peers"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_PEERS}, []),
-    ("zenoh_peer", "peers"): (ZENOH, {"PEERS": "PEERS"}, []),
+    ("zenoh_peer", "peers"): (ZENOH, {}, []),
     ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
 }

@@ -3,14 +3,13 @@
 Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With a
 VARIANT other than "default" there is a liveliness token for the node and for each endpoint too,
 and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it,
-"peers" has those that the package says to paste, with the hosts in the environment's PEERS.
+"peers" has those that the package says to paste, and connects to all hosts of a lower number.
 ENDPOINTS may list them instead, "w KEY TYPE,r KEY TYPE"; with the VARIANT "warm" they are declared
 a third of the SECONDS after the session has been opened. The session is left without a close.
 """
 
 import json
 import os
-import re
 import sys
 import time
 from pathlib import Path
@@ -32,13 +31,12 @@ def ignore(sample: object) -> None:
 SNIPPETS = Path(__file__).parent.parent / "discostorm" / "data" / "vendors" / "snippets"
 
 
-def configured(variant: str) -> zenoh.Config:
+def configured(variant: str, host: int) -> zenoh.Config:
     """Zenoh's own settings, for a variant with a router those of rmw_zenoh, or what is pasted."""
     if variant == "peers":
         config = zenoh.Config.from_file(str(SNIPPETS / "zenoh_peers.json5"))
         own, *_ = json.loads(config.get_json("connect/endpoints"))
-        hosts = re.findall(r"[\d.]{7,}", os.environ["PEERS"])
-        links = [own, *(f"tcp/{host}:7447" for host in hosts)]
+        links = [own, *(f"tcp/10.77.0.{other}:7447" for other in range(1, host))]
         config.insert_json5("connect/endpoints", json.dumps(links))
         return config
     settings = json.loads(Path(__file__).with_name("zenoh.json").read_text())
@@ -57,7 +55,7 @@ def main() -> None:
     matching = {"matching": endpoints // 2, "shared": 1}.get(sys.argv[5], 0)
     variant = sys.argv[6]
     tokens = variant not in ("default", "warm")
-    config = configured(variant)
+    config = configured(variant, host)
     zenoh.init_log_from_env_or("error")
     tell("ready")
     start = float(sys.stdin.readline())

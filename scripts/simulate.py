@@ -175,6 +175,36 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
     "queues": lambda: each(
         ONCE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50)
     ),
+    # Many runs, as single ones differ by many points in what is lost.
+    "rates": lambda: each(
+        replace(ONCE, runs=100),
+        protocol=PAPER,
+        radio=("n", "ax"),
+        mpdus=(1, 64),
+        hosts=(5, 7, 10),
+    ),
+    # What ns-3 was given, too.
+    "beside_ns3": lambda: (
+        each(
+            replace(ONCE, runs=100),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(2, 3, 4, 5, 6, 7, 8, 10, 12),
+        )
+        + each(
+            replace(ONCE, runs=100),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(3, 6),
+            loss=(0.05, 0.2),
+        )
+        + each(
+            replace(ONCE, runs=100, queue_frames=100),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(4, 8, 12),
+        )
+    ),
     "built": lambda: (
         each(replace(ALONE, runs=10), protocol=BUILT, hosts=(5, 10, 20, 30))
         + each(ONCE, protocol=BUILT, hosts=(5, 10, 20, 30))

@@ -88,7 +88,7 @@ def scenarios() -> dict[str, dict[str, Any]]:
 
 def seeds_of(name: str) -> int:
     """Return how many runs there are of a scenario: fewer of those that take long."""
-    few = {"1000, alike": 2, "1000": 5, "steady": 25}
+    few = {"1000, alike": 2, "1000": 17, "steady": 25}
     few |= {"unlike, fades of 0.1 s": 30, "unlike,": 10, "20 robots": 10}
     return next((many for start, many in few.items() if name.startswith(start)), 100)
 

@@ -203,6 +203,34 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
     assert np.median(within) < 0.03
 
 
+def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
+    # Measured with the file that is advised; nothing is fitted to it.
+    tokens = ds.PROTOCOLS["Zenoh peer, tokens"]
+    plan = ds.plan(ds.Fleet.swarm(4, 2, 6), tokens)
+    (table,) = (found.protocol for found in plan.remedies if found.kind == "peers")
+    points = measured.points_of("zenoh_peer", "peers")
+    assert {point.fleet.groups[0].processes for point in points} == {1, 2, 3}
+    phases = {
+        "KeepAlive": {"KeepAlive"},
+        "Declaration": {"Declare", "Declare key expression", "Declare final", "Frame"},
+        "Session": {"Init", "Open", "OAM"},
+    }
+    within = 0.12  # of eight hosts the declarations are 11 % more than counted
+    for point in points:
+        assert not {kind for _, kind, *_ in point.runs} & {"Scout", "Hello"}
+        for phase, kinds in phases.items():
+            for window in ("startup", "steady")[: 1 + (phase == "KeepAlive")]:
+                seen = sum(
+                    runs[:, 0]
+                    for (when, kind, about, *_), runs in point.runs.items()
+                    if when == window and kind in kinds and not about
+                )
+                counted = sum(
+                    measured.expected(row, point.fleet, window) for row in table.of_phase(phase)
+                )
+                assert counted == pytest.approx(np.median(seen), rel=within), (point.name, phase)
+
+
 def start_of(name: str, swarm: tuple[int, int, int], matching: float) -> float:
     """Return the airtime of what a start sends [s], on the paper's channel."""
     table = ds.PROTOCOLS[name]

@@ -17,7 +17,7 @@ preview = __import__("preview")
 
 def told(address: str) -> dict[str, str]:
     """Return what the preview of a page holds, in a book with this address."""
-    app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address, project="The storm"))
+    app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address, project="x", html_title="y"))
     context: dict[str, Any] = {"pathto": lambda *_: "../", "title": "Any Wi-Fi"}
     page = new_document("page")
     preview._add(cast(Sphinx, app), "notebooks/11_any_wifi", "page.html", context, page)

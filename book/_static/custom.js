@@ -25,10 +25,7 @@ window.addEventListener("load", async () => {
       }
   }
 
-  // A figure leads to its file, which opens at its own size, to be enlarged with fingers. On a phone its ticks
-  // and legends, 12 px high in its own size, are 10 px high; what is then only a little wider than the screen
-  // is left as wide as that.
-  const [DRAWN, LEGIBLE, LITTLE] = [12, 10, 1.05];
+  // A figure leads to its file, which opens at its own size, to be enlarged with fingers.
   const FIGURE = ".ds-figure";
   for (const image of document.querySelectorAll(".bd-article figure img")) {
     const linked = image.closest("a"); // Sphinx does where a width is given
@@ -39,8 +36,6 @@ window.addEventListener("load", async () => {
     (linked ?? image).replaceWith(box);
     box.append(link);
     link.append(image);
-    const least = (LEGIBLE / DRAWN) * image.naturalWidth;
-    if (least > LITTLE * window.innerWidth) link.style.setProperty("--least", `${Math.round(least)}px`);
   }
 
   await window.MathJax?.startup?.promise;
@@ -68,12 +63,20 @@ window.addEventListener("load", async () => {
     const part = formula.clientWidth / formula.scrollWidth;
     if (part < 1) formula.style.fontSize = `${Math.floor(100 * Math.max(LEAST, part))}%`;
   };
+  // On a phone ticks and legends of a figure, 12 px high in its own size, are 10 px high; what is then only a
+  // little wider than the screen is left as wide as that.
+  const [DRAWN, LEGIBLE, LITTLE] = [12, 10, 1.05];
+  const widen = (box) => {
+    const least = (LEGIBLE / DRAWN) * box.querySelector("img").naturalWidth;
+    box.firstChild.style.width = narrow.matches && least > LITTLE * box.clientWidth ? `${Math.round(least)}px` : "";
+  };
   const widths = new Map();
   const observer = new ResizeObserver((changes) => {
     for (const { target: box } of changes) {
       if (widths.get(box) !== box.clientWidth) {
         widths.set(box, box.clientWidth);
         if (box.matches("div.math")) shrink(box);
+        if (box.matches(FIGURE)) widen(box);
         if (ofWords.has(box)) {
           box.classList.remove("ds-cards");
           box.classList.toggle("ds-cards", narrow.matches && box.scrollWidth > box.clientWidth + 1);
