@@ -41,8 +41,9 @@ ALL = (
     *BUILT,
 )
 SEED = 2026
-#: From so many runs on a row has an interval of the median, too; and how sure that is: so that two
-#: of them hold together at 95 % at least, dependent or not (Bonferroni), and so does their ratio.
+#: From so many runs on a row with recovery has an interval of the median, too; and how sure that
+#: is: so that two of them hold together at 95 % at least, dependent or not (Bonferroni), and so
+#: does their ratio.
 MANY, SURE = 100, 0.975
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
 
@@ -118,7 +119,7 @@ class Setting:
         row |= spread("drain_time_s", found.drain_time)
         row |= spread("lost", found.lost)
         row |= spread("convergence_time_s", found.convergence_time)
-        if self.runs >= MANY:
+        if self.runs >= MANY and self.recovery:
             row |= interval("convergence_time_s", found.convergence_time)
         row |= {name: rounded(found.counts[name].sum() / expected) for name in CAUSES}
         row["converged"] = int(np.isfinite(found.convergence_time).sum())
