@@ -51,7 +51,8 @@ class ByFileOrPage(LoadScopeScheduling):
             return "simulation"  # compiled by one of the processes, and not by each
         if not file.endswith("test_browser.py"):
             return file
-        return test.partition("[")[2].removeprefix("http-").removeprefix("file-")
+        page = test.partition("[")[2].removesuffix("]")
+        return page.removesuffix("-http").removesuffix("-file")
 
 
 @pytest.hookimpl(optionalhook=True)
