@@ -365,7 +365,8 @@ class Schedule:
             raise TypeError(
                 f"starts must be a tuple of times in seconds; got {_checks.short(self.starts)}"
             )
-        starts = tuple(_checks.number("starts", t, 0, _checks.MOST_SECONDS) for t in self.starts)
+        given = tuple(self.starts)
+        starts = tuple(_checks.number("starts", time, 0, _checks.MOST_SECONDS) for time in given)
         if not starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
         object.__setattr__(self, "starts", starts)
@@ -376,7 +377,7 @@ class Schedule:
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
                 "starts must be times in order, from zero on no further apart than the period "
-                f"of {self.period:g} s; got {self.starts}"
+                f"of {self.period:g} s; got {given}"
             )
 
     def __str__(self) -> str:

@@ -254,6 +254,7 @@ def test_a_fleet_file_beyond_all_measure_is_refused(folder: Path, content: str) 
     result = run("plan", "odd.toml")
     assert result.exit_code == 2
     assert "odd.toml" in result.stderr
+    assert "Traceback" not in result.output
     assert len(result.stderr) < 200
 
 

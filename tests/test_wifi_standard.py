@@ -280,7 +280,7 @@ def test_overheads_by_hand_in_microseconds() -> None:
         ({"standard": "802.11n", "aifsn": 1}, "aifsn must be a whole number .* got 1"),
         ({"standard": "802.11n", "aifsn": 16}, "aifsn must be a whole number .* 15; got 16"),
         ({"standard": "802.11n", "aifsn": 2.5}, "aifsn must be a whole number .* got 2.5"),
-        ({"standard": "802.11n", "mpdus": 0}, "mpdus must be a whole number .*; got 0"),
+        ({"standard": "802.11n", "mpdus": 0}, "mpdus must be a whole .* of at least 1.*; got 0"),
         ({"standard": "802.11n", "mpdus": 65}, "mpdus must be .* at most 64 for 802.11n; got 65"),
         ({"standard": "802.11a", "mpdus": 2}, "mpdus must be .* at most 1 for 802.11a; got 2"),
         ({"standard": "802.11n", "width": float("nan")}, "width must be a finite .* got nan"),
