@@ -386,6 +386,29 @@ def test_what_is_encrypted_is_noted(read: Read) -> None:
         assert word in notes
 
 
+def test_domains_are_told_apart_by_the_ports_of_spdp(read: Read) -> None:
+    def notes(*ports: int, target: int = 0xEFFF0001) -> list[str]:
+        spdp = [udp(rtps(data(0x100C2)), ports=(7411, port)) for port in ports]
+        group = struct.pack(">I", target)
+        capture = read(pcap(at([ip[:16] + group + ip[20:] for ip in spdp]), 101))
+        return [note for note in capture.notes if "domains" in note]
+
+    (note,) = notes(7400, 7400, 8650, 7401, 11811)
+    assert note.startswith("2 domains of RTPS (0, 5): ")
+    assert notes(7400, 7400) == notes(7400, 7650, target=0x0A000002) == []
+
+
+def test_tunnels_and_rtps_over_tcp_are_noted(read: Read) -> None:
+    inner = udp(rtps(data(0x100C2)))
+    outer = [inner[:9] + bytes([protocol]) + inner[10:] for protocol in (4, 41, 47)]
+    vxlan = udp(bytes(8) + bytes(12) + b"\x08\x00" + inner, ports=(50000, 4789))
+    segment = tcp(rtps(data(0x100C2)), 5, ports=(9, 7400))
+    assert read(pcap(at([*outer, vxlan, segment]), 101)).notes == (
+        "4 packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read",
+        "1 TCP segments with RTPS over TCP",
+    )
+
+
 def test_a_cut_capture_counts_what_is_there_and_says_so(read: Read) -> None:
     found = packets("cyclone_dds_11")
     cut = read(pcap([(when, packet[:130], length) for when, packet, length in found]))

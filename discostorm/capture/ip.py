@@ -20,6 +20,8 @@ from discostorm.capture._bytes import (
 )
 
 TCP, UDP, FRAGMENT = 6, 17, 44
+#: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
+TUNNELS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
 #: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
 _EXTENSIONS = (0, 43, 60, 135)
 _AUTHENTICATION, _ENCRYPTED = 51, 50

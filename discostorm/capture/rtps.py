@@ -21,6 +21,8 @@ from discostorm.data import read_data
 _MAGIC = (0x52545053, 0x52545058)
 _OVER_TCP = 0x52544350
 _HEADER = 20
+#: SPDP's port for multicast in domain 0, and how far those of two domains are apart.
+_PORT, _PORTS = 7400, 250
 PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
 #: Parameters: where unicast discovery goes to, GUIDs, the end.
 _UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
@@ -79,9 +81,15 @@ def starts(data: Bytes, at: Places) -> Array:
 
 
 def over_tcp(data: Bytes, at: Places) -> Array:
-    """Return which TCP segments start with a message of Fast DDS's TCP transport."""
-    found: Array = number(data, at, ">u4") == _OVER_TCP
+    """Return which TCP segments start with a message, in Fast DDS behind a header of its own."""
+    found: Array = np.isin(number(data, at, ">u4"), (_OVER_TCP, *_MAGIC))
     return found
+
+
+def domains(kind: Array, to_port: Array) -> set[int]:
+    """Return the domains that messages by multicast are for: the ports of SPDP tell (9.6.1)."""
+    port, rest = np.divmod(to_port[kind >> 8 == GROUPS.index("SPDP")] - _PORT, _PORTS)
+    return set(np.unique(port[(rest == 0) & (port >= 0)]).tolist())
 
 
 def messages(
