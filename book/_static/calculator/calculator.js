@@ -478,7 +478,7 @@
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
           make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
-          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
+          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook.replace(" at best", "")}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),
