@@ -111,7 +111,7 @@ def _least(entry: nodes.entry, size: float) -> float:
         return _natural(entry, size)
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
-    words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
+    words = re.split(r"(?<=[\s.,;?!/_])", entry.astext()) if is_code else entry.astext().split()
     formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
         words = formulas
@@ -184,6 +184,9 @@ def _stack(table: nodes.table, size: float) -> None:
 
 def _fit(table: nodes.table) -> None:
     """Give a table columns that fit the page, in smaller type if they must, and room to begin."""
+    for code in list(table.findall(nodes.literal)):
+        for text in list(code.findall(nodes.Text)):
+            text.parent.replace(text, nodes.Text(text.replace("_", "_\N{ZERO WIDTH SPACE}")))
     sizes = _SIZES
     small, _ = _SIZES[-1]
     unbroken = sum(
