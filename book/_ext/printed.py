@@ -18,9 +18,11 @@ _GAP = 12.0
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
 #: Measures that a table would have if no line of it were broken: more is read in small type only,
 #: and with its first columns in one if all that stands in them is at most so wide [pt].
-_TOWERS, _NARROW = 4.5, 75.0
+_TOWERS, _NARROW = 4.5, 110.0
 #: Points: what is kept on one page of a table, and what the rules of a row take.
 _TOGETHER, _RULES = 170.0, 4.0
+#: Where a long word of a table may be broken, and what such a word is.
+_BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
 _SOLUTION = "Show the solution"
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
@@ -105,13 +107,19 @@ def _width(text: str, size: float, *, is_code: bool) -> float:
     return size * (0.5 * len(text) + 0.25 * capitals)
 
 
+def _breakable(word: re.Match[str]) -> str:
+    return re.sub(r"(?<=[_/:.])(?=\w)", _BREAK, word[0])
+
+
 def _least(entry: nodes.entry, size: float) -> float:
     """Return how wide the longest word of a cell is [pt]; a formula is a word."""
-    if len(entry.children) > 1:  # what was put together stays in its lines
+    if entry.get("stacked"):
         return _natural(entry, size)
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
-    words = re.split(r"(?<=[\s.,;?!/_])", entry.astext()) if is_code else entry.astext().split()
+    words = re.split(
+        rf"[\s{_BREAK}]|(?<=[.,;?!/])" if is_code else rf"[\s{_BREAK}]", entry.astext()
+    )
     formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
         words = formulas
@@ -119,10 +127,10 @@ def _least(entry: nodes.entry, size: float) -> float:
 
 
 def _natural(entry: nodes.entry, size: float) -> float:
-    """Return how wide a cell is [pt] if none of its paragraphs is broken."""
+    """Return how wide a cell is on one line [pt], or each of those that were put together."""
     is_code = any(True for _ in entry.findall(nodes.literal))
-    paragraphs = [_formula(each.astext()) for each in entry.children]
-    return max((_width(each, size, is_code=is_code) for each in paragraphs), default=0.0)
+    lines = [each.astext() for each in entry.children] if entry.get("stacked") else [entry.astext()]
+    return max(_width(_formula(line), size, is_code=is_code) for line in lines)
 
 
 def _formula(tex: str) -> str:
@@ -133,7 +141,7 @@ def _formula(tex: str) -> str:
 def _lines(row: list[nodes.entry], widths: list[float], size: float) -> list[float]:
     """Return how many lines each cell of a row takes, not in whole ones where it is broken."""
     return [
-        max(len(entry.children), _natural(entry, size) / width)
+        max(len(entry.children) if entry.get("stacked") else 1, _natural(entry, size) / width)
         for entry, width in zip(row, widths, strict=True)
     ]
 
@@ -172,7 +180,8 @@ def _stack(table: nodes.table, size: float) -> None:
     columns = zip(*rows, strict=True)
     widths = [max(_natural(entry, size) for entry in column) for column in columns]
     narrow = next((n for n, width in enumerate(widths) if width > _NARROW), len(widths))
-    for row in rows:
+    for row in rows if narrow > 1 else []:
+        row[0]["stacked"] = True
         for entry in row[1:narrow]:
             row[0] += entry.children
             entry.parent.remove(entry)
@@ -184,9 +193,9 @@ def _stack(table: nodes.table, size: float) -> None:
 
 def _fit(table: nodes.table) -> None:
     """Give a table columns that fit the page, in smaller type if they must, and room to begin."""
-    for code in list(table.findall(nodes.literal)):
-        for text in list(code.findall(nodes.Text)):
-            text.parent.replace(text, nodes.Text(text.replace("_", "_\N{ZERO WIDTH SPACE}")))
+    for text in list(table.findall(nodes.Text)):
+        if not isinstance(text.parent, nodes.math):
+            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, text)))
     sizes = _SIZES
     small, _ = _SIZES[-1]
     unbroken = sum(
@@ -204,6 +213,8 @@ def _fit(table: nodes.table) -> None:
         widths = _shared(rows, size)
         if widths is None:
             continue
+        heights = [1.2 * size * math.ceil(max(_lines(row, widths, size))) + _RULES for row in rows]
+        _keep(table, sum(heights) if sum(heights) < _TOGETHER else sum(heights[:4]))
         spec = "".join(
             rf">{{\ragged{'left' if is_right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
             for width, is_right in zip(widths, right, strict=True)
@@ -214,8 +225,6 @@ def _fit(table: nodes.table) -> None:
         parent.insert(at + 1, _latex(r"\endgroup" + "\n"))
         parent.insert(at, tabular_col_spec(spec=spec))
         parent.insert(at, _latex(rf"\begingroup{command}" + "\n"))
-        heights = [1.2 * size * math.ceil(max(_lines(row, widths, size))) + _RULES for row in rows]
-        _keep(table, sum(heights) if sum(heights) < _TOGETHER else sum(heights[:4]))
         return
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
@@ -268,7 +277,9 @@ def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
         if reference.get("internal"):
             reference.replace_self(nodes.inline("", reference.astext()))
     page = "book/calculator"
-    next(tree.findall(nodes.section)).append(_link(app, page, "The calculator is a page of the HTML edition"))
+    next(tree.findall(nodes.section)).append(
+        _link(app, page, "The calculator is a page of the HTML edition")
+    )
 
 
 def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
