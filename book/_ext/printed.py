@@ -196,7 +196,7 @@ def _fit(table: nodes.table) -> None:
     for text in list(table.findall(nodes.Text)):
         if not isinstance(text.parent, nodes.math):
             text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, text)))
-    sizes = _SIZES
+    sizes: tuple[tuple[float, str], ...] = _SIZES
     small, _ = _SIZES[-1]
     unbroken = sum(
         max(_natural(e, small) for e in column) for column in zip(*_rows(table), strict=True)
