@@ -147,7 +147,7 @@
     choose(byId("beside"), LAPTOP);
     const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
     fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
-    fill(byId("matching"), [["", [["0", "Of its own (a namespace each)"], ["1", "The same on all"]]]]);
+    fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
     const named = (model) =>
