@@ -147,7 +147,7 @@
     choose(byId("beside"), LAPTOP);
     const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
     fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
-    fill(byId("matching"), [["", [["0", "Of its own (a namespace each)"], ["1", "The same on all"]]]]);
+    fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
     const named = (model) =>
@@ -478,7 +478,7 @@
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
           make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
-          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
+          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook.replace(" at best", "")}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),
