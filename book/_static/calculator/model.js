@@ -87,72 +87,71 @@ const DISCOSTORM = (() => {
   const shared77 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared76];
   const shared78 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared76];
   const shared79 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared76];
-  const shared80 = [shared55, shared59, shared57, shared69, shared70];
-  const shared81 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared72];
-  const shared82 = {"count": "count9", "more": ["more23", "more24", "more2"]};
-  const shared83 = [shared82, shared82, shared82];
-  const shared84 = {"count": "count10", "more": ["more25", "more26", "more27"]};
-  const shared85 = [shared84, shared84, shared84];
-  const shared86 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-  const shared87 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared88 = {"second": 1, "lease": 20, "ever": Infinity};
-  const shared89 = {"count": "count11", "more": ["more28", "more29", "more30"]};
-  const shared90 = {"count": "count12", "more": ["more31", "more32"]};
-  const shared91 = [shared90, shared90, shared90];
-  const shared92 = {"count": "count14", "more": ["more36", "more37", "more5"]};
-  const shared93 = {"count": "count15", "more": ["more38", "more39", "more30"]};
-  const shared94 = [{"count": "count6", "more": []}, shared93, shared93];
-  const shared95 = [shared55, [{"count": "count6", "more": []}, shared89, shared89], shared91, [{"count": "count6", "more": []}, {"count": "count13", "more": ["more33", "more34", "more35"]}, shared92], shared94, shared70];
-  const shared96 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
-  const shared97 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": 0.3333333333333333};
-  const shared98 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-  const shared99 = ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.292, "up down", shared98];
-  const shared100 = ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.292, "up down", shared98];
-  const shared101 = ["User Heartbeat", "unicast", 192, 1, 5, 1.021, "up down", shared98];
-  const shared102 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", shared98];
-  const shared103 = {"count": "count16", "more": ["more40", "more2"]};
-  const shared104 = {"count": "count17", "more": ["more41", "more42", "more30"]};
-  const shared105 = {"count": "count18", "more": ["more43", "more32"]};
-  const shared106 = {"count": "count21", "more": ["more48", "more49", "more8"]};
-  const shared107 = [shared106, shared106, shared106];
-  const shared108 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333};
-  const shared109 = {"until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared110 = {"second": 1, "lease": 23, "ever": Infinity};
-  const shared111 = {"count": "count22", "more": ["more50", "more27"]};
-  const shared112 = [shared111, shared111, shared111];
-  const shared113 = [{"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}];
-  const shared114 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-  const shared115 = ["Announce", "multicast", 80, 1, 0, 1, "up down", shared114];
-  const shared116 = ["Process", "multicast", 24, 0, 1, 1, "up down", shared114];
-  const shared117 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", shared114];
-  const shared118 = ["Digest", "multicast", 80, 1, 3, 1, "up down", shared114];
-  const shared119 = ["Listed", "multicast", 1, 0, 0, 1, "up down", shared114];
-  const shared120 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
-  const shared121 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", shared120];
-  const shared122 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", shared120];
-  const shared123 = {"count": "count23", "more": ["count23"]};
-  const shared124 = "The paper's messages, a product's periods";
-  const shared125 = "switching to DDS, periods of Cyclone DDS";
-  const shared126 = "switching to Zenoh, periods of Zenoh peer";
-  const shared127 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-  const shared128 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-  const shared129 = [shared92, shared92, shared92];
-  const shared130 = {"count": "count24", "more": ["more51", "more52"]};
-  const shared131 = {"count": "count25", "more": ["more53", "more54", "more55"]};
-  const shared132 = [shared55, shared59, shared69, shared57, [shared56, {"count": "count26", "more": ["more56", "more57", "more58"]}, {"count": "count6", "more": []}], shared70];
-  const shared133 = ["Scout", "multicast", 67, 1, 0, 1, "up down", shared127];
-  const shared134 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-  const shared135 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", shared75];
-  const shared136 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", shared75];
-  const shared137 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", shared75];
-  const shared138 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", shared128];
-  const shared139 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared75];
-  const shared140 = {"until": [[1, "within a second at best"], [60, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared141 = {"second": 1, "lease": 60, "ever": Infinity};
-  const shared142 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-  const shared143 = {"burst": 0, "second": 0.03333333333333333, "lease": 0.03333333333333333, "ever": 0.03333333333333333};
-  const shared144 = {"count": "count30", "more": ["more65", "more66", "more67", "more68", "more27"]};
-  const shared145 = {"count": "count31", "more": ["more69", "more70", "more32"]};
+  const shared80 = {"count": "count9", "more": ["more23", "more24"]};
+  const shared81 = [shared80, shared80, shared80];
+  const shared82 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared72];
+  const shared83 = {"count": "count10", "more": ["more25", "more26", "more2"]};
+  const shared84 = [shared83, shared83, shared83];
+  const shared85 = {"count": "count11", "more": ["more27", "more28", "more29"]};
+  const shared86 = [shared85, shared85, shared85];
+  const shared87 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+  const shared88 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared89 = {"second": 1, "lease": 20, "ever": Infinity};
+  const shared90 = {"count": "count12", "more": ["more30", "more31", "more32"]};
+  const shared91 = {"count": "count14", "more": ["more36", "more37", "more5"]};
+  const shared92 = {"count": "count15", "more": ["more38", "more39", "more32"]};
+  const shared93 = [{"count": "count6", "more": []}, shared92, shared92];
+  const shared94 = [shared55, [{"count": "count6", "more": []}, shared90, shared90], shared81, [{"count": "count6", "more": []}, {"count": "count13", "more": ["more33", "more34", "more35"]}, shared91], shared93, shared70];
+  const shared95 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
+  const shared96 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": 0.3333333333333333};
+  const shared97 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+  const shared98 = ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.292, "up down", shared97];
+  const shared99 = ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.292, "up down", shared97];
+  const shared100 = ["User Heartbeat", "unicast", 192, 1, 5, 1.021, "up down", shared97];
+  const shared101 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", shared97];
+  const shared102 = {"count": "count16", "more": ["more40", "more2"]};
+  const shared103 = {"count": "count17", "more": ["more41", "more42", "more32"]};
+  const shared104 = {"count": "count18", "more": ["more43", "more24"]};
+  const shared105 = {"count": "count21", "more": ["more48", "more49", "more8"]};
+  const shared106 = [shared105, shared105, shared105];
+  const shared107 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333};
+  const shared108 = {"until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared109 = {"second": 1, "lease": 23, "ever": Infinity};
+  const shared110 = {"count": "count22", "more": ["more50", "more29"]};
+  const shared111 = [shared110, shared110, shared110];
+  const shared112 = [{"count": "more29", "more": ["more29"]}, {"count": "more29", "more": ["more29"]}, {"count": "more29", "more": ["more29"]}];
+  const shared113 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+  const shared114 = ["Announce", "multicast", 80, 1, 0, 1, "up down", shared113];
+  const shared115 = ["Process", "multicast", 24, 0, 1, 1, "up down", shared113];
+  const shared116 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", shared113];
+  const shared117 = ["Digest", "multicast", 80, 1, 3, 1, "up down", shared113];
+  const shared118 = ["Listed", "multicast", 1, 0, 0, 1, "up down", shared113];
+  const shared119 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
+  const shared120 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", shared119];
+  const shared121 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", shared119];
+  const shared122 = {"count": "count23", "more": ["count23"]};
+  const shared123 = "The paper's messages, a product's periods";
+  const shared124 = "switching to DDS, periods of Cyclone DDS";
+  const shared125 = "switching to Zenoh, periods of Zenoh peer";
+  const shared126 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+  const shared127 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+  const shared128 = [shared91, shared91, shared91];
+  const shared129 = {"count": "count24", "more": ["more51", "more52"]};
+  const shared130 = {"count": "count25", "more": ["more53", "more54", "more55"]};
+  const shared131 = [shared55, shared59, shared69, shared57, [shared56, {"count": "count26", "more": ["more56", "more57", "more58"]}, {"count": "count6", "more": []}], shared70];
+  const shared132 = ["Scout", "multicast", 67, 1, 0, 1, "up down", shared126];
+  const shared133 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+  const shared134 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", shared75];
+  const shared135 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", shared75];
+  const shared136 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", shared75];
+  const shared137 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", shared127];
+  const shared138 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared75];
+  const shared139 = {"until": [[1, "within a second at best"], [60, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared140 = {"second": 1, "lease": 60, "ever": Infinity};
+  const shared141 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+  const shared142 = {"burst": 0, "second": 0.03333333333333333, "lease": 0.03333333333333333, "ever": 0.03333333333333333};
+  const shared143 = {"count": "count30", "more": ["more65", "more66", "more67", "more68", "more29"]};
+  const shared144 = {"count": "count31", "more": ["more69", "more70", "more24"]};
   return {
     "start": {"robot": "Nav2 in one process", "middleware": "Fast DDS"},
     "groups": ["Products as built", "Products arranged against the storm", "As the paper counts", "The paper's messages, a product's periods", "Other tables"],
@@ -619,20 +618,20 @@ const DISCOSTORM = (() => {
       "more20": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = (1/2)*N_H1*N_P1; return N_E*N_P*x0 + N_E1*x0*(N_P + N_P1*(N_H1 - 1)); },
       "more21": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { const x0 = (1/2)*N_E; const x1 = N_H1*N_P*N_P1; return (1/2)*N_E1*x1 + Math.pow(N_P, 2)*x0 + x0*x1; },
       "more22": ({ N_E, N_P }) => { return (1/2)*N_E*Math.pow(N_P, 2); },
-      "count9": ({ N_H, N_H1, N_P, N_P1 }) => { return (N_H*N_P + N_H1*N_P1)*(N_H + N_H1 - 1); },
-      "more23": ({ N_H1, N_P, N_P1 }) => { return N_H1*(N_H1*N_P1 + N_P); },
-      "more24": ({ N_H1, N_P, N_P1 }) => { return N_H1*N_P + N_H1*N_P1 + N_P; },
-      "count10": ({ N_H, N_H1 }) => { const x0 = N_H + N_H1; return x0*(x0 - 1); },
-      "more25": ({ N_H1 }) => { return N_H1*(N_H1 + 1); },
-      "more26": ({ N_H1 }) => { return 2*N_H1 + 1; },
-      "more27": ({  }) => { return 1; },
-      "count11": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return 1.0*x0*(x0 - 1); },
-      "more28": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return 1.0*x0*(x0 - 1); },
-      "more29": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; const x1 = 1.0*N_P; return x0*x1 + x1*(x0 - 1); },
-      "more30": ({ N_P }) => { return 1.0*Math.pow(N_P, 2); },
-      "count12": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { return N_E*N_H*N_P + N_E1*N_H1*N_P1; },
-      "more31": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_H1*N_P1; },
-      "more32": ({ N_E, N_P }) => { return N_E*N_P; },
+      "count9": ({ N_E, N_E1, N_H, N_H1, N_P, N_P1 }) => { return N_E*N_H*N_P + N_E1*N_H1*N_P1; },
+      "more23": ({ N_E, N_E1, N_H1, N_P, N_P1 }) => { return N_E*N_P + N_E1*N_H1*N_P1; },
+      "more24": ({ N_E, N_P }) => { return N_E*N_P; },
+      "count10": ({ N_H, N_H1, N_P, N_P1 }) => { return (N_H*N_P + N_H1*N_P1)*(N_H + N_H1 - 1); },
+      "more25": ({ N_H1, N_P, N_P1 }) => { return N_H1*(N_H1*N_P1 + N_P); },
+      "more26": ({ N_H1, N_P, N_P1 }) => { return N_H1*N_P + N_H1*N_P1 + N_P; },
+      "count11": ({ N_H, N_H1 }) => { const x0 = N_H + N_H1; return x0*(x0 - 1); },
+      "more27": ({ N_H1 }) => { return N_H1*(N_H1 + 1); },
+      "more28": ({ N_H1 }) => { return 2*N_H1 + 1; },
+      "more29": ({  }) => { return 1; },
+      "count12": ({ N_H, N_H1, N_P, N_P1 }) => { const x0 = N_H*N_P + N_H1*N_P1; return 1.0*x0*(x0 - 1); },
+      "more30": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; return 1.0*x0*(x0 - 1); },
+      "more31": ({ N_H1, N_P, N_P1 }) => { const x0 = N_H1*N_P1 + N_P; const x1 = 1.0*N_P; return x0*x1 + x1*(x0 - 1); },
+      "more32": ({ N_P }) => { return 1.0*Math.pow(N_P, 2); },
       "count13": ({ N_H, N_H1, N_P, N_P1, N_S, N_S1 }) => { const x0 = N_H*N_P; const x1 = N_H1*N_P1; return (N_S*x0 + N_S1*x1)*(x0 + x1 - 1); },
       "more33": ({ N_H1, N_P, N_P1, N_S, N_S1 }) => { const x0 = N_H1*N_P1; return (N_P*N_S + N_S1*x0)*(N_P + x0 - 1); },
       "more34": ({ N_H1, N_P, N_P1, N_S, N_S1 }) => { const x0 = N_H1*N_P1; const x1 = N_P*N_S; return N_P*(N_S1*x0 + x1) + x1*(N_P + x0 - 1); },
@@ -825,17 +824,18 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared64,
         "windows": shared65,
-        "units": shared80,
+        "units": [shared55, shared59, shared57, shared81, shared69, shared70],
         "degree": 3,
         "messages": [
-          shared81,
+          shared82,
           ["SPDP directed", "unicast", 493.08762420957544, 0.9963, 1, 0.6667, "up down", shared74],
-          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.5833, "up down", shared75],
+          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.4167, "up down", shared75],
+          ["SEDP to the first", "unicast", 1167.7479630635523, 0.1841, 3, 0.5, "up down", shared75],
           ["SEDP multicast", "multicast", 961.6660682226212, 0.2228, 2, 0.1667, "up down", shared75],
           ["Heartbeat multicast", "multicast", 232, 0.25, 0, 2, "up down", shared75],
           ["Heartbeat", "unicast", 201.42013994523882, 0.3287, 1, 3, "up down", shared75],
           ["ACKNACK", "unicast", 199.39703903095557, 0.3715, 1, 4.05, "up down", shared75],
-          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 3, 0.2833, "up down", shared75],
+          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 4, 0.2833, "up down", shared75],
           ["Liveliness", "multicast", 179.99005799502902, 0.7242, 0, 1, "up down", shared76],
           ["Liveliness at start", "multicast", 150.79816322270926, 0.9582, 0, 0.3333, "up down", shared75],
           ["Liveliness unicast", "unicast", 429, 0.2, 1, 0.5, "up down", shared75],
@@ -844,14 +844,14 @@ const DISCOSTORM = (() => {
           ["Liveliness Heartbeat unicast", "unicast", 234.05196032120926, 0.2117, 1, 1.625, "up down", shared75],
           shared79,
           ["Liveliness ACKNACK at start", "unicast", 187.1920199501247, 0.2807, 1, 2.344, "up down", shared75],
-          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 3, 0.07812, "up down", shared75],
+          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 4, 0.07812, "up down", shared75],
           ["Type lookup Heartbeat", "multicast", 224.96579476861166, 0.1988, 0, 2, "up down", shared75],
           ["Type lookup Heartbeat unicast", "unicast", 230.92749087115283, 0.1917, 1, 0.6667, "up down", shared75],
           ["Type lookup ACKNACK", "unicast", 211.5, 0.2, 1, 2, "up down", shared75],
-          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 3, 0.3125, "up down", shared75],
-          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 4, 0.75, "up down", shared75],
-          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 4, 0.25, "up down", shared75],
-          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 4, 2, "up down", shared75],
+          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 4, 0.3125, "up down", shared75],
+          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 5, 0.75, "up down", shared75],
+          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 5, 0.25, "up down", shared75],
+          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 5, 2, "up down", shared75],
         ],
       },
       "Cyclone DDS, version 11": {
@@ -917,11 +917,11 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared64,
         "windows": shared65,
-        "units": [shared83, shared85, shared59, shared57, shared67, shared69, shared70],
+        "units": [shared84, shared86, shared59, shared57, shared67, shared69, shared70],
         "degree": 3,
         "messages": [
           ["SPDP", "unicast", 420, 1, 0, 9, "up down", shared72],
-          ["ICMP unreachable", "unicast", 448, 1, 1, 6, "up down", shared86],
+          ["ICMP unreachable", "unicast", 448, 1, 1, 6, "up down", shared87],
           ["SPDP directed", "unicast", 442.0177243557095, 0.9817, 2, 0.8333, "up down", shared74],
           ["SEDP", "unicast", 1224.46511627907, 0.172, 3, 1, "up down", shared75],
           ["SEDP again", "unicast", 334.84114485689287, 0.8001, 4, 0.08633, "up down", shared75],
@@ -962,10 +962,10 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared64,
         "windows": shared65,
-        "units": shared80,
+        "units": [shared55, shared59, shared57, shared69, shared70],
         "degree": 3,
         "messages": [
-          shared81,
+          shared82,
           ["SPDP directed", "unicast", 492.4140969162995, 0.9988, 1, 0.8, "up down", shared74],
           ["SEDP", "unicast", 1040.4988009592325, 0.2085, 2, 0.3719, "up down", shared75],
           ["SEDP multicast", "multicast", 965.8901890189019, 0.2222, 2, 0.23, "up down", shared75],
@@ -1009,39 +1009,39 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
-        "units": shared95,
+        "outlooks": shared88,
+        "windows": shared89,
+        "units": shared94,
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 652, 1, 0, 1, "up", shared96],
-          ["SPDP of server", "unicast", 700, 1, 0, 1, "down", shared97],
-          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "down", shared98],
-          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "down", shared98],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up", shared98],
-          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "down", shared98],
-          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "down", shared98],
-          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", shared98],
-          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up", shared98],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared98],
-          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "down", shared98],
-          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up", shared98],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "down", shared98],
-          ["Heartbeat", "unicast", 192, 1, 0, 4, "up", shared98],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared98],
-          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "down", shared98],
-          ["ACKNACK", "unicast", 188, 1, 0, 4, "up", shared98],
-          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up", shared98],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "down", shared98],
-          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "down", shared98],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up", shared98],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "down", shared98],
+          ["SPDP to server", "unicast", 652, 1, 0, 1, "up", shared95],
+          ["SPDP of server", "unicast", 700, 1, 0, 1, "down", shared96],
+          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "down", shared97],
+          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "down", shared97],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up", shared97],
+          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "down", shared97],
+          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "down", shared97],
+          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", shared97],
+          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up", shared97],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared97],
+          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "down", shared97],
+          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up", shared97],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "down", shared97],
+          ["Heartbeat", "unicast", 192, 1, 0, 4, "up", shared97],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared97],
+          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "down", shared97],
+          ["ACKNACK", "unicast", 188, 1, 0, 4, "up", shared97],
+          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up", shared97],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "down", shared97],
+          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "down", shared97],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up", shared97],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "down", shared97],
+          shared98,
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up", shared97],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared97],
           shared99,
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up", shared98],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared98],
           shared100,
           shared101,
-          shared102,
         ],
       },
       "Fast DDS Discovery Server, two": {
@@ -1062,39 +1062,39 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
-        "units": shared95,
+        "outlooks": shared88,
+        "windows": shared89,
+        "units": shared94,
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 636, 1, 0, 2, "up", shared96],
-          ["SPDP of server", "unicast", 700, 1, 0, 2, "down", shared97],
-          ["SPDP of server at discovery", "unicast", 747.8396673212429, 0.8657, 0, 2, "down", shared98],
-          ["SPDP of others", "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", shared98],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 4, "up", shared98],
-          ["SPDP Heartbeat of server", "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", shared98],
-          ["SPDP Heartbeat of others", "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", shared98],
-          ["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", shared98],
-          ["SPDP ACKNACK of others", "unicast", 190.5, 1, 1, 0.9417, "up", shared98],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared98],
-          ["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", shared98],
-          ["SEDP to server", "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", shared98],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 2.45, "down", shared98],
-          ["Heartbeat", "unicast", 184, 1, 0, 8, "up", shared98],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 8, "down", shared98],
-          ["Heartbeat of others", "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", shared98],
-          ["ACKNACK", "unicast", 188, 1, 0, 8, "up", shared98],
-          ["ACKNACK of others", "unicast", 190.8, 1, 3, 0.85, "up", shared98],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 31.6, "down", shared98],
-          ["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", shared98],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 2, "up", shared98],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared98],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.208, "up down", shared98],
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 4, "up", shared98],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared98],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.208, "up down", shared98],
-          ["User Heartbeat", "unicast", 192, 1, 5, 1.08, "up down", shared98],
-          ["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", shared98],
+          ["SPDP to server", "unicast", 636, 1, 0, 2, "up", shared95],
+          ["SPDP of server", "unicast", 700, 1, 0, 2, "down", shared96],
+          ["SPDP of server at discovery", "unicast", 747.8396673212429, 0.8657, 0, 2, "down", shared97],
+          ["SPDP of others", "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", shared97],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 4, "up", shared97],
+          ["SPDP Heartbeat of server", "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", shared97],
+          ["SPDP Heartbeat of others", "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", shared97],
+          ["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", shared97],
+          ["SPDP ACKNACK of others", "unicast", 190.5, 1, 1, 0.9417, "up", shared97],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared97],
+          ["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", shared97],
+          ["SEDP to server", "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", shared97],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 2.45, "down", shared97],
+          ["Heartbeat", "unicast", 184, 1, 0, 8, "up", shared97],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 8, "down", shared97],
+          ["Heartbeat of others", "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", shared97],
+          ["ACKNACK", "unicast", 188, 1, 0, 8, "up", shared97],
+          ["ACKNACK of others", "unicast", 190.8, 1, 3, 0.85, "up", shared97],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 31.6, "down", shared97],
+          ["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", shared97],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 2, "up", shared97],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared97],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.208, "up down", shared97],
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 4, "up", shared97],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared97],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.208, "up down", shared97],
+          ["User Heartbeat", "unicast", 192, 1, 5, 1.08, "up down", shared97],
+          ["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", shared97],
         ],
       },
       "Fast DDS Discovery Server, on a robot": {
@@ -1115,46 +1115,46 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
+        "outlooks": shared88,
+        "windows": shared89,
         "units": [
-          [shared103, shared103, shared103],
-          [{"count": "count6", "more": []}, shared104, shared104],
-          [shared105, shared105, shared105],
+          [shared102, shared102, shared102],
+          [{"count": "count6", "more": []}, shared103, shared103],
+          [shared104, shared104, shared104],
           [{"count": "count6", "more": []}, {"count": "count19", "more": ["more44", "more45", "more35"]}, {"count": "count20", "more": ["more46", "more47", "more5"]}],
-          shared94,
+          shared93,
           shared70,
         ],
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 652, 1, 0, 1, "up down", shared96],
-          ["SPDP of server", "unicast", 700, 1, 0, 1, "up down", shared97],
-          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "up down", shared98],
-          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "up down", shared98],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up down", shared98],
-          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "up down", shared98],
-          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "up down", shared98],
-          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", shared98],
-          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up down", shared98],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared98],
-          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "up down", shared98],
-          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up down", shared98],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "up down", shared98],
-          ["Heartbeat", "unicast", 192, 1, 0, 4, "up down", shared98],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "up down", shared98],
-          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "up down", shared98],
-          ["ACKNACK", "unicast", 188, 1, 0, 4, "up down", shared98],
-          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up down", shared98],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "up down", shared98],
-          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "up down", shared98],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up down", shared98],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "up down", shared98],
+          ["SPDP to server", "unicast", 652, 1, 0, 1, "up down", shared95],
+          ["SPDP of server", "unicast", 700, 1, 0, 1, "up down", shared96],
+          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "up down", shared97],
+          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "up down", shared97],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up down", shared97],
+          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "up down", shared97],
+          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "up down", shared97],
+          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", shared97],
+          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up down", shared97],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared97],
+          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "up down", shared97],
+          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up down", shared97],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "up down", shared97],
+          ["Heartbeat", "unicast", 192, 1, 0, 4, "up down", shared97],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "up down", shared97],
+          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "up down", shared97],
+          ["ACKNACK", "unicast", 188, 1, 0, 4, "up down", shared97],
+          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up down", shared97],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "up down", shared97],
+          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "up down", shared97],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up down", shared97],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "up down", shared97],
+          shared98,
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up down", shared97],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared97],
           shared99,
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up down", shared98],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared98],
           shared100,
           shared101,
-          shared102,
         ],
       },
       "Fast DDS": {
@@ -1175,26 +1175,26 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
-        "units": [shared55, shared107, shared59, shared69, shared57, shared70],
+        "outlooks": shared88,
+        "windows": shared89,
+        "units": [shared55, shared106, shared59, shared69, shared57, shared70],
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared96],
-          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared98],
-          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared108],
-          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared98],
-          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared98],
-          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared98],
-          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared98],
-          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared98],
-          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared98],
-          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared98],
-          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared98],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared98],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared98],
-          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared98],
-          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared98],
+          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared95],
+          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared97],
+          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared107],
+          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared97],
+          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared97],
+          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared97],
+          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared97],
+          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared97],
+          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared97],
+          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared97],
+          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared97],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared97],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared97],
+          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared97],
+          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared97],
         ],
       },
       "hybrid": {
@@ -1206,11 +1206,11 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 23,
         "repeats": true,
-        "outlooks": shared109,
-        "windows": shared110,
-        "units": [shared112, shared55, shared91, shared113, shared85],
+        "outlooks": shared108,
+        "windows": shared109,
+        "units": [shared111, shared55, shared81, shared112, shared86],
         "degree": 2,
-        "messages": [shared115, shared116, shared117, shared118, shared119, shared121, shared122],
+        "messages": [shared114, shared115, shared116, shared117, shared118, shared120, shared121],
       },
       "hybrid, alike": {
         "group": "Other tables",
@@ -1221,38 +1221,38 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 23,
         "repeats": true,
-        "outlooks": shared109,
-        "windows": shared110,
-        "units": [shared112, shared55, [shared123, shared123, shared123], shared113, shared85],
+        "outlooks": shared108,
+        "windows": shared109,
+        "units": [shared111, shared55, [shared122, shared122, shared122], shared112, shared86],
         "degree": 2,
-        "messages": [shared115, shared116, ["Software", "multicast", 8, 0, 0, 1, "up down", shared114], shared117, shared118, shared119, shared121, shared122],
+        "messages": [shared114, shared115, ["Software", "multicast", 8, 0, 0, 1, "up down", shared113], shared116, shared117, shared118, shared120, shared121],
       },
       "DDS, periods of Fast DDS": {
-        "group": shared124,
+        "group": shared123,
         "family": "DDS",
         "product": null,
-        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", shared125, "", "DDS, periods of Cyclone DDS", "DDS, periods of Fast DDS"], ["middleware", shared126, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Fast DDS"]],
+        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", shared124, "", "DDS, periods of Cyclone DDS", "DDS, periods of Fast DDS"], ["middleware", shared125, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Fast DDS"]],
         "about": "",
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
+        "outlooks": shared88,
+        "windows": shared89,
         "units": shared63,
         "degree": 2,
         "messages": [
-          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared96],
-          ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", shared96],
-          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared98],
-          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared98],
-          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared98],
+          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared95],
+          ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", shared95],
+          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared97],
+          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared97],
+          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared97],
         ],
       },
       "DDS, periods of Cyclone DDS": {
-        "group": shared124,
+        "group": shared123,
         "family": "DDS",
         "product": null,
-        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"], ["middleware", shared126, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Cyclone DDS"]],
+        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"], ["middleware", shared125, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Cyclone DDS"]],
         "about": "",
         "variant": false,
         "lease": 10,
@@ -1267,15 +1267,15 @@ const DISCOSTORM = (() => {
           ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared75],
           ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared75],
           ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared75],
-          ["Liveliness", "unicast", 180, 1, 1, 1, "up down", shared86],
-          ["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", shared86],
+          ["Liveliness", "unicast", 180, 1, 1, 1, "up down", shared87],
+          ["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", shared87],
         ],
       },
       "Zenoh, periods of Zenoh peer": {
-        "group": shared124,
+        "group": shared123,
         "family": "Zenoh",
         "product": null,
-        "tables": [shared61, shared62, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "Zenoh, periods of Zenoh peer"], ["middleware", shared125, "", "DDS, periods of Cyclone DDS", "Zenoh, periods of Zenoh peer"]],
+        "tables": [shared61, shared62, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "Zenoh, periods of Zenoh peer"], ["middleware", shared124, "", "DDS, periods of Cyclone DDS", "Zenoh, periods of Zenoh peer"]],
         "about": "",
         "variant": false,
         "lease": 10,
@@ -1284,7 +1284,7 @@ const DISCOSTORM = (() => {
         "windows": shared65,
         "units": shared63,
         "degree": 2,
-        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", shared127], ["Hello", "unicast", 144, 1, 1, 1, "up down", shared127], ["Declare", "unicast", 176, 1, 2, 1, "up down", shared75], ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", shared128]],
+        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", shared126], ["Hello", "unicast", 144, 1, 1, 1, "up down", shared126], ["Declare", "unicast", 176, 1, 2, 1, "up down", shared75], ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", shared127]],
       },
       "static endpoints": {
         "group": "Products arranged against the storm",
@@ -1304,29 +1304,29 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared87,
-        "windows": shared88,
-        "units": [shared55, shared107, shared91, shared59, shared69, shared57, shared129, [shared130, shared130, shared130], shared67, [shared131, shared131, shared131], shared70],
+        "outlooks": shared88,
+        "windows": shared89,
+        "units": [shared55, shared106, shared81, shared59, shared69, shared57, shared128, [shared129, shared129, shared129], shared67, [shared130, shared130, shared130], shared70],
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared96],
-          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared98],
-          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared98],
-          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared108],
-          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared98],
-          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared98],
-          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared98],
-          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared108],
-          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared98],
-          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared98],
-          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared108],
-          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared98],
-          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared98],
-          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared98],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared98],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared98],
-          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared98],
-          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared98],
+          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared95],
+          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared97],
+          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared97],
+          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared107],
+          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared97],
+          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared97],
+          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared97],
+          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared107],
+          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared97],
+          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared97],
+          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared107],
+          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared97],
+          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared97],
+          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared97],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared97],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared97],
+          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared97],
+          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared97],
         ],
       },
       "Zenoh peer": {
@@ -1347,16 +1347,16 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared64,
         "windows": shared65,
-        "units": shared132,
+        "units": shared131,
         "degree": 3,
         "messages": [
+          shared132,
           shared133,
-          shared134,
           ["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", shared75],
           ["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", shared75],
+          shared134,
           shared135,
           shared136,
-          shared137,
           ["OAM", "unicast", 163.4251497005988, 0.835, 1, 1, "up down", shared75],
           ["OAM for others", "unicast", 163.4251497005988, 0.835, 2, 0.625, "up down", shared75],
           ["Declare", "unicast", 106.65917220235053, 0.1957, 3, 0.5, "up down", shared75],
@@ -1365,9 +1365,9 @@ const DISCOSTORM = (() => {
           ["Declare final", "unicast", 176, 0.05, 1, 1, "up down", shared75],
           ["Frame", "unicast", 112.31961259079904, 0.2478, 1, 1, "up down", shared75],
           ["Frame of endpoints", "unicast", 112.31961259079904, 0.2478, 3, 0.6083, "up down", shared75],
+          shared137,
           shared138,
-          shared139,
-          ["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", shared128],
+          ["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", shared127],
           ["TCP ACK at start", "unicast", 76, 1, 1, 2.496, "up down", shared75],
           ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.2188, "up down", shared75],
         ],
@@ -1390,16 +1390,16 @@ const DISCOSTORM = (() => {
         "repeats": true,
         "outlooks": shared64,
         "windows": shared65,
-        "units": shared132,
+        "units": shared131,
         "degree": 3,
         "messages": [
+          shared132,
           shared133,
-          shared134,
           ["Hello first", "unicast", 104, 1, 1, 0.5, "up down", shared75],
           ["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", shared75],
+          shared134,
           shared135,
           shared136,
-          shared137,
           ["OAM", "unicast", 179.4287333522244, 0.7058, 1, 1, "up down", shared75],
           ["OAM for others", "unicast", 179.4287333522244, 0.7058, 2, 0.6493, "up down", shared75],
           ["Declare", "unicast", 167.6030534351145, 0.0655, 3, 0.5, "up down", shared75],
@@ -1411,9 +1411,9 @@ const DISCOSTORM = (() => {
           ["Declare final", "unicast", 159.33333333333334, 0.06, 1, 1, "up down", shared75],
           ["Frame", "unicast", 142.56804733727813, 0.1352, 1, 2, "up down", shared75],
           ["Frame of endpoints", "unicast", 142.56804733727813, 0.1352, 3, 1, "up down", shared75],
+          shared137,
           shared138,
-          shared139,
-          ["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", shared128],
+          ["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", shared127],
           ["TCP ACK at start", "unicast", 76, 1, 1, 3.325, "up down", shared75],
           ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.4208, "up down", shared75],
         ],
@@ -1434,48 +1434,48 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 60,
         "repeats": true,
-        "outlooks": shared140,
-        "windows": shared141,
-        "units": [shared55, shared91, [shared90, {"count": "count27", "more": ["more59", "more60"]}, {"count": "count6", "more": []}], [{"count": "count6", "more": []}, {"count": "count28", "more": ["more61", "more62"]}, {"count": "count29", "more": ["more63", "more64"]}], shared107, shared129],
+        "outlooks": shared139,
+        "windows": shared140,
+        "units": [shared55, shared81, [shared80, {"count": "count27", "more": ["more59", "more60"]}, {"count": "count6", "more": []}], [{"count": "count6", "more": []}, {"count": "count28", "more": ["more61", "more62"]}, {"count": "count29", "more": ["more63", "more64"]}], shared106, shared128],
         "degree": 2,
         "messages": [
-          ["TCP SYN", "unicast", 76, 1, 0, 1, "up", shared142],
-          ["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", shared142],
-          ["InitSyn", "unicast", 110, 1, 0, 1, "up", shared142],
-          ["InitAck", "unicast", 153, 1, 0, 1, "down", shared142],
-          ["OpenSyn", "unicast", 134, 1, 0, 1, "up", shared142],
-          ["OpenAck", "unicast", 84, 1, 0, 1, "down", shared142],
-          ["Interest in tokens", "unicast", 154.5017382527756, 0.08917, 0, 1, "up", shared142],
-          ["Interest of publishers", "unicast", 154.5017382527756, 0.08917, 1, 0.5, "up", shared142],
-          ["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", shared142],
-          ["Declare token of node", "unicast", 192.6407465007776, 0.05144, 0, 1, "up", shared142],
-          ["Declare token", "unicast", 192.6407465007776, 0.05144, 1, 1, "up", shared142],
-          ["Declare key expression of node", "unicast", 358.9464799539613, 0.5213, 0, 2, "up", shared142],
-          ["Declare key expression", "unicast", 358.9464799539613, 0.5213, 1, 1.5, "up", shared142],
-          ["Declare key expression of unmatched", "unicast", 358.9464799539613, 0.5213, 2, 0.5, "up", shared142],
-          ["Frame up", "unicast", 137.8131868131868, 0.1456, 0, 1.417, "up", shared142],
-          ["Frame of endpoints up", "unicast", 137.8131868131868, 0.1456, 1, 1.292, "up", shared142],
-          ["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", shared142],
-          ["Declare token of own node", "unicast", 282.5695792880259, 0.0309, 0, 1, "down", shared142],
-          ["Declare own token", "unicast", 282.5695792880259, 0.0309, 1, 1, "down", shared142],
-          ["Declare token of node passed on", "unicast", 282.5695792880259, 0.0309, 4, 1, "down", shared142],
-          ["Declare token passed on", "unicast", 282.5695792880259, 0.0309, 5, 1, "down", shared142],
-          ["Declare key expression of node passed on", "unicast", 622.248870141609, 0.3319, 4, 1, "down", shared142],
-          ["Declare key expression passed on", "unicast", 622.248870141609, 0.3319, 5, 1, "down", shared142],
-          ["Declare final", "unicast", 148.72727272727272, 0.06875, 0, 1, "down", shared142],
-          ["Declare final to publishers", "unicast", 148.72727272727272, 0.06875, 1, 0.5, "down", shared142],
-          ["Frame down", "unicast", 156.64516129032256, 0.1116, 0, 3.188, "down", shared142],
-          ["Frame of endpoints down", "unicast", 156.64516129032256, 0.1116, 1, 1.206, "down", shared142],
-          ["Frame of others down", "unicast", 156.64516129032256, 0.1116, 5, 0.025, "down", shared142],
-          ["KeepAlive up", "unicast", 79, 1, 0, 1, "up", shared143],
-          ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", shared143],
-          ["TCP ACK up", "unicast", 76, 1, 0, 1, "up", shared143],
-          ["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", shared143],
-          ["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", shared142],
-          ["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", shared142],
-          ["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", shared142],
-          ["TCP ACK at start down", "unicast", 76, 1, 0, 4.104, "down", shared142],
-          ["TCP ACK of endpoints down", "unicast", 76, 1, 1, 0.07292, "down", shared142],
+          ["TCP SYN", "unicast", 76, 1, 0, 1, "up", shared141],
+          ["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", shared141],
+          ["InitSyn", "unicast", 110, 1, 0, 1, "up", shared141],
+          ["InitAck", "unicast", 153, 1, 0, 1, "down", shared141],
+          ["OpenSyn", "unicast", 134, 1, 0, 1, "up", shared141],
+          ["OpenAck", "unicast", 84, 1, 0, 1, "down", shared141],
+          ["Interest in tokens", "unicast", 154.5017382527756, 0.08917, 0, 1, "up", shared141],
+          ["Interest of publishers", "unicast", 154.5017382527756, 0.08917, 1, 0.5, "up", shared141],
+          ["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", shared141],
+          ["Declare token of node", "unicast", 192.6407465007776, 0.05144, 0, 1, "up", shared141],
+          ["Declare token", "unicast", 192.6407465007776, 0.05144, 1, 1, "up", shared141],
+          ["Declare key expression of node", "unicast", 358.9464799539613, 0.5213, 0, 2, "up", shared141],
+          ["Declare key expression", "unicast", 358.9464799539613, 0.5213, 1, 1.5, "up", shared141],
+          ["Declare key expression of unmatched", "unicast", 358.9464799539613, 0.5213, 2, 0.5, "up", shared141],
+          ["Frame up", "unicast", 137.8131868131868, 0.1456, 0, 1.417, "up", shared141],
+          ["Frame of endpoints up", "unicast", 137.8131868131868, 0.1456, 1, 1.292, "up", shared141],
+          ["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", shared141],
+          ["Declare token of own node", "unicast", 282.5695792880259, 0.0309, 0, 1, "down", shared141],
+          ["Declare own token", "unicast", 282.5695792880259, 0.0309, 1, 1, "down", shared141],
+          ["Declare token of node passed on", "unicast", 282.5695792880259, 0.0309, 4, 1, "down", shared141],
+          ["Declare token passed on", "unicast", 282.5695792880259, 0.0309, 5, 1, "down", shared141],
+          ["Declare key expression of node passed on", "unicast", 622.248870141609, 0.3319, 4, 1, "down", shared141],
+          ["Declare key expression passed on", "unicast", 622.248870141609, 0.3319, 5, 1, "down", shared141],
+          ["Declare final", "unicast", 148.72727272727272, 0.06875, 0, 1, "down", shared141],
+          ["Declare final to publishers", "unicast", 148.72727272727272, 0.06875, 1, 0.5, "down", shared141],
+          ["Frame down", "unicast", 156.64516129032256, 0.1116, 0, 3.188, "down", shared141],
+          ["Frame of endpoints down", "unicast", 156.64516129032256, 0.1116, 1, 1.206, "down", shared141],
+          ["Frame of others down", "unicast", 156.64516129032256, 0.1116, 5, 0.025, "down", shared141],
+          ["KeepAlive up", "unicast", 79, 1, 0, 1, "up", shared142],
+          ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", shared142],
+          ["TCP ACK up", "unicast", 76, 1, 0, 1, "up", shared142],
+          ["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", shared142],
+          ["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", shared141],
+          ["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", shared141],
+          ["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", shared141],
+          ["TCP ACK at start down", "unicast", 76, 1, 0, 4.104, "down", shared141],
+          ["TCP ACK of endpoints down", "unicast", 76, 1, 1, 0.07292, "down", shared141],
         ],
       },
       "Zenoh router per host": {
@@ -1494,41 +1494,41 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 60,
         "repeats": true,
-        "outlooks": shared140,
-        "windows": shared141,
+        "outlooks": shared139,
+        "windows": shared140,
         "units": [
-          shared85,
+          shared86,
+          [shared143, shared143, shared143],
           [shared144, shared144, shared144],
-          [shared145, shared145, shared145],
-          [shared145, {"count": "count32", "more": ["more71", "more72", "more60"]}, {"count": "count6", "more": []}],
+          [shared144, {"count": "count32", "more": ["more71", "more72", "more60"]}, {"count": "count6", "more": []}],
           [{"count": "count6", "more": []}, {"count": "count33", "more": ["more73", "more74", "more75"]}, {"count": "count34", "more": ["more76", "more77", "more78"]}],
-          shared83,
+          shared84,
         ],
         "degree": 4,
         "messages": [
-          ["TCP control", "unicast", 76, 1, 0, 1, "up down", shared142],
-          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared142],
-          ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared142],
-          ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared142],
-          ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared142],
-          ["OAM", "unicast", 145.36416184971097, 0.865, 0, 2, "up down", shared142],
-          ["OAM passed on", "unicast", 170.8164964055997, 0.5286, 1, 0.5483, "up down", shared142],
-          ["Frame of gossip", "unicast", 169.4482400581456, 0.09631, 0, 6.215, "up down", shared142],
-          ["Frame of gossip passed on", "unicast", 169.4482400581456, 0.09631, 1, 0.1137, "up down", shared142],
-          ["Frame of endpoints", "unicast", 169.4482400581456, 0.09631, 2, 0.6762, "up down", shared142],
-          ["Declare", "unicast", 439.6363636363636, 0.0165, 3, 0.5, "up down", shared142],
-          ["Declare of matching", "unicast", 159.99832003359933, 0.07143, 4, 0.5, "up down", shared142],
-          ["Declare token of node", "unicast", 268.67822736030826, 0.03114, 5, 1, "up down", shared142],
-          ["Declare token", "unicast", 268.67822736030826, 0.03114, 2, 1, "up down", shared142],
-          ["Declare key expression", "unicast", 363.3062859132857, 0.5743, 3, 0.5, "up down", shared142],
-          ["Declare key expression of matching", "unicast", 363.3062859132857, 0.5743, 4, 0.2634, "up down", shared142],
-          ["Declare key expression of tokens", "unicast", 363.3062859132857, 0.5743, 2, 1, "up down", shared142],
-          ["Declare key expression of node", "unicast", 363.3062859132857, 0.5743, 5, 1, "up down", shared142],
-          ["KeepAlive", "unicast", 79, 1, 0, 1, "up down", shared143],
-          ["TCP ACK", "unicast", 76, 1, 0, 0.5, "up down", shared143],
-          ["TCP ACK at start", "unicast", 76, 1, 0, 5.749, "up down", shared142],
-          ["TCP ACK of gossip", "unicast", 76, 1, 1, 0.08617, "up down", shared142],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2084, "up down", shared142],
+          ["TCP control", "unicast", 76, 1, 0, 1, "up down", shared141],
+          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared141],
+          ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared141],
+          ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared141],
+          ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared141],
+          ["OAM", "unicast", 145.36416184971097, 0.865, 0, 2, "up down", shared141],
+          ["OAM passed on", "unicast", 170.8164964055997, 0.5286, 1, 0.5483, "up down", shared141],
+          ["Frame of gossip", "unicast", 169.4482400581456, 0.09631, 0, 6.215, "up down", shared141],
+          ["Frame of gossip passed on", "unicast", 169.4482400581456, 0.09631, 1, 0.1137, "up down", shared141],
+          ["Frame of endpoints", "unicast", 169.4482400581456, 0.09631, 2, 0.6762, "up down", shared141],
+          ["Declare", "unicast", 439.6363636363636, 0.0165, 3, 0.5, "up down", shared141],
+          ["Declare of matching", "unicast", 159.99832003359933, 0.07143, 4, 0.5, "up down", shared141],
+          ["Declare token of node", "unicast", 268.67822736030826, 0.03114, 5, 1, "up down", shared141],
+          ["Declare token", "unicast", 268.67822736030826, 0.03114, 2, 1, "up down", shared141],
+          ["Declare key expression", "unicast", 363.3062859132857, 0.5743, 3, 0.5, "up down", shared141],
+          ["Declare key expression of matching", "unicast", 363.3062859132857, 0.5743, 4, 0.2634, "up down", shared141],
+          ["Declare key expression of tokens", "unicast", 363.3062859132857, 0.5743, 2, 1, "up down", shared141],
+          ["Declare key expression of node", "unicast", 363.3062859132857, 0.5743, 5, 1, "up down", shared141],
+          ["KeepAlive", "unicast", 79, 1, 0, 1, "up down", shared142],
+          ["TCP ACK", "unicast", 76, 1, 0, 0.5, "up down", shared142],
+          ["TCP ACK at start", "unicast", 76, 1, 0, 5.749, "up down", shared141],
+          ["TCP ACK of gossip", "unicast", 76, 1, 1, 0.08617, "up down", shared141],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2084, "up down", shared141],
         ],
       },
     },
