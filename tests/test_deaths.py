@@ -268,8 +268,8 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
 def test_what_remedies_say_of_deaths_was_measured() -> None:
     fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
     table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
-    again = table.loc["Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer"]
-    runs, found = again.loc["found", ["runs", "happened"]]
+    again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
+    runs, found = table.loc[again, "runs"], table.loc[again, "happened"]
     assert f"nor after {runs - found} of {runs} quick restarts" in fails["discovery server"]
     for kind, name, who in (
         ("router", "Zenoh router", "survivors"),
