@@ -244,8 +244,9 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
 
     def alike(places: Places) -> Array:
         _, fraction, held, sent = numbers(data, places, order + "u4", 4).T
-        good: Array = (fraction < 1_000_000_000 // tick) & (held > 0) & (held <= sent)
-        return good & (sent <= MOST)
+        good: Array = (fraction < 1_000_000_000 // tick) & (held > 0)
+        good &= (held <= sent) & (sent <= MOST)
+        return good
 
     place, at = follow(data, size, 24, Layout(order, header, 8, header), alike)
     # Behind its last packet a file has nothing.

@@ -442,6 +442,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
         radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
         open, such as ``sys.stdin.buffer``, is read to its end.
+        On Linux whoever would write to a large file meanwhile may have to wait.
 
     Returns
     -------
