@@ -369,7 +369,7 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
         elif built and row["table"] in PROTOCOLS and row["base"]:
             of = product(PROTOCOLS[row["base"]])
             if of != built:
-                yield f"{row['title']}: of {of} alone"
+                yield f"{row['title']}: measured with {of} alone"
     if unknown:
         known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
         yield (
