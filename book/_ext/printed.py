@@ -251,7 +251,7 @@ def _keep_the_end_together(chapter: nodes.Element) -> None:
     at = len(section)
     while at > 1 and isinstance(section[at - 1], nodes.paragraph | nodes.bullet_list):
         at -= 1
-    if at < len(section):
+    if 1 < at < len(section):  # a heading stays with what follows it
         section.insert(at, _latex(r"\begin{together}" + "\n"))
         section += _latex("\\end{together}\n")
 
