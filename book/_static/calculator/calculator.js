@@ -8,7 +8,8 @@
   for (const protocol of Object.values(MODEL.protocols))
     protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
   const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
-  const NAMES = Object.keys(MODEL.protocols).sort((a, b) => rank(a) - rank(b));
+  // What can be chosen, in the order of the groups; the others are what changes make of these.
+  const NAMES = Object.keys(MODEL.protocols).filter((name) => MODEL.protocols[name].group).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
   // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
