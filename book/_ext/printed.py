@@ -20,7 +20,7 @@ _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
 #: and with its first columns in one if all that stands in them is at most so wide [pt].
 _TOWERS, _NARROW = 4.5, 110.0
 #: Points: what is kept on one page of a table, and what the rules of a row take.
-_TOGETHER, _RULES = 170.0, 4.0
+_TOGETHER, _RULES = 230.0, 4.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
 _SOLUTION = "Show the solution"
@@ -232,7 +232,7 @@ def _fit(table: nodes.table) -> None:
 def _keep(table: nodes.table, room: float) -> None:
     """Begin a table, and the line that announces it, where there is room for it [pt]."""
     block: nodes.Element = table
-    while isinstance(block.parent, nodes.container):
+    while isinstance(block.parent, nodes.container) and block.parent.index(block) == 0:
         block = block.parent
     around = block.parent
     at = around.index(block)
@@ -251,7 +251,7 @@ def _keep_the_end_together(chapter: nodes.Element) -> None:
     at = len(section)
     while at > 1 and isinstance(section[at - 1], nodes.paragraph | nodes.bullet_list):
         at -= 1
-    if at < len(section):
+    if 1 < at < len(section):  # a heading stays with what follows it
         section.insert(at, _latex(r"\begin{together}" + "\n"))
         section += _latex("\\end{together}\n")
 

@@ -65,6 +65,8 @@
       markers[i].style.left = place(rung.fit);
       markers[i].firstChild.textContent = rung.fit;
     });
+    // The lower marker's name does not cross the line of the higher one.
+    markers[1].classList.toggle("ladder-left", fits[1]?.fit < fits[0]?.fit);
     const shown = fits.filter(Boolean);
     const words = shown.map(({ fit, protocol }) => `${fit} with ${protocol}`).join(", ");
     const times = new Set(shown.map(({ within }) => within));
