@@ -17,14 +17,41 @@ ROWS = ".tag_ledger tbody tr"
 COLUMN = f"""(index) => [...document.querySelectorAll("{ROWS}")]
     .filter((row) => row.checkVisibility()).map((row) => row.cells[index].textContent.trim())"""
 
+#: Takes back what a reader did: filters, order, folds and where one has scrolled to.
+AS_IT_CAME = """() => {
+    const bar = document.querySelector(".ledger-filters");
+    bar.querySelectorAll("[aria-pressed=true]").forEach((button) => button.click());
+    bar.reset();
+    bar.querySelector("select").dispatchEvent(new Event("change"));
+    const head = document.querySelector(".tag_ledger thead th");
+    if (document.querySelector(".tag_ledger th[aria-sort]")) {
+        head.removeAttribute("aria-sort");
+        head.querySelector("button").click();
+    }
+    document.querySelectorAll("details").forEach((details) => { details.open = false; });
+    history.replaceState(null, "", location.pathname);
+    scrollTo(0, 0);
+}"""
 
-@pytest.fixture
-def ledger(browser: Browser, book: Path) -> Iterator[Page]:
+
+@pytest.fixture(scope="module")
+def opened(browser: Browser, book: Path) -> Iterator[Page]:
+    """Return the chapter, which takes seconds to come."""
     with browser.new_page(viewport=DESKTOP) as tab:
         (page,) = (book / "notebooks").glob("*_claims.html")
         tab.goto(page.as_uri())
         tab.evaluate(REST)
         yield tab
+
+
+@pytest.fixture
+def ledger(opened: Page) -> Page:
+    """Return the chapter as it came: all claims in their order, no formal test open."""
+    opened.set_viewport_size(DESKTOP)
+    opened.evaluate(AS_IT_CAME)
+    numbers = [int(number) for number in opened.evaluate(COLUMN, 0)]
+    assert numbers == [claim.id for claim in claims.claims()]
+    return opened
 
 
 def test_filters_leave_what_fits_all_of_them(ledger: Page) -> None:
