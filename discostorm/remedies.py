@@ -294,8 +294,12 @@ def row_of(kind: str, of: str | None) -> dict[str, str] | None:
 
 
 def known(kind: str, protocol: Protocol) -> dict[str, str]:
-    """Return what the data say of a kind of remedy for a protocol."""
-    row = row_of(kind, family(protocol))
+    """Return what the data say of a kind of remedy for a protocol.
+
+    Of switching to an arrangement what holds for any: what a family counts is of its peers.
+    """
+    arranged = kind == "middleware" and any(r["table"] == protocol.name for r in _arrangements())
+    row = row_of(kind, None if arranged else family(protocol))
     assert row is not None, kind
     return row
 
