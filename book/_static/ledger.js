@@ -69,7 +69,7 @@ window.addEventListener("DOMContentLoaded", () => {
   // Sorting: once for each press; rows that are equal keep their order. Cards have no heads: they are
   // sorted by a select and a button, which say the same as the heads do.
   const order = new Intl.Collator("en", { numeric: true });
-  const by = make("select", {}, ...names.map((name, index) => new Option(name, index)));
+  const by = make("select", { ariaLabel: "sort by" }, ...names.map((name, index) => new Option(name, index)));
   const direction = make("button", { type: "button" });
   const sort = (index, down) => {
     for (const head of heads) head.removeAttribute("aria-sort");
@@ -93,7 +93,7 @@ window.addEventListener("DOMContentLoaded", () => {
   by.addEventListener("change", () => sort(Number(by.value), false));
   direction.addEventListener("click", () => sort(Number(by.value), !direction.dataset.down));
   show(0, false);
-  bar.append(make("span", { className: "ledger-sort" }, make("label", {}, "sort by ", by), direction));
+  bar.append(make("span", { className: "ledger-sort" }, "sort by ", by, direction));
 
   // A link to a formal test opens the fold in which it is.
   const unfold = () => document.getElementById(location.hash.slice(1))?.closest("details")?.setAttribute("open", "");
