@@ -1,6 +1,7 @@
 """Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
 
 import bz2
+import contextlib
 import csv
 import gzip
 import io
@@ -774,6 +775,26 @@ def test_a_large_file_is_hardly_followed_packet_by_packet(
         slowly.clear()
         assert len(files.read(path).table["at"]) == 6000
         assert sum(slowly) < 600
+
+
+@pytest.mark.parametrize("size", [8128, 8129, 8192, 8193])
+def test_a_file_that_is_mapped_stays_as_it_was_and_zeros_follow(
+    size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = pcap([(0, random.Random(size).randbytes(size - 40), size - 40)])
+    path = tmp_path / "capture.pcap"
+    path.write_bytes(content)
+    monkeypatch.setattr(files, "_LARGE", 0)
+    found = files.read(path)
+    # It is mapped only where nobody can make it shorter meanwhile: to touch what is gone is fatal.
+    with contextlib.suppress(BlockingIOError):
+        os.close(os.open(path, os.O_WRONLY | os.O_TRUNC | os.O_NONBLOCK))
+    assert found.data.tobytes() == content + bytes(64)
+    assert len(content) == size
+    del found
+    path.write_bytes(content[:100])
+    with pytest.raises(CaptureError, match="packet 1 is cut or broken"):
+        files.read(path)
 
 
 def test_a_clock_that_is_set_back(read: Read) -> None:

@@ -104,6 +104,22 @@ def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
     tops = [box["y"] for box in boxes if box]
     assert tops == sorted(set(tops))  # one below the other
     assert all(box and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
+    # Cards have no heads to sort them by: a select does it, by keyboard, too, and says how.
+    ledger.get_by_label("sort by").focus()
+    ledger.keyboard.press("v")
+    sorted_by_select = ledger.evaluate(COLUMN, 0)
+    assert ledger.locator("th[aria-sort=ascending]").inner_text() == "verdict"
+    ledger.keyboard.press("Tab")
+    ledger.keyboard.press("Enter")
+    verdicts = [claim.verdict() for claim in claims.claims()]
+    groups: dict[str, list[str]] = {}
+    for number in sorted_by_select:
+        groups.setdefault(verdicts[int(number) - 1], []).append(number)
+    assert len(groups) == len(set(verdicts))
+    assert all(group == sorted(group, key=int) for group in groups.values())
+    backwards = [number for group in reversed(groups.values()) for number in group]
+    assert ledger.evaluate(COLUMN, 0) == backwards
+    assert ledger.locator(".ledger-sort button").inner_text() == "\u2193 descending"
 
 
 def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:
