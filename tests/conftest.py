@@ -52,6 +52,8 @@ class ByFileOrPage(LoadScopeScheduling):
         file, _, test = nodeid.partition("::")
         if "simulation" in file:
             return "simulation"  # compiled by one of the processes, and not by each
+        if file.endswith(("test_links.py", "test_chapters.py")):
+            return "links"  # both look at all pages, which are parsed once
         if not file.endswith("test_browser.py"):
             return file
         page = test.partition("[")[2].removesuffix("]")

@@ -13,8 +13,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from bs4 import BeautifulSoup
 from test_browser import TOC, toc_files
+from test_links import parsed
 
 import discostorm as ds
 from discostorm import figures, notebook
@@ -149,7 +149,7 @@ def test_who_tells_whom_is_read_off_the_table() -> None:
 def test_equations_and_figures_of_the_paper_have_its_numbers(book: Path) -> None:
     papers, others = {}, []
     for page in CHAPTERS:
-        html = BeautifulSoup((book / f"{page}.html").read_text(encoding="utf-8"), "html.parser")
+        html = parsed(book.resolve() / f"{page}.html")
         numbered = {
             str(equation["id"]): equation.select_one(".eqno")
             .get_text()

@@ -1,6 +1,7 @@
 """RTPS: every submessage of every datagram, told apart by its entities."""
 
 from collections import Counter
+from functools import cache
 
 import numpy as np
 
@@ -53,7 +54,8 @@ GROUPS = tuple(dict.fromkeys([row["group"] for row in ENTITIES.values()] + [*_OT
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
-def kind_names() -> list[str]:
+@cache
+def kind_names() -> tuple[str, ...]:
     """Return what messages are called, by 256 times the number of the group and submessage."""
     names = []
     for group in GROUPS:
@@ -66,7 +68,7 @@ def kind_names() -> list[str]:
                 names.append("User data" if group == "User" else group)
             else:
                 names.append(suffix if group == "SEDP" else f"{group} {suffix}")
-    return names
+    return tuple(names)
 
 
 def submessage_names() -> list[str]:
