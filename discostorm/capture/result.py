@@ -292,7 +292,8 @@ class Capture:
         rows = self._on_air()
         if rows.empty:
             raise CaptureError(f"{self.path}: there is no message in it to draw")
-        return draw(rows.assign(airtime_s=self.airtime(wifi)), wifi.name)
+        channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
+        return draw(rows.assign(airtime_s=self.airtime(wifi)), channel)
 
     def _on_air(self) -> pd.DataFrame:
         """Return the messages that go from host to host, once each."""

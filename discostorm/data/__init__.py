@@ -14,4 +14,5 @@ def data_path(name: str) -> Path:
 @cache
 def read_data(name: str) -> list[dict[str, str]]:
     """Return the rows of a table of the package, such as ``paper/table2.csv``."""
-    return list(csv.DictReader(data_path(name).read_text(encoding="utf-8").splitlines()))
+    names, *rows = csv.reader(data_path(name).read_text(encoding="utf-8").splitlines())
+    return [dict(zip(names, row, strict=True)) for row in rows]
