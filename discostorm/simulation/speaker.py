@@ -12,7 +12,7 @@ exist, and acts by four clocks:
 - DIGEST: what it holds, lacks and has given up, by multicast, once it has announced itself and
   nothing new has come for a while, unless others have asked for as much, or have shown the same.
 - REPAIR: the exclusive-or of a random choice of the parts that others have asked for and that it
-  holds; it stops when it has heard as many as the neediest lacks.
+  holds, its own among them if one is enough; it stops when it has heard as many as the neediest lacks.
 - BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
 
 A newcomer asks the first settled host that it hears for all sets, by unicast. Who has heard the
@@ -452,6 +452,8 @@ class Rules:
                 mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
                 if mask:
                     masks.append(mask)
+            if speakers.need[host, word] == 1:  # it may be its own part, which nobody else holds
+                masks[0] |= able[word] & speakers.own[host, word]
         self.say("Repair", host, self.sizes.coded(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
         if (speakers.need[host] > 0).any():
