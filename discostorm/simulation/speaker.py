@@ -12,7 +12,8 @@ exist, and acts by four clocks:
 - DIGEST: what it holds, lacks and has given up, by multicast, once it has announced itself and
   nothing new has come for a while, unless others have asked for as much, or have shown the same.
 - REPAIR: the exclusive-or of a random choice of the parts that others have asked for and that it
-  holds, its own among them if one is enough; it stops when it has heard as many as the neediest lacks.
+  holds, its own among them if one is enough; it stops when it has heard as many as the neediest
+  lacks.
 - BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
 
 A newcomer asks the first settled host that it hears for all sets, by unicast. Who has heard the
