@@ -12,7 +12,8 @@ exist, and acts by four clocks:
 - DIGEST: what it holds, lacks and has given up, by multicast, once it has announced itself and
   nothing new has come for a while, unless others have asked for as much, or have shown the same.
 - REPAIR: the exclusive-or of a random choice of the parts that others have asked for and that it
-  holds; it stops when it has heard as many as the neediest lacks.
+  holds, its own among them if one is enough; it stops when it has heard as many as the neediest
+  lacks.
 - BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
 
 A newcomer asks the first settled host that it hears for all sets, by unicast. Who has heard the
@@ -116,8 +117,8 @@ class Speakers:
         # Which part of its own set is announced next.
         self.part = np.zeros(count, np.int64)
         self.announced = np.full(count, -np.inf)
-        # How many have shown that they do not know it; not a number once somebody does.
-        self.denied = np.zeros(count)
+        # How many digests and heartbeats were without it; not a number once one was with it.
+        self.denied = np.zeros((2, count))
         self.repeats = np.zeros(count)
         # Airtime heard and sent, by tenths of the last second.
         self.air = np.zeros((count, BINS))
@@ -380,7 +381,7 @@ class Rules:
             speakers.due[ANNOUNCE, host] = self.now + spacing
             return
         speakers.part[host] = 0
-        speakers.announced[host], speakers.denied[host] = self.now, 0
+        speakers.announced[host], speakers.denied[:, host] = self.now, 0
         speakers.due[BEAT, host] = self.now + beat_period(self.known_to(host)) * (
             0.5 + self.rng.random() / 2
         )
@@ -452,6 +453,8 @@ class Rules:
                 mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
                 if mask:
                     masks.append(mask)
+            if speakers.need[host, word] == 1:  # it may be its own part, which nobody else holds
+                masks[0] |= able[word] & speakers.own[host, word]
         self.say("Repair", host, self.sizes.coded(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
         if (speakers.need[host] > 0).any():
@@ -563,7 +566,7 @@ class Rules:
         speakers.asked_for[who] = np.maximum(speakers.asked_for[who], missing)
         equal = (speakers.held[who] == held).all(axis=1) & (speakers.known[who] == held).all(axis=1)
         speakers.seen_equal[who[equal]] = True
-        self.hear_of_oneself(who, held)
+        self.hear_of_oneself(who, held, speakers.denied[0])
         wants = speakers.held[who] & ~held & ~gone
         # What is about to be announced is no repair.
         pending = speakers.due[ANNOUNCE, who] < NEVER
@@ -589,22 +592,26 @@ class Rules:
         held, recent = content
         block = np.ix_(who, recent)
         speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
-        self.hear_of_oneself(who, speakers.bits_of(recent))
+        self.hear_of_oneself(who, speakers.bits_of(recent), speakers.denied[1])
         unlike = (speakers.held[who] != held).any(axis=1)
         idle = unlike & (speakers.due[DIGEST, who] == NEVER)
         if idle.any():
             speakers.seen_equal[who[idle]] = False
             self.soon(who[idle])
 
-    def hear_of_oneself(self, who: Indices, listed: Bits) -> None:
-        """Let hosts announce themselves again that several do not know, and nobody does."""
+    def hear_of_oneself(self, who: Indices, listed: Bits, denied: NDArray[np.float64]) -> None:
+        """Let hosts announce themselves again that several do not list, and nobody does.
+
+        Digests and heartbeats are counted apart: the ones list whose sets are held, the others
+        who was heard, perhaps without its set.
+        """
         speakers, value = self.speakers, self.value
         known = (speakers.own[who] & listed).any(axis=1)
         late = self.now - speakers.announced[who] > self.quiet * 2 ** speakers.repeats[who]
         late &= speakers.due[ANNOUNCE, who] == NEVER
-        speakers.denied[who[late & ~known]] += 1
-        speakers.denied[who[known]] = np.nan
-        again = who[late & (speakers.denied[who] >= value["denials"])]
+        denied[who[late & ~known]] += 1
+        denied[who[known]] = np.nan
+        again = who[late & (denied[who] >= value["denials"])]
         speakers.repeats[again] += 1
         speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
 
