@@ -46,6 +46,7 @@ from discostorm.simulation.queues import (
     make_like_last,
     receiver,
     receivers,
+    take_after,
     take_same,
 )
 from discostorm.simulation.recovery import arrive, happen, settled
@@ -86,6 +87,54 @@ def keep(cell, station, place, kept):
 
 
 @shared
+def deliver(cell, station, frame, time, alone):
+    """Pass on what has arrived: to the access point's queue, or to who it is for."""
+    now = cell.now[0]
+    row = cell.kinds[kind_of(frame)]
+    if station < now.hosts and row.down:
+        if offer(cell, now.hosts, frame, time):
+            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
+            wake(cell, now.hosts, time, not alone)
+        return
+    burst = not frame & STEADY
+    now.open -= burst
+    if station < now.hosts or not row.multicast:
+        now.arrived += burst
+        if now.repairs:
+            arrive(cell, frame, destination_of(frame), time)
+        return
+    sender = host_of(cell, frame)
+    for host in range(now.hosts):
+        its = cell.stations[host]
+        if host == sender:
+            continue
+        if its.loss > 0 and uniform(now) < its.loss:
+            now.on_air += burst
+            cell.stations[sender].missed += burst
+            continue
+        now.arrived += burst
+        if now.repairs:
+            for process in range(its.first, its.first + its.processes):
+                arrive(cell, frame, process, time)
+
+
+@shared
+def pass_on(cell, host, time, alone):
+    """Pass on what has come to the access point from a host, in order.
+
+    What comes after a missing frame waits until that is there or given up (10.25).
+    """
+    its, ring = cell.stations[host], cell.radio[0].window
+    end = cell.window[host, 0].number if its.held else its.following
+    for number in range(its.passed, end):
+        frame = cell.ordered[host, number % ring]
+        if frame >= 0:
+            cell.ordered[host, number % ring] = -1
+            deliver(cell, host, frame, time, alone)
+    its.passed = end
+
+
+@shared
 def throw_out_old(cell, station, time):
     """Drop the held frames that are too old."""
     its = cell.stations[station]
@@ -99,39 +148,60 @@ def throw_out_old(cell, station, time):
             keep(cell, station, place, kept)
             kept += 1
     its.held = kept
+    if cell.now[0].per_receiver:
+        pass_on(cell, station, time, True)
+
+
+@njit
+def aggregates(cell, station):
+    """Return whether a station is the access point and sends A-MPDUs, to one host each."""
+    return cell.now[0].per_receiver and station == cell.now[0].hosts
+
+
+@shared
+def load_to_one(cell, time):
+    """Fill what the access point sends next to the host that has waited longest.
+
+    What is not for all stays in the queue until it has arrived: so whoever has waited longest then
+    is next, not who lacks a part of the last A-MPDU.
+    """
+    now, radio = cell.now[0], cell.radio[0]
+    station = now.hosts
+    its = cell.stations[station]
+    if its.must_ask:
+        return True
+    its.held = 0
+    node = first_entry(cell, station, time)
+    if node < 0:
+        return False
+    to = receiver(cell, cell.pool[node].frame)
+    first = np.int64(cell.pool[node].number)
+    while node >= 0 and its.held < radio.mpdus and cell.pool[node].number < first + radio.window:
+        waiting, held = cell.pool[node], cell.window[station, its.held]
+        held.frame, held.came, held.number = waiting.frame, waiting.came, node
+        held.tries = waiting.tries
+        its.held += 1
+        node = waiting.same
+        if to == now.hosts:
+            take_same(cell, to)
+            break
+    return True
 
 
 @njit
 def load(cell, station, time):
-    """Fill what the station sends next, oldest first; return whether there is anything.
-
-    The access point fills an A-MPDU with frames for one host, the one that has waited longest.
-    """
-    now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
+    """Fill what the station sends next, oldest first; return whether there is anything."""
+    radio, its = cell.radio[0], cell.stations[station]
+    if aggregates(cell, station):
+        return load_to_one(cell, time)
     if its.held and radio.lifetime < NEVER:
         throw_out_old(cell, station, time)
-    if its.held >= radio.mpdus:
-        return True
-    by_receiver = now.per_receiver and station == now.hosts
-    to = np.int64(-1)
-    if its.held and by_receiver:
-        to = receiver(cell, cell.window[station, 0].frame)
-    while its.held < radio.mpdus and not (by_receiver and to == now.hosts):
+    while its.held < radio.mpdus:
         if its.held and its.following - cell.window[station, 0].number >= radio.window:
             break
-        if to >= 0:
-            node = cell.stations[to].to_head
-            if node < 0:
-                break
-            if time - cell.pool[node].came > radio.lifetime:
-                lose(cell, cell.pool[node].frame, station, AGE)
-                take_same(cell, to)
-                change_length(cell, station, -1)
-                continue
-        else:
-            node = first_entry(cell, station, time)
-            if node < 0:
-                break
+        node = first_entry(cell, station, time)
+        if node < 0:
+            break
         frame, came = cell.pool[node].frame, cell.pool[node].came
         if frame < 0:
             left, batch = frames_of(frame) - 1, batch_of(frame)
@@ -140,13 +210,8 @@ def load(cell, station, time):
             if left == 0:
                 its.begun = 0
                 drop_head(cell, station)
-        elif by_receiver:
-            to = receiver(cell, frame)
-            take_same(cell, to)
         else:
             drop_head(cell, station)
-        if its.held == 0:
-            its.following = 0
         held = cell.window[station, its.held]
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
         its.following += 1
@@ -242,38 +307,6 @@ def sample(cell, time):
         now.sample += now.step
 
 
-@shared
-def deliver(cell, station, frame, time, alone):
-    """Pass on what has arrived: to the access point's queue, or to who it is for."""
-    now = cell.now[0]
-    row = cell.kinds[kind_of(frame)]
-    if station < now.hosts and row.down:
-        if offer(cell, now.hosts, frame, time):
-            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
-            wake(cell, now.hosts, time, not alone)
-        return
-    burst = not frame & STEADY
-    now.open -= burst
-    if station < now.hosts or not row.multicast:
-        now.arrived += burst
-        if now.repairs:
-            arrive(cell, frame, destination_of(frame), time)
-        return
-    sender = host_of(cell, frame)
-    for host in range(now.hosts):
-        its = cell.stations[host]
-        if host == sender:
-            continue
-        if its.loss > 0 and uniform(now) < its.loss:
-            now.on_air += burst
-            cell.stations[sender].missed += burst
-            continue
-        now.arrived += burst
-        if now.repairs:
-            for process in range(its.first, its.first + its.processes):
-                arrive(cell, frame, process, time)
-
-
 @njit
 def count_failure(cell, station):
     """Note that nothing came back to a station."""
@@ -281,7 +314,11 @@ def count_failure(cell, station):
     # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
     for place in range(its.sent):
-        cell.window[station, place].tries += 1
+        held = cell.window[station, place]
+        if aggregates(cell, station):
+            cell.pool[held.number].tries += 1
+        else:
+            held.tries += 1
     if its.sent > 1:
         its.must_ask = 1
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
@@ -319,6 +356,20 @@ def send_multicast(cell, time, end):
     deliver(cell, station, frame, end, its.sent == 1)
 
 
+@shared
+def take_arrived(cell, to):
+    """Take what has arrived of the access point's last frames to a host off its queue."""
+    station = cell.now[0].hosts
+    last = np.int64(-1)
+    for place in range(cell.stations[station].sent):
+        held = cell.window[station, place]
+        if held.came & _MISSING:
+            last = held.number
+            cell.pool[last].tries += 1
+        else:
+            take_after(cell, to, last)
+
+
 @njit
 def send_unicast(cell, station, time, end):
     """Let a station send undisturbed to one receiver, which answers unless all is damaged."""
@@ -331,6 +382,7 @@ def send_unicast(cell, station, time, end):
     if station == now.hosts:
         link = receiver(cell, cell.window[station, 0].frame)
     loss = cell.stations[link].loss
+    in_order = now.per_receiver and station < now.hosts
     good = np.int64(0)
     for place in range(its.sent):
         held = cell.window[station, place]
@@ -338,6 +390,8 @@ def send_unicast(cell, station, time, end):
             held.came |= _MISSING
         else:
             cell.senders[good].frame = held.frame
+            if in_order:
+                cell.ordered[station, held.number % radio.window] = held.frame
             good += 1
     if good == 0:
         for place in range(its.sent):
@@ -350,18 +404,24 @@ def send_unicast(cell, station, time, end):
     now.busy += end - time + answer
     note(cell, station, time, now.idle, SUCCESS)
     its.failures = 0
-    kept = np.int64(0)
-    for place in range(its.held):
-        held = cell.window[station, place]
-        if place >= its.sent or held.came & _MISSING:
-            held.tries += held.came >= _MISSING
-            held.came &= ~_MISSING
-            keep(cell, station, place, kept)
-            kept += 1
-    its.held = kept
+    if aggregates(cell, station):
+        take_arrived(cell, link)
+    else:
+        kept = np.int64(0)
+        for place in range(its.held):
+            held = cell.window[station, place]
+            if place >= its.sent or held.came & _MISSING:
+                held.tries += held.came >= _MISSING
+                held.came &= ~_MISSING
+                keep(cell, station, place, kept)
+                kept += 1
+        its.held = kept
     change_length(cell, station, -good)
     back_off(cell, station, now.base)
     alone = its.sent == 1
+    if in_order:
+        pass_on(cell, station, end, alone)
+        return
     for place in range(good):
         deliver(cell, station, cell.senders[place].frame, end, alone)
 
@@ -419,10 +479,10 @@ def collide(cell, count, time):
 @njit
 def add_sender(cell, station, time, count):
     """Add a station to those that send now unless all that it has is too old."""
-    cell.stations[station].waits = 0
     if load(cell, station, time):
         cell.senders[count].station = station
         return count + 1
+    cell.stations[station].waits = 0
     return count
 
 
