@@ -2,27 +2,26 @@
 
 from typing import TYPE_CHECKING, Any
 
-from discostorm._numeric import lambdify
-from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import (
-    ENDPOINT_PAIR,
-    ONCE,
-    PAIR,
-    PROCESS,
-    Message,
-    Payload,
-    Protocol,
-    Schedule,
-    Unit,
-)
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
-from discostorm.scalability import breakdown, saturation_hosts, utilization
-from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
-
 if TYPE_CHECKING:
+    from discostorm._numeric import lambdify
     from discostorm.capture import Capture, CaptureError as CaptureError, read_capture
+    from discostorm.fleet import Fleet, HostGroup
+    from discostorm.messages import (
+        ENDPOINT_PAIR,
+        ONCE,
+        PAIR,
+        PROCESS,
+        Message,
+        Payload,
+        Protocol,
+        Schedule,
+        Unit,
+    )
     from discostorm.planner import Plan, Remedy, Share, plan
+    from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+    from discostorm.scalability import breakdown, saturation_hosts, utilization
     from discostorm.simulation import Simulation, simulate
+    from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
 __version__ = "0.1.0"
 
@@ -62,22 +61,34 @@ __all__ = [
     "utilization",
 ]
 
-#: Loaded when they are asked for, by the package that has them.
-_LATER = {
-    **dict.fromkeys(("Capture", "CaptureError", "read_capture"), "discostorm.capture"),
-    **dict.fromkeys(("Plan", "Remedy", "Share", "plan"), "discostorm.planner"),
-    **dict.fromkeys(("Simulation", "simulate"), "discostorm.simulation"),
+#: What each module has of these. They are loaded when they are asked for, so that the command
+#: line is there to answer Ctrl-C before NumPy and SymPy are loaded.
+_OF_MODULE = {
+    "_numeric": "lambdify",
+    "capture": "Capture CaptureError read_capture",
+    "fleet": "Fleet HostGroup",
+    "messages": "ENDPOINT_PAIR ONCE PAIR PROCESS Message Payload Protocol Schedule Unit",
+    "planner": "Plan Remedy Share plan",
+    "protocols": "DDS PROTOCOLS ZENOH",
+    "scalability": "breakdown saturation_hosts utilization",
+    "simulation": "Simulation simulate",
+    "wifi": "PAPER WIFI Aggregation Link Padding Radio Wifi",
 }
-
+_MODULE_OF = {name: module for module, names in _OF_MODULE.items() for name in names.split()}
 
 #: Modules that need not be imported by name.
 _MODULES = frozenset(
     (
         "capture",
+        "data",
         "figures",
+        "fleet",
+        "messages",
         "notation",
         "paper",
         "planner",
+        "protocols",
+        "scalability",
         "simulation",
         "timeline",
         "uncertainty",
@@ -91,6 +102,12 @@ def __getattr__(name: str) -> Any:
 
     if name in _MODULES:
         return import_module(f"discostorm.{name}")
-    if name in _LATER:
-        return getattr(import_module(_LATER[name]), name)
+    if name in _MODULE_OF:
+        value = getattr(import_module(f"discostorm.{_MODULE_OF[name]}"), name)
+        globals()[name] = value  # the next time it is found without this function
+        return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_MODULE_OF, *_MODULES})

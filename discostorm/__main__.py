@@ -1,6 +1,20 @@
-"""``python -m discostorm`` is the command ``discostorm``."""
+"""The command ``discostorm``, which is ``python -m discostorm`` as well."""
 
-from discostorm.cli import main
+import sys
+
+
+def main() -> None:
+    """Run the command; see `discostorm.cli.main`."""
+    try:
+        # Here, as Ctrl-C may come while NumPy and SymPy are loaded, before click answers it.
+        from discostorm.cli import main as command
+
+        command(prog_name="discostorm")
+    except KeyboardInterrupt:
+        if sys.stderr is not None:
+            sys.stderr.write("\nAborted!\n")
+        sys.exit(1)
+
 
 if __name__ == "__main__":
-    main(prog_name="discostorm")
+    main()

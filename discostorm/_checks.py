@@ -31,9 +31,11 @@ def wanted(
     high: float = np.inf,
     above: bool = False,
     below: bool = False,
+    endless: bool = False,
     what: str = "a finite number",
 ) -> str:
     """Return in words which numbers are allowed."""
+    what = f"infinity or {what}" if endless else what
     start = f" above {exactly(low)}" if above else f" of at least {exactly(low)}"
     end = f" and below {exactly(high)}" if below else f" and at most {exactly(high)}"
     return f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
@@ -91,8 +93,11 @@ def within(
     *,
     above: bool = False,
     below: bool = False,
+    endless: bool = False,
 ) -> NDArray[np.float64]:
     """Return real numbers as float64 if every element is finite and within the range.
+
+    If it is ``endless``, infinity is taken as well.
 
     Raises
     ------
@@ -107,12 +112,13 @@ def within(
         if not (
             (least > low if above else least >= low)
             and (most < high if below else most <= high)
-            and most < np.inf
+            and (endless or most < np.inf)
         ):
-            good = np.isfinite(array) & (array > low if above else array >= low)
+            good = (endless | np.isfinite(array)) & (array > low if above else array >= low)
             good &= array < high if below else array <= high
             bad = short(given[~good].item(0))
-            raise ValueError(f"{name} must be {wanted(low, high, above, below)}; got {bad}")
+            allowed = wanted(low, high, above, below, endless)
+            raise ValueError(f"{name} must be {allowed}; got {bad}")
     return array
 
 
@@ -124,11 +130,12 @@ def numbers(
     *,
     above: bool = False,
     below: bool = False,
+    endless: bool = False,
 ) -> float | NDArray[np.float64]:
     """Return ``value`` as float64 if every element is finite and within the range.
 
     A scalar or 0-d array gives a float, which Python computes with faster. ``above`` and
-    ``below`` exclude the ends.
+    ``below`` exclude the ends. If it is ``endless``, infinity is taken as well.
 
     Raises
     ------
@@ -146,30 +153,44 @@ def numbers(
         and not (below and value == high)
     ):
         return float(value)
-    given = real(name, value, wanted(low, high, above, below))
-    array = within(name, given, low, high, above=above, below=below)
+    given = real(name, value, wanted(low, high, above, below, endless))
+    array = within(name, given, low, high, above=above, below=below, endless=endless)
     return array if array.ndim else array.item()
 
 
 def number(
-    name: str, value: Any, low: float, high: float = np.inf, *, above: bool = False
+    name: str,
+    value: Any,
+    low: float,
+    high: float = np.inf,
+    *,
+    above: bool = False,
+    endless: bool = False,
 ) -> float:
     """Return ``value`` as a float if it is one number within the range; see `numbers`."""
     if isinstance(value, (float, int)) and not isinstance(value, bool):
-        return float(numbers(name, value, low, high, above=above))
-    given = _one(name, value, wanted(low, high, above))
-    return float(within(name, given, low, high, above=above))
+        return float(numbers(name, value, low, high, above=above, endless=endless))
+    given = one(name, value, wanted(low, high, above, endless=endless))
+    return float(within(name, given, low, high, above=above, endless=endless))
 
 
-def whole(name: str, value: Any, low: float, high: float = np.inf, note: str = "") -> None:
+def whole(
+    name: str,
+    value: Any,
+    low: float,
+    high: float = np.inf,
+    note: str = "",
+    *,
+    endless: bool = False,
+) -> None:
     """Raise an error unless ``value`` is one whole number in the range; see `number`."""
-    allowed = wanted(low, high, what="a whole number") + note
-    given = _one(name, value, allowed).astype(np.float64).item()
-    if not (low <= given <= high and given % 1 == 0):
+    allowed = wanted(low, high, endless=endless, what="a whole number") + note
+    given = one(name, value, allowed).astype(np.float64).item()
+    if not (low <= given <= high and (given % 1 == 0 or (endless and given == np.inf))):
         raise ValueError(f"{name} must be {allowed}; got {short(value)}")
 
 
-def _one(name: str, value: Any, allowed: str) -> NDArray[Any]:
+def one(name: str, value: Any, allowed: str) -> NDArray[Any]:
     """Return ``value`` as an array without dimensions; see `real`."""
     given = real(name, value, allowed, one=True)
     if given.ndim:
@@ -180,8 +201,27 @@ def _one(name: str, value: Any, allowed: str) -> NDArray[Any]:
 def one_each(named: Iterable[tuple[str, Any]]) -> None:
     """Raise a TypeError if a value is an array; see `number` for the numbers themselves."""
     for name, value in named:
-        if np.ndim(value):
+        if _lengths(name, value):
             raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
+
+
+def _lengths(name: str, value: Any) -> tuple[int, ...]:
+    """Return the shape of a value; that rows differ in length is no error of NumPy's."""
+    try:
+        return np.shape(value)
+    except ValueError as error:
+        allowed = "a number, or an array whose rows are of one length"
+        raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
+
+
+def plain_numbers(owner: Any) -> None:
+    """Put plain numbers in the place of a dataclass's arrays without dimensions.
+
+    They are as good as numbers but for being hashed.
+    """
+    for name, value in vars(owner).items():
+        if isinstance(value, np.ndarray) and not value.ndim:
+            object.__setattr__(owner, name, value.item())
 
 
 def shape(**given: Any) -> tuple[int, ...]:
@@ -193,7 +233,7 @@ def shape(**given: Any) -> tuple[int, ...]:
         If they do not; the message names each with its shape.
     """
     shapes = {
-        name: np.shape(value) for name, value in given.items() if not isinstance(value, float)
+        name: _lengths(name, value) for name, value in given.items() if not isinstance(value, float)
     }
     if not shapes:
         return ()

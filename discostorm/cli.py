@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Any, BinaryIO, NoReturn, TypeVar
 
 import click
 
@@ -93,12 +93,15 @@ class Commands(click.Group):
             if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
                 stream.reconfigure(errors="backslashreplace")
         try:
+            if sys.stdout is None:  # closed before the start: click would write to nobody
+                raise OSError(errno.EBADF, os.strerror(errno.EBADF))
             return super().main(*args, **kwargs)
         except OSError as error:
             if error.errno != errno.EPIPE:
                 click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
-            # Or the interpreter would try again when it ends.
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            if sys.stdout is not None:
+                # Or the interpreter would try again when it ends.
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             sys.exit(1)
 
 
@@ -316,8 +319,14 @@ class Members:
 def _read(file: str) -> ds.Fleet:
     """Return the fleet of a file, or of standard input for ``-``."""
     if file == "-":
-        return ds.Fleet.from_bytes(sys.stdin.buffer.read(), _called(file))
+        return ds.Fleet.from_bytes(_standard_input().read(), _called(file))
     return ds.Fleet.from_toml(file)
+
+
+def _standard_input() -> BinaryIO:
+    if sys.stdin is None:
+        raise click.UsageError("- is standard input, which is closed")
+    return sys.stdin.buffer
 
 
 def _called(file: str) -> str:
@@ -415,7 +424,10 @@ def _print(
         text = io.StringIO()
         writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(rows)
+        for row in rows:  # what is null in JSON, which has no infinity, is empty
+            writer.writerow(
+                {key: None if value == math.inf else value for key, value in row.items()}
+            )
         click.echo(text.getvalue(), nl=False)
     else:
         click.echo(_aligned(rows, formats or {}, headings or {}))
@@ -462,7 +474,7 @@ def _aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) -
 
 def _live() -> bool:
     """Return whether a line of standard error can be written over."""
-    return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+    return sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
 
 @contextmanager
@@ -834,7 +846,8 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     """Simulate how the fleet of a file starts, frame by frame, in several runs.
 
     FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
-    messages answer messages and the middleware repairs what is lost.
+    messages answer messages and the middleware repairs what is lost. A time that did not come
+    is null in JSON, and empty in CSV.
 
     \b
     Examples:
@@ -899,13 +912,25 @@ def _not_written(out: str, error: OSError) -> NoReturn:
     ) from error
 
 
+def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
+    """Return the name of a picture if it says in which of the formats it is to be."""
+    if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {value!r}")
+    return value
+
+
 @main.command(short_help="What a capture holds, against the model.")
 @click.argument("file", metavar="FILE")
 @_protocol_option(
     "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
 )
 @click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
-@click.option("--picture", metavar="FILE", help="Draw it, too: a file .svg, .pdf or .png.")
+@click.option(
+    "--picture",
+    metavar="FILE",
+    callback=_drawable,
+    help="Draw it, too: a file .svg, .pdf or .png.",
+)
 @output_options
 def capture(
     file: str, against: str | None, fleet: str | None, picture: str | None, output: Output
@@ -930,7 +955,7 @@ def capture(
     with _bad_input(), _working("reading"):
         if file == fleet == "-":
             raise click.UsageError("either FILE or --fleet may be -, for standard input")
-        found = ds.read_capture(sys.stdin.buffer if file == "-" else file)
+        found = ds.read_capture(_standard_input() if file == "-" else file)
         members = None if fleet is None else _read(fleet)
         spoken = set(found.processes()["protocol"])
         papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]

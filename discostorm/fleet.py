@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, plain
+from discostorm.data import read_data
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them alike.
 Count = Any
@@ -40,8 +41,8 @@ class HostGroup:
     name : str, optional
         What to call it.
     nodes : float, optional
-        Nodes with parameter services in each process [1], from 0 to 1e9, for `plan`, which
-        alone looks whether there are endpoints for so many; None if it is not known.
+        Nodes with parameter services in each process [1], from 0 to as many as there are endpoints
+        for, for `plan`; None if it is not known.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
@@ -93,13 +94,19 @@ class HostGroup:
             _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
+            check_nodes("nodes", nodes, self._fewest_endpoints)
             object.__setattr__(self, "nodes", nodes)
         if not is_symbolic(self.shared):
-            most = self.endpoints if isinstance(self.endpoints, float) else _checks.MOST
-            if isinstance(self.endpoints, np.ndarray):
-                most = float(np.min(self.endpoints))
+            most = self._fewest_endpoints
             shared = _checks.number("shared", self.shared, 0, most)
             object.__setattr__(self, "shared", shared)
+
+    @property
+    def _fewest_endpoints(self) -> float:
+        """The endpoints that each process has at least; as many as can be if they are symbols."""
+        if isinstance(self.endpoints, np.ndarray):
+            return float(np.min(self.endpoints, initial=_checks.MOST))
+        return self.endpoints if isinstance(self.endpoints, float) else _checks.MOST
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):
@@ -305,6 +312,7 @@ class Fleet:
 
         Errors call it by its name.
         """
+        _checks.instance("content", content, bytes)
         try:
             # With a byte order mark, too, as Windows' editors write it.
             tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
@@ -640,6 +648,21 @@ def is_symbolic(value: Any) -> bool:
 def symbolic_group(index: int) -> HostGroup:
     """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
+
+
+def parameter_service_endpoints() -> int:
+    """Return how many endpoints the parameter services of a node have [1]."""
+    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
+
+
+def check_nodes(name: str, nodes: float, endpoints: float) -> None:
+    """Raise a ValueError unless a process of so many endpoints can have so many nodes."""
+    each = parameter_service_endpoints()
+    if nodes * each > endpoints:
+        raise ValueError(
+            f"{name} must be at most {endpoints / each:g} for processes of {endpoints:g} "
+            f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
+        )
 
 
 def _comparable(count: Count) -> Any:

@@ -327,9 +327,8 @@ def _window(window: sp.Expr | float) -> Any:
     """Return a window [s] in symbols, or as a number above zero."""
     if isinstance(window, sp.Expr) and window.free_symbols:
         return window
-    if window in (np.inf, sp.oo):
-        return np.inf
-    return _checks.number("window", window, _checks.LEAST_SECONDS)
+    span = np.inf if window is sp.oo else window
+    return _checks.number("window", span, _checks.LEAST_SECONDS, endless=True)
 
 
 @dataclass(frozen=True)
@@ -370,9 +369,8 @@ class Schedule:
         if not starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
         object.__setattr__(self, "starts", starts)
-        if self.period != np.inf:
-            period = _checks.number("period", self.period, _checks.LEAST_SECONDS)
-            object.__setattr__(self, "period", period)
+        period = _checks.number("period", self.period, _checks.LEAST_SECONDS, endless=True)
+        object.__setattr__(self, "period", period)
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
@@ -439,8 +437,10 @@ class Schedule:
             If it is not made of real numbers.
         """
         now = np.asarray(_checks.numbers("time", time, 0))
-        count = np.searchsorted(self.starts, now * (1 + _ROUNDING), side="right").astype(float)
-        rounds = np.floor((now - self.starts[-1]) / self.period + _ROUNDING)
+        with np.errstate(under="ignore"):
+            later = now * (1 + _ROUNDING)
+            rounds = np.floor((now - self.starts[-1]) / self.period + _ROUNDING)
+        count = np.searchsorted(self.starts, later, side="right").astype(float)
         count += np.maximum(rounds, 0)
         return count if count.ndim else count.item()
 
@@ -526,7 +526,8 @@ class Message:
         for name in ("name", "phase", "kind"):
             _checks.instance(name, getattr(self, name), str)
         object.__setattr__(self, "kind", self.kind or self.name)
-        if self.frames != 0:
+        _checks.plain_numbers(self)
+        if _checks.number("frames", self.frames, 0, _checks.MOST) != 0:
             _checks.number("frames", self.frames, LEAST_PER_UNIT, _checks.MOST)
         _checks.choice("cast", self.cast, get_args(Cast))
         _checks.choice("transport", self.transport, get_args(Transport))
@@ -632,8 +633,8 @@ class Protocol:
             raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
         if self.wired is not None:
             _checks.instance("wired", self.wired, Protocol)
-        if self.lease != np.inf:
-            _checks.number("lease", self.lease, 0, above=True)
+        _checks.plain_numbers(self)
+        _checks.number("lease", self.lease, 0, above=True, endless=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
         names = [message.name for message in self.messages]
         if len(set(names)) < len(names):

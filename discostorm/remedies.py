@@ -14,7 +14,7 @@ from typing import Any
 
 from discostorm import _checks, words
 from discostorm.data import read_data
-from discostorm.fleet import Fleet, HostGroup
+from discostorm.fleet import Fleet, HostGroup, check_nodes
 from discostorm.messages import Message, Protocol, Schedule
 from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
 from discostorm.robots import likely_nodes, parameter_service_endpoints, shared_endpoints
@@ -551,11 +551,12 @@ def of_group(group: HostGroup) -> str:
 
 def nodes_of(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:
     """Return the nodes with parameter services in a process of each group."""
-    each = parameter_service_endpoints()
     many = len(fleet.groups)
     if nodes is None:
         own = [
-            float(group.endpoints >= each) if group.nodes is None else group.nodes
+            float(group.endpoints >= parameter_service_endpoints())
+            if group.nodes is None
+            else group.nodes
             for group in fleet.groups
         ]
     else:
@@ -566,10 +567,5 @@ def nodes_of(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float
             )
         own = [checked] * many if isinstance(checked, float) else checked.tolist()
     for group, count in zip(fleet.groups, own, strict=True):
-        if count * each > group.endpoints:
-            raise ValueError(
-                f"nodes{of_group(group)} must be at most {group.endpoints / each:g} for processes "
-                f"of {group.endpoints:g} endpoints, as the parameter services of a node have "
-                f"{each}; got {count:g}"
-            )
+        check_nodes(f"nodes{of_group(group)}", count, group.endpoints)
     return tuple(own)

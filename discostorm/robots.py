@@ -3,7 +3,10 @@
 from functools import cache
 
 from discostorm.data import read_data
-from discostorm.fleet import HostGroup
+from discostorm.fleet import (
+    HostGroup,
+    parameter_service_endpoints as parameter_service_endpoints,
+)
 
 
 def shared_endpoints(nodes: float = 0.0) -> float:
@@ -65,11 +68,6 @@ def endpoints_of_a_node() -> float:
     """Return how many endpoints the processes of ready-made robots have for each node [1]."""
     rows = [row for row in read_data("fleets/robots.csv") if int(row["nodes"])]
     return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)
-
-
-def parameter_service_endpoints() -> int:
-    """Return how many endpoints the parameter services of a node have [1]."""
-    return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
 def robots() -> dict[str, HostGroup]:

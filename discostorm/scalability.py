@@ -51,12 +51,7 @@ if TYPE_CHECKING:
 
 def _seconds(window: ArrayLike) -> Value:
     """Return the window [s] as float64, of which infinity is the longest."""
-    span = np.asarray(window)
-    longest = span == np.inf if span.dtype.kind == "f" else np.False_
-    if not longest.any():
-        return _checks.numbers("window", window, _checks.LEAST_SECONDS)
-    others = _checks.numbers("window", np.where(longest, 1.0, span), _checks.LEAST_SECONDS)
-    return np.where(longest, np.inf, others) if span.ndim else math.inf
+    return _checks.numbers("window", window, _checks.LEAST_SECONDS, endless=True)
 
 
 #: What is counted, and the airtime that each adds to an average second [s].
@@ -280,12 +275,57 @@ def utilization(
     return _of_fleet(costs, fleet, _checks.shape(**fleet.arrays(), window=seconds))
 
 
+def by_symbol(
+    argument: str, given: Mapping[Any, Any], known: Mapping[sp.Symbol, object]
+) -> dict[sp.Symbol, Any]:
+    """Return what is given for symbols, or their names, if all of these are known."""
+    _checks.instance(argument, given, Mapping)
+    symbols = {symbol.name: symbol for symbol in known}
+    for name in given:
+        if str(name) not in symbols:
+            raise ValueError(f"{argument} must name {', '.join(symbols)}; got {str(name)!r}")
+    return {symbols[str(name)]: value for name, value in given.items()}
+
+
 def utilization_at(
-    values: Mapping[sp.Symbol, float], protocol: Protocol, fleet: Fleet, phase: str | None = None
+    values: Mapping[Any, float], protocol: Protocol, fleet: Fleet, phase: str | None = None
 ) -> Value:
-    """Return the utilization of a fleet with other values of the parameters than the paper's."""
+    """Return the utilization of a fleet with other values of the parameters than the paper's.
+
+    Parameters
+    ----------
+    values : mapping
+        Symbol or its name to value, in bytes, seconds or bit/s; the paper's value for the
+        parameters left out.
+    protocol : Protocol
+        `DDS`, `ZENOH`, or a table of your own.
+    fleet : Fleet
+        Its counts are numbers or arrays.
+    phase : str, optional
+        One of the protocol's phases; all of them if left out.
+
+    Returns
+    -------
+    float or ndarray
+        Utilization [1], of the shape to which the fleet's counts broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, a value is out of range, or the protocol has no such phase.
+    TypeError
+        If an argument is not of its kind, or a value not one real number.
+    """
+    _checks.instance("protocol", protocol, Protocol)
+    _checks.instance("fleet", fleet, Fleet)
+    reject_symbols(fleet)
+    usual = protocol.values() | PAPER.values()
+    at = usual | {
+        symbol: _checks.number(symbol.name, value, 0, above=symbol in (nt.R_UNI, nt.R_MULTI))
+        for symbol, value in by_symbol("values", values, usual).items()
+    }
     units = protocol.units(phase)
-    costs = evaluate_each([protocol.cost(unit, phase) for unit in units], values)
+    costs = evaluate_each([protocol.cost(unit, phase) for unit in units], at)
     return _of_fleet(dict(zip(units, costs, strict=True)), fleet, _checks.shape(**fleet.arrays()))
 
 
@@ -476,7 +516,8 @@ def saturation_hosts(
     -------
     float or ndarray
         Hosts [1], a real number of at least 1; infinity where nothing is repeated and the
-        window is infinite.
+        window is infinite, as with `DDS` and `ZENOH`: their steady state sends nothing, and any
+        number of hosts fits it.
 
     Raises
     ------

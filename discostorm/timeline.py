@@ -32,8 +32,10 @@ DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
     """Return `DRAIN` of bursts [s] beside steady states [1]; see `drain_time`."""
+    burst_s = _checks.numbers("extra", extra, 0, _checks.MOST_UTILIZATION)
+    steady_part = _checks.numbers("steady", steady, 0, _checks.MOST_UTILIZATION)
     with np.errstate(divide="ignore"):  # NumPy computes both branches
-        return evaluate(DRAIN, {BURST: np.asarray(extra), STEADY: np.asarray(steady)})
+        return evaluate(DRAIN, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
 
 
 def drain_time(

@@ -23,7 +23,7 @@ from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
-from discostorm.scalability import saturation_hosts, utilization_at
+from discostorm.scalability import by_symbol, saturation_hosts, utilization_at
 from discostorm.wifi import PAPER, Link, Wifi
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ra
     }
     used = protocol.utilization().free_symbols
     found |= {name: ends for name, ends in _assumed().items() if name in used}
-    for name, ends in _by_symbol("ranges", {} if given is None else given, found).items():
+    for name, ends in by_symbol("ranges", {} if given is None else given, found).items():
         try:
             low, high = ends
         except (TypeError, ValueError):
@@ -114,17 +114,6 @@ def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ra
         low = _checks.number(f"low end of {name}", low, 0, above=rate)
         found[name] = low, _checks.number(f"high end of {name}", high, low)
     return found
-
-
-def _by_symbol(
-    argument: str, given: Mapping[Any, Any], known: Mapping[sp.Symbol, object]
-) -> dict[sp.Symbol, Any]:
-    _checks.instance(argument, given, Mapping)
-    symbols = {symbol.name: symbol for symbol in known}
-    for name in given:
-        if str(name) not in symbols:
-            raise ValueError(f"{argument} must name {', '.join(symbols)}; got {str(name)!r}")
-    return {symbols[str(name)]: value for name, value in given.items()}
 
 
 @cache
@@ -369,7 +358,7 @@ def sensitivity(
     at = {
         name: value for name, value in (protocol.values() | PAPER.values()).items() if name in ends
     }
-    at |= _by_symbol("values", {} if values is None else values, ends)
+    at |= by_symbol("values", {} if values is None else values, ends)
     for name, (low, high) in ends.items():
         at[name] = _checks.number(str(name), at[name], low, high)
     hosts = _saturation(protocol, processes, endpoints, limit, at)

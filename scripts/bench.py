@@ -253,8 +253,8 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("bounds, 1000 groups / 100", lambda: on_groups(lambda f: bounds(ds.DDS, f)), 11),
     ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 12),
     (
-        "import discostorm / import sympy",
-        lambda: ratio(python("import discostorm"), python("import sympy"), rounds=7),
+        "import discostorm.scalability / import sympy",
+        lambda: ratio(python("import discostorm.scalability"), python("import sympy"), rounds=7),
         1.4,
     ),
     ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),

@@ -1,9 +1,11 @@
 """The command line as people expect it: odd terminals, full disks, pipes, and what can be given."""
 
 import json
+import math
 import os
 import subprocess
 import sys
+import tomllib
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -17,6 +19,7 @@ from discostorm.cli import main
 from discostorm.wifi.radio import radio_named
 
 NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[1]
 SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
 LONE = "nobody to find"
 
@@ -207,6 +210,50 @@ def test_a_full_disk_is_told_without_a_traceback() -> None:
     done = shell(f"discostorm utilization {' '.join(SWARM)} > /dev/full")
     assert done.returncode == 1
     assert done.stderr == "Error: the output could not be written: No space left on device\n"
+
+
+@pytest.mark.parametrize("command", ["plan fleet.toml", f"utilization {' '.join(SWARM)} --json"])
+def test_a_closed_standard_output_is_told(command: str) -> None:
+    done = shell(f"discostorm {command} >&-")
+    assert done.returncode == 1
+    assert done.stderr == "Error: the output could not be written: Bad file descriptor\n"
+
+
+def test_closed_standard_input_and_error_do_no_harm() -> None:
+    done = shell("discostorm plan - <&-")
+    assert (done.returncode, "- is standard input, which is closed" in done.stderr) == (2, True)
+    done = shell("discostorm utilization fleet.toml 2>&-")
+    assert (done.returncode, "robots" in done.stdout or "fleet.toml" in done.stdout) == (0, True)
+
+
+def test_ctrl_c_while_it_loads_leaves_no_traceback() -> None:
+    code = (
+        "import sys, discostorm.__main__\n"
+        "slow = {'numpy', 'sympy', 'click'} & set(sys.modules)\n"
+        "assert not slow, slow\n"
+        "class Interrupt:\n"
+        "    def find_spec(name, *_):\n"
+        "        if name == 'sympy': raise KeyboardInterrupt\n"
+        "sys.meta_path.insert(0, Interrupt)\n"
+        "sys.argv = ['discostorm', 'capture', '-']\n"
+        "discostorm.__main__.main()"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr.strip(), done.stdout) == (1, "Aborted!", "")
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["scripts"] == {"discostorm": "discostorm.__main__:main"}
+
+
+def test_times_that_did_not_come_are_empty_in_csv(capsys: pytest.CaptureFixture[str]) -> None:
+    cli._print([{"run": 0, "convergence_time_s": math.inf}], cli.Output(False, True))
+    assert capsys.readouterr().out == "run,convergence_time_s\n0,\n"
+
+
+@pytest.mark.parametrize("name", ["x.gif", "x", ".png"])
+def test_a_picture_is_of_the_formats_that_help_names(name: str) -> None:
+    done = run("capture", "fleet.toml", "--picture", name)
+    assert done.exit_code == 2
+    assert f"'--picture': must end in .svg, .pdf or .png; got {name!r}" in done.stderr
 
 
 def test_a_closed_pipe_blames_nothing(folder: Path) -> None:

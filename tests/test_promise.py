@@ -1,6 +1,7 @@
 """What the package promises of every argument: the kinds it takes, ranges, and nothing silent."""
 
 import copy
+import decimal
 import json
 import math
 import pickle
@@ -13,8 +14,20 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _numeric
+from discostorm import _numeric, timeline, uncertainty
 from discostorm.messages import PROCESS
+from discostorm.simulation.traffic import ticks
+
+PAIR = ds.Fleet.swarm(2, 1, 1)
+PAYLOAD = ds.Payload(350, 300, 400, "here")
+
+
+def row(**changes: Any) -> ds.Message:
+    fields: dict[str, Any] = {
+        "name": "SPDP", "phase": "SPDP", "cast": "multicast", "transport": "UDP",
+        "payload": PAYLOAD, "unit": PROCESS, "per_unit": 1,
+    }  # fmt: skip
+    return ds.Message(**fields | changes)
 
 
 @pytest.mark.parametrize("make", [Fraction, sp.Integer, np.int16, np.float32])
@@ -73,6 +86,99 @@ def test_words_are_one_word(value: Any) -> None:
         ds.Wifi(value, ds.PAPER.unicast, ds.PAPER.multicast)
     with pytest.raises(TypeError, match="standard must be a str; got"):
         ds.Radio(value)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [[[1], [2, 3]], pd.Series([1.0, 2.0]), pd.NA, Labelled(), {}, "7", decimal.Decimal(1)],
+    ids=lambda value: type(value).__name__,
+)
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("window", lambda value: ds.utilization(ds.DDS, 7, 2, 10, window=value)),
+        ("window", lambda value: ds.breakdown(ds.DDS, 7, 2, 10, window=value)),
+        ("window", lambda value: ds.plan(PAIR, window=value)),
+        ("window", lambda value: ds.DDS.load("SEDP", value)),
+        ("time", lambda value: timeline.demand(ds.DDS, value, 7, 2, 10)),
+        ("hosts", lambda value: timeline.first_idle(ds.DDS, value, 2, 10)),
+        ("endpoints", lambda value: timeline.outlook(ds.DDS, 7, 2, value)),
+        ("extra", lambda value: timeline.drained(value, 0.5)),
+        ("steady", lambda value: timeline.drained(1, value)),
+        ("processes", lambda value: uncertainty.sensitivity(ds.DDS, value, 10)),
+        ("O_uni", lambda value: uncertainty.utilization_at({"O_uni": value}, ds.DDS, PAIR)),
+        ("lease", lambda value: ds.Protocol("own", ds.DDS.messages, lease=value)),
+        ("frames", lambda value: row(frames=value)),
+        ("period", lambda value: ds.Schedule((0.0,), value)),
+        ("start_spacing", lambda value: ds.Radio("802.11n", mpdus=4, start_spacing=value)),
+        (r"queue\[0\]", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=(value, 0.5))),
+        (r"queue\[1\]", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=(500, value))),
+        (r"queue(\[0\])?", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=value)),
+        ("content", lambda value: ds.Fleet.from_bytes(value, "x")),
+        ("values", lambda value: uncertainty.utilization_at([value], ds.DDS, PAIR)),
+    ],
+)
+def test_errors_are_the_packages_own(name: str, call: Any, value: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match=f"{name} must .*; got "):
+        call(value)
+
+
+def test_values_of_parameters_are_those_of_the_notation() -> None:
+    assert uncertainty.utilization_at({}, ds.DDS, PAIR) == ds.utilization(ds.DDS, PAIR)
+    with pytest.raises(ValueError, match=r"values must name .*R_uni.*; got '1'"):
+        uncertainty.utilization_at({1: 2}, ds.DDS, PAIR)
+    with pytest.raises(ValueError, match="R_uni must be a finite number above 0; got 0"):
+        uncertainty.utilization_at({"R_uni": 0}, ds.DDS, PAIR)
+
+
+@pytest.mark.parametrize("value", [-1, 10**400, float("nan"), float("inf")])
+def test_bursts_and_steady_states_have_a_range(value: float) -> None:
+    for name, given in (("extra", (value, 0.5)), ("steady", (1, value))):
+        with pytest.raises(ValueError, match=rf"{name} must be .* at most 1e\+100; got"):
+            timeline.drained(*given)
+
+
+def test_arrays_without_dimensions_are_numbers() -> None:
+    one, rate = np.array(1.0), np.array(6e6)
+    link = ds.Link(rate, np.array(0.0))
+    protocol = ds.Protocol("own", (row(frames=one, per_unit=one),), lease=np.array(20.0))
+    found = ds.utilization(protocol, 7, 2, 10, ds.Wifi("own", link, link), window=one)
+    link = ds.Link(6e6, 0.0)
+    expected = ds.Protocol("own", (row(),), 20.0)
+    assert found == ds.utilization(expected, 7, 2, 10, ds.Wifi("own", link, link))
+    assert {protocol} == {expected}
+    spaced = ds.Radio("802.11n", mpdus=4, start_spacing=np.array(0.0))
+    assert spaced == ds.Radio("802.11n", mpdus=4)
+
+
+def test_no_endpoints_to_ask_for_have_no_answers() -> None:
+    assert np.shape(ds.utilization(ds.DDS, 7, 2, [])) == (0,)
+    assert np.shape(ds.saturation_hosts(ds.DDS, 2, [])) == (0,)
+    for call in (ds.plan, lambda fleet: ds.simulate(fleet, ds.DDS, ds.PAPER)):
+        with pytest.raises(TypeError, match="endpoints must be "):
+            call(ds.Fleet.swarm(7, 2, []))
+
+
+def test_no_process_has_more_nodes_than_endpoints_for_them() -> None:
+    text = "nodes must be at most 0.833333 for processes of 10 endpoints, .* have 12; got 50"
+    with pytest.raises(ValueError, match=text):
+        ds.HostGroup(2, 1, [20, 10], nodes=50)
+    with pytest.raises(ValueError, match=f"x: group 1: {text}"):
+        ds.Fleet.from_bytes(b"[[groups]]\nhosts=2\nprocesses=1\nendpoints=10\nnodes=50", "x")
+
+
+def test_what_is_too_small_for_a_float_is_zero() -> None:
+    fast = ds.PROTOCOLS["DDS, periods of Fast DDS"]
+    with np.errstate(all="raise"):
+        assert timeline.demand(fast, 1e-310, 7, 2, 10) == timeline.demand(fast, 0, 7, 2, 10)
+        assert ticks(np.float64(5e-324)) == 0
+    assert ticks(np.inf) == ticks(1e308) > ticks(1e6)
+
+
+def test_any_number_of_hosts_fits_a_steady_state_without_traffic() -> None:
+    assert ds.saturation_hosts(ds.DDS, 2, 10, window=np.inf) == np.inf
+    found = ds.saturation_hosts(ds.DDS, 2, 10, window=[1, np.inf])
+    np.testing.assert_array_equal(found, [ds.saturation_hosts(ds.DDS, 2, 10), np.inf])
 
 
 def extremes(low: float, high: float) -> list[float]:

@@ -87,7 +87,7 @@ def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
     text = PROTOCOL.replace('"Made up"', '"DDS"')
     (tmp_path / "discostorm" / "protocols" / "made_up.py").write_text(text, encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-c", "import discostorm"],
+        [sys.executable, "-c", "import discostorm.protocols"],
         cwd=tmp_path,
         capture_output=True,
         text=True,

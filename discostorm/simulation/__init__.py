@@ -168,17 +168,19 @@ def _queue(queue: Any) -> tuple[float, float]:
     """Return frames and seconds of a queue; infinity for no limit."""
     if queue is None:
         return np.inf, np.inf
-    if np.shape(queue) != (2,):
-        raise TypeError(f"queue must be None or a tuple of frames and seconds; got {queue!r}")
-    frames, seconds = (np.inf if value is None else value for value in queue)
-    if frames != np.inf:
-        _checks.whole("queue[0]", frames, 1)
-    if seconds != np.inf:
-        seconds = _checks.number("queue[1]", seconds, 0, above=True)
-    return float(frames), float(seconds)
+    given = queue.tolist() if isinstance(queue, np.ndarray) else queue
+    if not (isinstance(given, (tuple, list)) and len(given) == 2):
+        raise TypeError(
+            f"queue must be None or a tuple of frames and seconds; got {_checks.short(queue)}"
+        )
+    frames, seconds = (np.inf if value is None else value for value in given)
+    _checks.whole("queue[0]", frames, 1, endless=True)
+    return float(frames), _checks.number("queue[1]", seconds, 0, above=True, endless=True)
 
 
 def _say(text: str) -> None:
+    if sys.stderr is None:  # closed
+        return
     sys.stderr.write(f"discostorm: {text}\n")
     sys.stderr.flush()
 

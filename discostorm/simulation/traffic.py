@@ -39,7 +39,9 @@ _SAMPLES, _LOG, _POOL = 512, 4096, 4096
 
 def ticks(seconds: float) -> int:
     """Return a time in whole ticks."""
-    return int(_cell.NEVER) if np.isinf(seconds) else round(seconds / TICK)
+    never = int(_cell.NEVER)
+    found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
+    return never if found >= never else round(found)
 
 
 def hosts_of(fleet: Fleet) -> Hosts:
@@ -109,7 +111,7 @@ def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
         "most_bytes": aggregation.most_bytes if aggregation else 0,
         "least_subframe": aggregation.least_bytes if aggregation else 0,
         "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
-        "queue": _cell.NEVER if np.isinf(queue[0]) else int(queue[0]),
+        "queue": int(min(queue[0], float(_cell.NEVER))),
     }
     record = np.zeros(1, _cell.RADIO)
     for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():

@@ -35,6 +35,7 @@ class Aggregation:
     least_bytes: int = 0
 
     def __post_init__(self) -> None:
+        _checks.plain_numbers(self)
         _checks.whole("mpdus", self.mpdus, 1, _checks.MOST)
         _checks.whole("most_bytes", self.most_bytes, 1, _checks.MOST_BYTES)
         _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)

@@ -59,6 +59,7 @@ class Padding:
     added: int = 22
 
     def __post_init__(self) -> None:
+        _checks.plain_numbers(self)
         for name, low in (("bits", 1), ("added", 0)):
             _checks.whole(name, getattr(self, name), low, _checks.MOST)
         for name in ("symbol", "grid"):
@@ -107,6 +108,7 @@ class Link:
     padding: Padding | None = None
 
     def __post_init__(self) -> None:
+        _checks.plain_numbers(self)
         _checks.number("rate", self.rate, _checks.LEAST_RATE, _checks.MOST_RATE)
         _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
         if self.padding is not None:

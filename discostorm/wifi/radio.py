@@ -107,8 +107,12 @@ class Radio:
         if self.name is not None:
             _checks.instance("name", self.name, str)
         _checks.instance("standard", self.standard, str)
+        _checks.plain_numbers(self)
         others = {key: value for key, value in vars(self).items() if key not in _WORDS}
         _checks.one_each(others.items())
+        for key, value in others.items():
+            if value is not None:
+                _checks.one(key, value, "a number")
         _parts(self)  # raises if the standard has no such combination
 
     @property
