@@ -116,7 +116,8 @@ FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 #: holds, has just sent, has numbered; whether it has to ask for a block acknowledgement; its
 #: queue; who it is; where it is in making a burst, ``made`` frames, ``times`` of ``number`` that
 #: are alike; how many were to receive its processes' frames, and for how many they are lost for
-#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h. What most
+#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h, ``to_number``
+#: so far. What most
 #: transmissions need is in the first line of cache, with what the next frame of a burst needs,
 #: ``last`` being the one before. (Of an even number of lines the first ones would share few
 #: places in the cache.)
@@ -124,17 +125,21 @@ STATION = _record(
     *("held", "failures", "waits", "begun", "times", "number"),
     *("length", "made", "last", "missed", "head"),
     *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
-    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought"),
+    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought", "to_number"),
     floats=("loss",),
     short=("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
     lines=3,
 )
 
-#: A frame that a station is sending, the tick at which it came, its number, its failures.
+#: A frame that a station is sending, the tick at which it came, its number, its failures. Where
+#: the access point aggregates it is a copy of the entry ``number`` of `Cell.pool`.
 HELD = _record("frame", "came", "number", "tries")
 
-#: A frame that waits, or a burst that does; the next in the queue, the next to the same host.
-ENTRY = _record("frame", "came", "next", "same")
+#: A frame that waits, or a burst that does; the next in the queue; at the access point also the
+#: next to the same host, which frame to that host it is, and its failures.
+ENTRY = _record(
+    *("frame", "came", "next", "same", "number", "tries"), short=("number", "tries")
+)
 
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
 STRAY = _record("station", "base", "left", "time")

@@ -46,6 +46,7 @@ from discostorm.simulation.queues import (
     make_like_last,
     receiver,
     receivers,
+    take_after,
     take_same,
 )
 from discostorm.simulation.recovery import arrive, happen, settled
@@ -102,36 +103,55 @@ def throw_out_old(cell, station, time):
 
 
 @njit
-def load(cell, station, time):
-    """Fill what the station sends next, oldest first; return whether there is anything.
+def aggregates(cell, station):
+    """Return whether a station is the access point and sends A-MPDUs, to one host each."""
+    return cell.now[0].per_receiver and station == cell.now[0].hosts
 
-    The access point fills an A-MPDU with frames for one host, the one that has waited longest.
+
+@shared
+def load_to_one(cell, time):
+    """Fill what the access point sends next to the host that has waited longest.
+
+    What is not for all stays in the queue until it has arrived: so whoever has waited longest then
+    is next, not who lacks a part of the last A-MPDU.
     """
-    now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
+    now, radio = cell.now[0], cell.radio[0]
+    station = now.hosts
+    its = cell.stations[station]
+    if its.must_ask:
+        return True
+    its.held = 0
+    node = first_entry(cell, station, time)
+    if node < 0:
+        return False
+    to = receiver(cell, cell.pool[node].frame)
+    first = np.int64(cell.pool[node].number)
+    while node >= 0 and its.held < radio.mpdus and cell.pool[node].number < first + radio.window:
+        waiting, held = cell.pool[node], cell.window[station, its.held]
+        held.frame, held.came, held.number = waiting.frame, waiting.came, node
+        held.tries = waiting.tries
+        its.held += 1
+        node = waiting.same
+        if to == now.hosts:
+            take_same(cell, to)
+            break
+    return True
+
+
+@njit
+def load(cell, station, time):
+    """Fill what the station sends next, oldest first; return whether there is anything."""
+    radio, its = cell.radio[0], cell.stations[station]
+    if aggregates(cell, station):
+        return load_to_one(cell, time)
     if its.held and radio.lifetime < NEVER:
         throw_out_old(cell, station, time)
-    if its.held >= radio.mpdus:
-        return True
-    by_receiver = now.per_receiver and station == now.hosts
-    to = np.int64(-1)
-    if its.held and by_receiver:
-        to = receiver(cell, cell.window[station, 0].frame)
-    while its.held < radio.mpdus and not (by_receiver and to == now.hosts):
+    while its.held < radio.mpdus:
         if its.held and its.following - cell.window[station, 0].number >= radio.window:
             break
-        if to >= 0:
-            node = cell.stations[to].to_head
-            if node < 0:
-                break
-            if time - cell.pool[node].came > radio.lifetime:
-                lose(cell, cell.pool[node].frame, station, AGE)
-                take_same(cell, to)
-                change_length(cell, station, -1)
-                continue
-        else:
-            node = first_entry(cell, station, time)
-            if node < 0:
-                break
+        node = first_entry(cell, station, time)
+        if node < 0:
+            break
         frame, came = cell.pool[node].frame, cell.pool[node].came
         if frame < 0:
             left, batch = frames_of(frame) - 1, batch_of(frame)
@@ -140,9 +160,6 @@ def load(cell, station, time):
             if left == 0:
                 its.begun = 0
                 drop_head(cell, station)
-        elif by_receiver:
-            to = receiver(cell, frame)
-            take_same(cell, to)
         else:
             drop_head(cell, station)
         if its.held == 0:
@@ -281,7 +298,10 @@ def count_failure(cell, station):
     # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
     for place in range(its.sent):
-        cell.window[station, place].tries += 1
+        held = cell.window[station, place]
+        held.tries += 1
+        if aggregates(cell, station):
+            cell.pool[held.number].tries += 1
     if its.sent > 1:
         its.must_ask = 1
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
@@ -319,6 +339,20 @@ def send_multicast(cell, time, end):
     deliver(cell, station, frame, end, its.sent == 1)
 
 
+@shared
+def take_arrived(cell, to):
+    """Take what has arrived of the access point's last frames to a host off its queue."""
+    station = cell.now[0].hosts
+    last = np.int64(-1)
+    for place in range(cell.stations[station].sent):
+        held = cell.window[station, place]
+        if held.came & _MISSING:
+            last = held.number
+            cell.pool[last].tries += 1
+        else:
+            take_after(cell, to, last)
+
+
 @njit
 def send_unicast(cell, station, time, end):
     """Let a station send undisturbed to one receiver, which answers unless all is damaged."""
@@ -350,15 +384,18 @@ def send_unicast(cell, station, time, end):
     now.busy += end - time + answer
     note(cell, station, time, now.idle, SUCCESS)
     its.failures = 0
-    kept = np.int64(0)
-    for place in range(its.held):
-        held = cell.window[station, place]
-        if place >= its.sent or held.came & _MISSING:
-            held.tries += held.came >= _MISSING
-            held.came &= ~_MISSING
-            keep(cell, station, place, kept)
-            kept += 1
-    its.held = kept
+    if aggregates(cell, station):
+        take_arrived(cell, link)
+    else:
+        kept = np.int64(0)
+        for place in range(its.held):
+            held = cell.window[station, place]
+            if place >= its.sent or held.came & _MISSING:
+                held.tries += held.came >= _MISSING
+                held.came &= ~_MISSING
+                keep(cell, station, place, kept)
+                kept += 1
+        its.held = kept
     change_length(cell, station, -good)
     back_off(cell, station, now.base)
     alone = its.sent == 1

@@ -132,8 +132,9 @@ def put(cell, station, entry, time):
     queue.tail = node
     if now.per_receiver and station == now.hosts:
         # The access point finds the frames of one receiver without a search.
-        waiting.same = -1
         to = cell.stations[receiver(cell, entry)]
+        waiting.same, waiting.number, waiting.tries = -1, to.to_number, 0
+        to.to_number += 1
         if to.to_tail < 0:
             to.to_head = node
         else:
@@ -155,14 +156,24 @@ def drop_head(cell, station):
 
 
 @njit
+def take_after(cell, host, node):
+    """Take the access point's frame for a host that comes after another one, or after none."""
+    to = cell.stations[host]
+    taken = to.to_head if node < 0 else cell.pool[node].same
+    following = cell.pool[taken].same
+    if node < 0:
+        to.to_head = following
+    else:
+        cell.pool[node].same = following
+    if following < 0:
+        to.to_tail = node
+    cell.pool[taken].frame = _TAKEN
+
+
+@njit
 def take_same(cell, host):
     """Take the access point's first frame for a host; its entry leaves the queue later."""
-    to = cell.stations[host]
-    waiting = cell.pool[to.to_head]
-    to.to_head = waiting.same
-    if to.to_head < 0:
-        to.to_tail = -1
-    waiting.frame = _TAKEN
+    take_after(cell, host, np.int64(-1))
 
 
 @shared
