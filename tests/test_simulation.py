@@ -594,6 +594,11 @@ BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"loss": 2.0}, ValueError, "loss must be .* at least 0 and below 1; got 2.0"),
     ({"loss": -0.1}, ValueError, "loss must be .* at least 0 and below 1; got -0.1"),
     ({"loss": [0.1, 0.1]}, ValueError, "loss must be one number, or one for each of the 5 hosts"),
+    (
+        {"start": lambda rng: 1},
+        TypeError,
+        "^start must be a function of a numpy.random.Generator and a number of hosts; got one",
+    ),
     ({"recovery": 1}, TypeError, "recovery must be a bool; got 1"),
     ({"runs": 0}, ValueError, "^runs must be a whole number of at least 1; got 0$"),
     ({"runs": "a"}, TypeError, "^runs must be a whole number of at least 1; got 'a'$"),
@@ -638,6 +643,78 @@ def test_what_cannot_be_simulated_is_refused() -> None:
     twice = ds.Protocol("own", (ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
     with pytest.raises(ValueError, match="a process must send at most 16384 to each other"):
         ds.simulate(ds.Fleet.swarm(2, 1, 16_000), twice, wifi)
+
+
+def told_by(senders: Any, receivers: Any = None) -> ds.Unit:
+    """Return a unit whose functions return these."""
+    one = None if receivers is None else lambda _: receivers
+    return ds.Unit("own", lambda _: 10.0, lambda _: senders, one)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        (
+            {"schedule": ds.Schedule((0.0,), 4e-8)},
+            ValueError,
+            "period must be at least 1e-07 s to be simulated; got 4e-08",
+        ),
+        (
+            {"payload": ds.Payload(65_472, 0, 1e9, "own")},
+            ValueError,
+            "its frames must have at most 65535 B with headers to be simulated; got 65536",
+        ),
+        (
+            {"unit": told_by(np.ones(3))},
+            ValueError,
+            r"senders must be a number for each of the 10 processes; got shape \(3,\)",
+        ),
+        ({"unit": told_by(np.full(10, np.nan))}, ValueError, "senders must be .*; got nan"),
+        (
+            {"unit": told_by(-np.ones(10))},
+            ValueError,
+            r"senders must be .* of at least 0 and at most 1e\+09; got -1",
+        ),
+        ({"unit": told_by(["a"] * 10)}, TypeError, "senders must be a finite number of"),
+        (
+            {"unit": told_by(np.ones(10), np.ones(11))},
+            ValueError,
+            r"receivers must be a number for each of the 10 processes; got shape \(11,\)",
+        ),
+        (
+            {"unit": told_by(np.ones(10), np.full(10, 0.5))},
+            ValueError,
+            "receivers must be 0 or 1; got 0.5",
+        ),
+    ],
+)
+def test_rows_that_cannot_be_simulated_are_refused(
+    change: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    table = ds.Protocol("own", (replace(SEDP, name="A", answers=None, **change),))
+    with pytest.raises(error, match=f"^protocol 'own', message 'A': {message}"):
+        ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
+
+
+def test_tables_that_cannot_be_simulated_are_refused() -> None:
+    wifi = RADIO.wifi()
+    spdp = ds.DDS.message("SPDP")
+    table = ds.Protocol("own", (spdp, replace(SEDP, answers="Z")))
+    wanted = "^protocol 'own', message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$"
+    with pytest.raises(ValueError, match=wanted):
+        ds.simulate(SWARM, table, wifi)
+    table = ds.Protocol("own", tuple(replace(spdp, name=f"{n}") for n in range(65)))
+    with pytest.raises(ValueError, match="at most 64 messages to simulate; got 65$"):
+        ds.simulate(SWARM, table, wifi)
+    wanted = "^protocol 'DDS': lease must be at least 1e-07 s to be simulated; got 4e-08$"
+    with pytest.raises(ValueError, match=wanted):
+        ds.simulate(SWARM, replace(ds.DDS, lease=4e-8), wifi)
+
+
+def test_a_queue_too_large_to_count_has_no_limit() -> None:
+    none, large = (small(queue=queue, recovery=np.True_) for queue in (None, (10**20, 1e300)))
+    assert (none.table() == large.table()).all(axis=None)
+    assert none.settings["recovery"] is True
 
 
 def test_package_does_not_load_what_only_the_simulator_needs() -> None:

@@ -137,9 +137,7 @@ HELD = _record("frame", "came", "number", "tries")
 
 #: A frame that waits, or a burst that does; the next in the queue; at the access point also the
 #: next to the same host, which frame to that host it is, and its failures.
-ENTRY = _record(
-    *("frame", "came", "next", "same", "number", "tries"), short=("number", "tries")
-)
+ENTRY = _record(*("frame", "came", "next", "same", "number", "tries"), short=("number", "tries"))
 
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
 STRAY = _record("station", "base", "left", "time")
