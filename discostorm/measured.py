@@ -50,12 +50,15 @@ class Point:
     runs : dict
         By window, kind, what it is about, cast and hop: messages [1], frames [1] and bytes of
         payload [B], a row a run.
+    ready : numpy.ndarray
+        When the last process of each run had made its endpoints [s].
     """
 
     name: str
     use: str
     fleet: Fleet
     runs: dict[Key, NDArray[np.float64]]
+    ready: NDArray[np.float64]
 
     def median(self, key: Key) -> NDArray[np.float64]:
         """Return the medians of messages, frames and bytes; zeros if none was seen."""
@@ -160,11 +163,11 @@ def points_of(
 
     With the kind left out: of an arrangement of ``lab/mitigations.csv``, with a table or without.
     """
-    of_point: dict[tuple[str, ...], list[str]] = defaultdict(list)
+    of_point: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
     for run in read_data(f"measured/{kind}runs.csv"):
         if (run["product"], run["variant"]) == (product, variant):
             columns = ("hosts", "processes", "endpoints", "names", "use")
-            of_point[tuple(run[column] for column in columns)].append(run["run"])
+            of_point[tuple(run[column] for column in columns)][run["run"]] = float(run["made_s"])
     found = []
     counts = _counts(kind)
     for (hosts, processes, endpoints, names, use), runs in of_point.items():
@@ -181,6 +184,7 @@ def points_of(
                     key: np.array([counts[run].get(key, NONE) for run in runs])
                     for key in sorted({key for run in runs for key in counts[run]})
                 },
+                np.array(list(runs.values())),
             )
         )
     return tuple(found)
@@ -324,18 +328,31 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
 def _reason(
     protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
 ) -> str:
-    """Return why a table may be off: what the runs of a point and its size say."""
+    """Return why a table may be off: what the runs of a point, its size and the source say."""
     hosts, processes, _ = row["point"].split("x")
+    everyone = int(hosts) * int(processes)
     if least <= count <= most:
         return "scatter"
     if row["phase"] == "TCP" and protocol in arrangements():
         return "acknowledgements"
     if row["phase"] in ("Session", "KeepAlive", "TCP"):
         return "connections"
-    everyone = int(hosts) * int(processes)
     if everyone == 2:
         return "one pair"
-    return "crowd" if everyone >= 6 else "form"
+    causes = _CAUSES.get(protocol.partition(" ")[0], {})
+    return causes.get(row["phase"]) or ("crowd" if everyone >= 6 else "form")
+
+
+#: By the first word of a table and by phase: where the source of a product says what decides.
+_CAUSES = {
+    "Cyclone": {
+        "SPDP": "answers",
+        "SEDP": "shared",
+        **dict.fromkeys(("Liveliness", "Type lookup", "User"), "repeats"),
+    },
+    "static": {"SPDP": "known"},
+    "Zenoh": {"Gossip": "news"},
+}
 
 
 #: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with

@@ -181,7 +181,7 @@ def changes_of(base: Setting, nodes: Sequence[float], assumed: str) -> Iterator[
         if row is not None and row["works"] == "computed":
             yield Change("domains", f"splitting into {parts} domains", "parts", parts=pieces)
     yield Change(
-        "staggered start", "starting one after the other", "time", note=_simulated(protocol)
+        "staggered start", "starting one after the other", "time", note=_staggered(protocol)
     )
 
 
@@ -294,53 +294,60 @@ def row_of(kind: str, of: str | None) -> dict[str, str] | None:
 
 
 def known(kind: str, protocol: Protocol) -> dict[str, str]:
-    """Return what the data say of a kind of remedy for a protocol."""
-    row = row_of(kind, family(protocol))
+    """Return what the data say of a kind of remedy for a protocol.
+
+    Of switching to an arrangement what holds for any: what a family counts is of its peers.
+    """
+    arranged = kind == "middleware" and any(r["table"] == protocol.name for r in _arrangements())
+    row = row_of(kind, None if arranged else family(protocol))
     assert row is not None, kind
     return row
 
 
-def _simulated(protocol: Protocol) -> str:
+@cache
+def _simulated() -> dict[tuple[str, int], dict[tuple[str, str], float]]:
+    """Return how long small robots take to all know each other, as simulated on 802.11n [s].
+
+    By table of the paper and number of hosts, then by how they start and frames in an A-MPDU.
+    """
+    found: dict[tuple[str, int], dict[tuple[str, str], float]] = {}
+    for row in read_data("simulated/staggered.csv"):
+        if row["radio"] == "n":
+            starts = found.setdefault((row["protocol"], int(row["hosts"])), {})
+            starts[row["start"], row["mpdus"]] = float(row["convergence_time_s"])
+    return dict(sorted(found.items()))
+
+
+def _small_robots() -> str:
+    """Return what was simulated: each run has robots of one kind."""
+    kinds = {(r["processes"], r["endpoints"]) for r in read_data("simulated/staggered.csv")}
+    ((processes, endpoints),) = kinds
+    return f"robots of {processes} processes with {endpoints} endpoints all know each other"
+
+
+def _staggered(protocol: Protocol) -> str:
     """Return what the simulator says of small robots that start one after the other."""
     own = family(protocol)
     gains = []
     for name in [own] if own else ["DDS", "Zenoh"]:
-        found: dict[int, dict[str, dict[str, str]]] = {}
-        for one in read_data("simulated/staggered.csv"):
-            if (one["protocol"], one["radio"], one["mpdus"]) == (name, "n", "1"):
-                found.setdefault(int(one["hosts"]), {})[one["start"]] = one
-        for hosts, starts in sorted(found.items())[-2:]:
-            together, rule = (
-                float(starts[start]["convergence_time_s"]) for start in ("together", "rule")
-            )
+        for (_, hosts), times in [row for row in _simulated().items() if row[0][0] == name][-2:]:
+            rule, together = (times[start, "1"] for start in ("rule", "together"))
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
-    robot = starts["rule"]
     return (
-        "but queues lose less of it: simulated by the paper's tables, robots of "
-        f"{robot['processes']} processes with {robot['endpoints']} endpoints all know each other, "
+        f"but queues lose less of it: simulated by the paper's tables, {_small_robots()}, "
         f"{words.listed(gains)} (medians)"
     )
 
 
 def _aggregated() -> str:
     """Return what the simulator says of aggregation, if small robots start together."""
-    table = read_data("simulated/staggered.csv")
-    rows = [row for row in table if (row["radio"], row["start"]) == ("n", "together")]
-    most = max(rows, key=lambda row: int(row["hosts"]))
+    most = max(hosts for _, hosts in _simulated())
     gains = []
     for name in ("DDS", "Zenoh"):
-        one, many = (
-            next(
-                float(row["convergence_time_s"])
-                for row in rows
-                if (row["protocol"], row["hosts"], row["mpdus"]) == (name, most["hosts"], mpdus)
-            )
-            for mpdus in ("1", str(MPDUS))
-        )
+        one, many = (_simulated()[name, most]["together", mpdus] for mpdus in ("1", str(MPDUS)))
         gains.append(f"in {many:.0f} s instead of {one:.0f} s with {name}")
     return (
-        f"simulated by the paper's tables, {most['hosts']} robots of {most['processes']} processes "
-        f"with {most['endpoints']} endpoints all know each other {words.listed(gains)} (medians)"
+        f"simulated by the paper's tables, {most} {_small_robots()} {words.listed(gains)} (medians)"
     )
 
 
@@ -362,7 +369,7 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
         elif built and row["table"] in PROTOCOLS and row["base"]:
             of = product(PROTOCOLS[row["base"]])
             if of != built:
-                yield f"{row['title']}: of {of} alone"
+                yield f"{row['title']}: measured with {of} alone"
     if unknown:
         known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
         yield (

@@ -43,7 +43,7 @@ from discostorm.messages import (
     Unit,
     hop_airtime,
 )
-from discostorm.wifi import PAPER, Model, Wifi
+from discostorm.wifi import PAPER, Cast, Model, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -77,15 +77,20 @@ _OCTETS = sp.Symbol("S", positive=True)
 
 
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
-    """Return the airtime of a message's part of a frame on a hop [s].
+    """Return the airtime of a message's part of a frame on a hop [s]."""
+    once = _frame_seconds(hop, message.cast, message.frames > 0, message.frame_bytes, wifi)
+    return float(message.frames or 1.0) * once
+
+
+@lru_cache(maxsize=4096)
+def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
+    """Return the airtime of a frame, or of octets inside of another frame, on a hop [s].
 
     The function of the length is the same for all messages of a kind, and so compiled once.
     """
-    expression = hop_airtime(hop, message.cast, message.frames > 0, _OCTETS, wifi.model)
-    given = wifi.values() | {_OCTETS: message.frame_bytes}
+    expression = hop_airtime(hop, cast, framed, _OCTETS, wifi.model)
     with np.errstate(divide="ignore"):
-        alone = evaluate(expression, given)
-    return float(message.frames or 1.0) * float(alone)
+        return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))
 
 
 @lru_cache(maxsize=4096)

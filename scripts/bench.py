@@ -207,6 +207,15 @@ def read_beside_tshark(name: str) -> float:
         )
 
 
+def read_ten_times_as_many(name: str) -> float:
+    """Compare `read_capture` on 10^6 packets of a capture of the tests with 10^5 of them."""
+    with tempfile.TemporaryDirectory() as folder:
+        many, few = Path(folder) / "many.pcap", Path(folder) / "few.pcap"
+        for path, packets in ((many, 1_000_000), (few, 100_000)):
+            path.write_bytes(repeated(ROOT / "tests" / "captures" / f"{name}.pcap.xz", packets))
+        return ratio(lambda: ds.read_capture(many), lambda: ds.read_capture(few), rounds=3)
+
+
 def storm_beside_numpy() -> float:
     """Compare the storm of 300 hosts with NumPy's drawing ten back-offs for each transmission."""
     from discostorm.simulation.run import one_run, plan_runs
@@ -258,6 +267,11 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("discostorm claims / --help", lambda: beside_help("claims"), 3.0),
     ("discostorm figures / importing them", figures, 3.4),
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
+    (
+        "read_capture, 10^6 packets / 10^5",
+        lambda: max(map(read_ten_times_as_many, ("fast_dds", "zenoh_data"))),
+        12,
+    ),
 ]
 #: What a capture of 100 000 packets takes.
 CAPTURES = [

@@ -13,7 +13,7 @@ for program in latexmk xelatex rsvg-convert pdftoppm; do
     command -v "$program" >/dev/null 2>&1 || missing="$missing $program"
 done
 if [ -z "$missing" ]; then
-    for file in fncychap.sty tabulary.sty capt-of.sty needspace.sty pdflscape.sty qrcode.sty; do
+    for file in fncychap.sty tabulary.sty capt-of.sty needspace.sty qrcode.sty; do
         kpsewhich "$file" >/dev/null 2>&1 || missing="$missing $file"
     done
     fc-list 2>/dev/null | grep -q FreeSerif.otf || missing="$missing FreeSerif.otf"

@@ -1,4 +1,4 @@
-"""Fail if something in the book's PDF runs off a page, or a figure leaves half a page empty."""
+"""Fail if something in the book's PDF runs off a page, or leaves one all but empty."""
 
 import argparse
 import re
@@ -11,6 +11,8 @@ from pypdf.generic import Destination
 
 #: What is seen of a box that is wider than its column [pt].
 TOO_WIDE = 5.0
+#: Lines that there are at least on a page, its head and foot aside.
+FEWEST_LINES = 5
 #: Head and foot of a page, which are there on an empty one as well, as shares of its height.
 HEAD, FOOT = 0.09, 0.91
 BOX = re.compile(
@@ -82,6 +84,18 @@ def gaps(reader: PdfReader, shares: list[float]) -> list[str]:
     ]
 
 
+def scant(reader: PdfReader, texts: list[str]) -> list[str]:
+    """Return the pages with a few lines alone, but for those that name a part, and the title."""
+    begins = starts(reader) | {0}
+    pages = [text.strip().splitlines() for text in texts]
+    lines = [sum(map(bool, map(str.strip, page))) - 2 for page in pages]  # without head and foot
+    return [
+        f"page {page + 1} of the file has only {max(0, count)} lines"
+        for page, count in enumerate(lines)
+        if count < FEWEST_LINES and page not in begins and not is_drawn_on(reader.pages[page])
+    ]
+
+
 def main() -> None:
     """Check the PDF and the log beside it."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -91,7 +105,7 @@ def main() -> None:
     pdf = arguments.pdf
     reader = PdfReader(pdf)
     log = pdf.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
-    wrong = overfull(log) + gaps(reader, filled(pdf))
+    wrong = overfull(log) + gaps(reader, filled(pdf)) + scant(reader, words(pdf))
     if arguments.pages and len(reader.pages) > arguments.pages:
         wrong.append(f"{len(reader.pages)} pages; at most {arguments.pages} are wanted")
     if wrong:

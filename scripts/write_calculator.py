@@ -175,25 +175,54 @@ def radio_remedies(wifi: Wifi) -> Code:
     ]
 
 
+def table_changes(protocol: Protocol) -> list[changed.Change]:
+    """Return the changes of the planner that put another table in its place.
+
+    But for what nobody can have yet.
+    """
+    return [
+        change
+        for change in changed.changes_of(changed.Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
+        if not isinstance(change, str)
+        and change.table is not None
+        and change.steps == (change.kind,)
+        and changed.known(change.kind, change.table)["effort"] != "research"
+    ]
+
+
+def key(protocol: Protocol, change: changed.Change) -> str:
+    """Return the name of the table of a change; one that is not of `PROTOCOLS` has none yet."""
+    assert change.table is not None
+    of_its_own = change.table != ds.PROTOCOLS[change.table.name]
+    return f"{protocol.name}, {change.what}" if of_its_own else change.table.name
+
+
+def tables() -> dict[str, Protocol]:
+    """Return each table that the calculator computes with, by name: all, and what changes make."""
+    return dict(ds.PROTOCOLS) | {
+        name: change.table
+        for protocol in ds.PROTOCOLS.values()
+        for change in table_changes(protocol)
+        if (name := key(protocol, change)) not in ds.PROTOCOLS and change.table
+    }
+
+
 def table_remedies(protocol: Protocol) -> Code:
     """Return which other table the planner would put in its place, and what each is held against.
 
-    But what is not of `PROTOCOLS`, as a table with other periods, and what nobody can have yet.
+    Nothing for a table that is such a change itself.
     """
+    if protocol not in ds.PROTOCOLS.values():
+        return []
     return [
         [
             data(change.kind),
             data(change.what),
             data(change.note),
-            data(change.table.name),
+            data(key(protocol, change)),
             data((change.base or protocol).name),
         ]
-        for change in changed.changes_of(changed.Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
-        if not isinstance(change, str)
-        and change.table is not None
-        and change.table == ds.PROTOCOLS[change.table.name]
-        and change.steps == (change.kind,)
-        and changed.known(change.kind, change.table)["effort"] != "research"
+        for change in table_changes(protocol)
     ]
 
 
@@ -420,7 +449,8 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     windows["ever"] = sp.oo
     units = list(protocol.units())
     return {
-        "group": data(group(protocol)),
+        # What only a change can have is not on offer.
+        "group": data(group(protocol) if protocol in ds.PROTOCOLS.values() else None),
         "family": data(changed.family(protocol)),
         "product": data(changed.product(protocol)),
         "tables": table_remedies(protocol),
@@ -477,7 +507,7 @@ def model() -> Code:
     """Return all that the calculator reads."""
     known = Formulas()
     protocols: dict[str, Any] = {
-        name: about(protocol, known) for name, protocol in ds.PROTOCOLS.items()
+        name: about(protocol, known) for name, protocol in tables().items()
     }
     degrees = range(1, len(COEFFICIENTS))
     full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees)]

@@ -43,16 +43,28 @@ def sources() -> Iterator[Path]:
 
 
 class ByFileOrPage(LoadScopeScheduling):
-    """Keep in one process the tests of a file, of simulation, and in test_browser.py of a page."""
+    """Keep in one process the tests of a file, of simulation, and in test_browser.py of a page.
+
+    Pages come last, as they take a few seconds each: so all processes end at about the same time.
+    """
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
         if "simulation" in file:
             return "simulation"  # compiled by one of the processes, and not by each
+        if file.endswith(("test_links.py", "test_chapters.py")):
+            return "links"  # both look at all pages, which are parsed once
         if not file.endswith("test_browser.py"):
             return file
         page = test.partition("[")[2].removesuffix("]")
-        return page.removesuffix("-http").removesuffix("-file")
+        return f"page {page.removesuffix('-http').removesuffix('-file')}"
+
+    def schedule(self) -> None:
+        first = self.collection is None
+        super().schedule()
+        if first:
+            for scope in [scope for scope in self.workqueue if scope.startswith("page ")]:
+                self.workqueue.move_to_end(scope)
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -75,7 +87,7 @@ def unshare(*namespaces: str) -> list[str]:
     return start
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def built() -> Path:
     """Return the folder that `make book` writes; make it unless it is newer than its sources."""
     done = BUILD / ".done"
@@ -90,16 +102,16 @@ def built() -> Path:
     return BUILD
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def book(browser: Browser, request: pytest.FixtureRequest) -> Path:  # noqa: ARG001 - see below
     """Return the folder of the book's pages; without a browser there is no need to build them."""
     built: Path = request.getfixturevalue("built")
     return built / "html"
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Return a headless Chromium, the same for all tests."""
+    """Return a headless Chromium, the same for all tests of a process."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
@@ -117,7 +129,7 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def server(book: Path) -> Iterator[str]:
     """Serve the book on this machine; return its address."""
 

@@ -1,6 +1,7 @@
 """Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
 
 import bz2
+import contextlib
 import csv
 import gzip
 import io
@@ -383,6 +384,29 @@ def test_what_is_encrypted_is_noted(read: Read) -> None:
     notes = "\n".join(capture.notes)
     for word in ("DDS Security", "DTLS", "QUIC", "TLS", "RTPS over TCP"):
         assert word in notes
+
+
+def test_domains_are_told_apart_by_the_ports_of_spdp(read: Read) -> None:
+    def notes(*ports: int, target: int = 0xEFFF0001) -> list[str]:
+        spdp = [udp(rtps(data(0x100C2)), ports=(7411, port)) for port in ports]
+        group = struct.pack(">I", target)
+        capture = read(pcap(at([ip[:16] + group + ip[20:] for ip in spdp]), 101))
+        return [note for note in capture.notes if "domains" in note]
+
+    (note,) = notes(7400, 7400, 8650, 7401, 11811)
+    assert note.startswith("2 domains of RTPS (0, 5): ")
+    assert notes(7400, 7400) == notes(7400, 7650, target=0x0A000002) == []
+
+
+def test_tunnels_and_rtps_over_tcp_are_noted(read: Read) -> None:
+    inner = udp(rtps(data(0x100C2)))
+    outer = [inner[:9] + bytes([protocol]) + inner[10:] for protocol in (4, 41, 47)]
+    vxlan = udp(bytes(8) + bytes(12) + b"\x08\x00" + inner, ports=(50000, 4789))
+    segment = tcp(rtps(data(0x100C2)), 5, ports=(9, 7400))
+    assert read(pcap(at([*outer, vxlan, segment]), 101)).notes == (
+        "4 packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read",
+        "1 TCP segments with RTPS over TCP",
+    )
 
 
 def test_a_cut_capture_counts_what_is_there_and_says_so(read: Read) -> None:
@@ -774,6 +798,26 @@ def test_a_large_file_is_hardly_followed_packet_by_packet(
         slowly.clear()
         assert len(files.read(path).table["at"]) == 6000
         assert sum(slowly) < 600
+
+
+@pytest.mark.parametrize("size", [8128, 8129, 8192, 8193])
+def test_a_file_that_is_mapped_stays_as_it_was_and_zeros_follow(
+    size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = pcap([(0, random.Random(size).randbytes(size - 40), size - 40)])
+    path = tmp_path / "capture.pcap"
+    path.write_bytes(content)
+    monkeypatch.setattr(files, "_LARGE", 0)
+    found = files.read(path)
+    # It is mapped only where nobody can make it shorter meanwhile: to touch what is gone is fatal.
+    with contextlib.suppress(BlockingIOError):
+        os.close(os.open(path, os.O_WRONLY | os.O_TRUNC | os.O_NONBLOCK))
+    assert found.data.tobytes() == content + bytes(64)
+    assert len(content) == size
+    del found
+    path.write_bytes(content[:100])
+    with pytest.raises(CaptureError, match="packet 1 is cut or broken"):
+        files.read(path)
 
 
 def test_a_clock_that_is_set_back(read: Read) -> None:

@@ -1,5 +1,7 @@
 """What all chapters share: question and answer, tables for people, numbers of the paper."""
 
+import ast
+import inspect
 import json
 import re
 from dataclasses import replace
@@ -11,8 +13,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from bs4 import BeautifulSoup
 from test_browser import TOC, toc_files
+from test_links import parsed
 
 import discostorm as ds
 from discostorm import figures, notebook
@@ -42,6 +44,28 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
         if "data" in output
     ]
     assert [answer.startswith("> **The answer.** ") for answer in answers] == [True]
+
+
+@pytest.mark.parametrize("page", CHAPTERS)
+def test_nothing_that_is_made_to_be_shown_is_lost(page: str) -> None:
+    # Jupyter shows what the last line of a cell gives; the value of any other is thrown away.
+    shows = {
+        f"notebook.{name}"
+        for name, function in inspect.getmembers(notebook, inspect.isfunction)
+        if function.__module__ == notebook.__name__
+        and inspect.signature(function).return_annotation is not None
+    } | {"Markdown"}
+    assert {"notebook.table", "notebook.download"} < shows
+    lost = [
+        ast.unparse(line)
+        for cell in cells(page)
+        if cell["cell_type"] == "code"
+        for line in ast.parse("".join(cell["source"])).body[:-1]
+        if isinstance(line, ast.Expr)
+        and isinstance(line.value, ast.Call)
+        and ast.unparse(line.value.func) in shows
+    ]
+    assert lost == []
 
 
 def test_tables_are_for_people() -> None:
@@ -125,7 +149,7 @@ def test_who_tells_whom_is_read_off_the_table() -> None:
 def test_equations_and_figures_of_the_paper_have_its_numbers(book: Path) -> None:
     papers, others = {}, []
     for page in CHAPTERS:
-        html = BeautifulSoup((book / f"{page}.html").read_text(encoding="utf-8"), "html.parser")
+        html = parsed(book.resolve() / f"{page}.html")
         numbered = {
             str(equation["id"]): equation.select_one(".eqno")
             .get_text()

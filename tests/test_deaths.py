@@ -263,3 +263,17 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
     assert wait_until(lambda: not marked(mark)), "processes of the lab are still there"
     assert made.returncode == 130
     assert not [path for path in tmp_path.rglob("*") if path.is_file()], "half a run was left"
+
+
+def test_what_remedies_say_of_deaths_was_measured() -> None:
+    fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
+    table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
+    again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
+    runs, found = table.loc[again, "runs"], table.loc[again, "happened"]
+    assert f"nor after {runs - found} of {runs} quick restarts" in fails["discovery server"]
+    for kind, name, who in (
+        ("router", "Zenoh router", "survivors"),
+        ("router on each host", "Zenoh router per host", "orphans"),
+    ):
+        back = table.loc[(name, "server killed", "return", who, "found"), "median_s"]
+        assert f"until {back:.1f} s after it is back" in fails[kind]

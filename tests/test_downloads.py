@@ -7,13 +7,14 @@ import re
 import subprocess
 import sys
 from base64 import b64decode
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Page
 
 from discostorm import figures, notebook
 
@@ -151,13 +152,18 @@ def test_a_downloaded_notebook_runs_and_keeps_its_figures(
     assert [*tmp_path.iterdir()] == [copy]
 
 
-def test_data_is_saved_also_without_a_server(browser: Browser, book: Path) -> None:
+@pytest.fixture(scope="module")
+def chapter(browser: Browser, book: Path) -> Iterator[Page]:
     with browser.new_page() as tab:
         tab.goto((book / "notebooks" / "06_hosts.html").as_uri())
-        with tab.expect_download() as saved:
-            tab.get_by_role("link", name="Data of this figure").click()
-        assert saved.value.suggested_filename == "fig-paper-2.csv"
-        data = pd.read_csv(saved.value.path())
+        yield tab
+
+
+def test_data_is_saved_also_without_a_server(chapter: Page) -> None:
+    with chapter.expect_download() as saved:
+        chapter.get_by_role("link", name="Data of this figure").click()
+    assert saved.value.suggested_filename == "fig-paper-2.csv"
+    data = pd.read_csv(saved.value.path())
     assert [*data.columns] == ["protocol", "phase", "hosts", "utilization"]
     np.testing.assert_allclose(
         data["utilization"],
@@ -166,14 +172,12 @@ def test_data_is_saved_also_without_a_server(browser: Browser, book: Path) -> No
     )
 
 
-def test_a_solution_opens_with_the_keyboard(browser: Browser, book: Path) -> None:
-    with browser.new_page() as tab:
-        tab.goto((book / "notebooks" / "06_hosts.html").as_uri())
-        answer = tab.get_by_text("4 endpoints (91.9%)")
-        assert not answer.is_visible()
-        tab.get_by_text("Show the solution").locator("..").focus()
-        tab.keyboard.press("Enter")
-        answer.wait_for(state="visible")
+def test_a_solution_opens_with_the_keyboard(chapter: Page) -> None:
+    answer = chapter.get_by_text("4 endpoints (91.9%)")
+    assert not answer.is_visible()
+    chapter.get_by_text("Show the solution").locator("..").focus()
+    chapter.keyboard.press("Enter")
+    answer.wait_for(state="visible")
 
 
 @pytest.mark.parametrize("name", ["", "Fig 2", "fig-2.csv", "../fig", 'x"'])

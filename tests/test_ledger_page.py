@@ -17,14 +17,41 @@ ROWS = ".tag_ledger tbody tr"
 COLUMN = f"""(index) => [...document.querySelectorAll("{ROWS}")]
     .filter((row) => row.checkVisibility()).map((row) => row.cells[index].textContent.trim())"""
 
+#: Takes back what a reader did: filters, order, folds and where one has scrolled to.
+AS_IT_CAME = """() => {
+    const bar = document.querySelector(".ledger-filters");
+    bar.querySelectorAll("[aria-pressed=true]").forEach((button) => button.click());
+    bar.reset();
+    bar.querySelector("select").dispatchEvent(new Event("change"));
+    const head = document.querySelector(".tag_ledger thead th");
+    if (document.querySelector(".tag_ledger th[aria-sort]")) {
+        head.removeAttribute("aria-sort");
+        head.querySelector("button").click();
+    }
+    document.querySelectorAll("details").forEach((details) => { details.open = false; });
+    history.replaceState(null, "", location.pathname);
+    scrollTo(0, 0);
+}"""
 
-@pytest.fixture
-def ledger(browser: Browser, book: Path) -> Iterator[Page]:
+
+@pytest.fixture(scope="module")
+def opened(browser: Browser, book: Path) -> Iterator[Page]:
+    """Return the chapter, which takes seconds to come."""
     with browser.new_page(viewport=DESKTOP) as tab:
         (page,) = (book / "notebooks").glob("*_claims.html")
         tab.goto(page.as_uri())
         tab.evaluate(REST)
         yield tab
+
+
+@pytest.fixture
+def ledger(opened: Page) -> Page:
+    """Return the chapter as it came: all claims in their order, no formal test open."""
+    opened.set_viewport_size(DESKTOP)
+    opened.evaluate(AS_IT_CAME)
+    numbers = [int(number) for number in opened.evaluate(COLUMN, 0)]
+    assert numbers == [claim.id for claim in claims.claims()]
+    return opened
 
 
 def test_filters_leave_what_fits_all_of_them(ledger: Page) -> None:
@@ -77,6 +104,22 @@ def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
     tops = [box["y"] for box in boxes if box]
     assert tops == sorted(set(tops))  # one below the other
     assert all(box and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
+    # Cards have no heads to sort them by: a select does it, by keyboard, too, and says how.
+    ledger.get_by_label("sort by").focus()
+    ledger.keyboard.press("v")
+    sorted_by_select = ledger.evaluate(COLUMN, 0)
+    assert ledger.locator("th[aria-sort=ascending]").inner_text() == "verdict"
+    ledger.keyboard.press("Tab")
+    ledger.keyboard.press("Enter")
+    verdicts = [claim.verdict() for claim in claims.claims()]
+    groups: dict[str, list[str]] = {}
+    for number in sorted_by_select:
+        groups.setdefault(verdicts[int(number) - 1], []).append(number)
+    assert len(groups) == len(set(verdicts))
+    assert all(group == sorted(group, key=int) for group in groups.values())
+    backwards = [number for group in reversed(groups.values()) for number in group]
+    assert ledger.evaluate(COLUMN, 0) == backwards
+    assert ledger.locator(".ledger-sort button").inner_text() == "\u2193 descending"
 
 
 def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:

@@ -72,13 +72,14 @@ def test_the_title_page_says_version_and_commit(text: list[str]) -> None:
     assert re.search(rf"{re.escape(ds.__version__)} \([0-9a-f]{{8}}(-dirty)?\)", text[0])
 
 
-def test_nothing_runs_off_a_page_and_no_figure_leaves_half_of_one_empty(pdf: PdfReader) -> None:
+def test_nothing_runs_off_a_page_and_none_is_all_but_empty(pdf: PdfReader, text: list[str]) -> None:
     log = LABELS.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
     assert not check_pdf.overfull(log)
     assert not check_pdf.gaps(pdf, check_pdf.filled(PDF))
+    assert not check_pdf.scant(pdf, text)
 
 
-def test_what_does_not_fit_is_found(pdf: PdfReader) -> None:
+def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
     log = (
         "Overfull \\hbox (4.9pt too wide) in paragraph at lines 1--2\n[]small\n"
         "Overfull \\hbox (48.2pt too wide) in paragraph at lines 3--4\n[]ledger\n"
@@ -95,6 +96,13 @@ def test_what_does_not_fit_is_found(pdf: PdfReader) -> None:
     assert not check_pdf.gaps(pdf, shares)
     shares[before_a_figure] = 0.4
     assert [line.split()[1] for line in check_pdf.gaps(pdf, shares)] == [str(before_a_figure + 1)]
+    inside = next(
+        number
+        for number, page in enumerate(pdf.pages)
+        if number > 0 and number not in begins and not check_pdf.is_drawn_on(page)
+    )
+    few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
+    assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
 
 
 def test_solutions_come_last_and_are_found(text: list[str]) -> None:

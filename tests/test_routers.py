@@ -5,6 +5,7 @@ import pytest
 
 import discostorm as ds
 from discostorm import measured
+from discostorm.data import read_data
 from discostorm.protocols.defaults import defaults
 
 ROUTER, PER_HOST, PEERS, MULTICAST = NAMES = (
@@ -145,3 +146,9 @@ def test_saturation_of_a_fourth_power_is_where_utilization_is_one() -> None:
     full = ds.saturation_hosts(table, 2, 10, beside=beside)
     both = ds.Fleet((ds.HostGroup(full, 2, 10), *beside.groups), matching=0.5)
     assert ds.utilization(table, both) == pytest.approx(1, rel=1e-12)
+
+
+def test_peers_of_cyclone_dds_have_as_many_ports_as_the_remedy_says() -> None:
+    ports = ds.PROTOCOLS[PEERS].message("SPDP").per_unit
+    (price,) = (row["price"] for row in read_data("vendors/remedies.csv") if row["table"] == PEERS)
+    assert f"goes to {ports:g} ports of every address" in price

@@ -1,5 +1,6 @@
 """The printed edition: in parts, without what is folded, solutions last, tables that fit."""
 
+import math
 import re
 from pathlib import Path
 
@@ -10,11 +11,18 @@ from sphinx.environment import BuildEnvironment
 
 #: The page that is a document of its own, too.
 CHEAT_SHEET = "book/cheat_sheet"
-#: Points: the measure of an A4 page, upright and turned, and what a column adds to its text.
-_UPRIGHT, _TURNED = 446.0, 680.0
+#: Points: the measure of an A4 page, and what a column adds to its text.
+_MEASURE = 446.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
+#: Measures that a table would have if no line of it were broken: more is read in small type only,
+#: and with its first columns in one if all that stands in them is at most so wide [pt].
+_TOWERS, _NARROW = 4.5, 110.0
+#: Points: what is kept on one page of a table, and what the rules of a row take.
+_TOGETHER, _RULES = 230.0, 4.0
+#: Where a long word of a table may be broken, and what such a word is.
+_BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
 _SOLUTION = "Show the solution"
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
@@ -82,7 +90,7 @@ def _link(app: Sphinx, name: str, text: str = _MORE) -> nodes.raw:
     address = app.config.html_baseurl.rstrip("/")
     if not address:
         where = rf"\href{{html/{page}}}{{\nolinkurl{{html/{page}}}}}"
-        return _latex(rf"{{\footnotesize\noindent {text}: {where} of the release.\par}}" + "\n\n")
+        return _latex(rf"{{\footnotesize\noindent {text}: {where} in the release.\par}}" + "\n\n")
     url = f"{address}/{page}"
     return _latex(
         rf"{{\footnotesize\noindent\begin{{minipage}}{{1.9cm}}\qrcode[height=1.6cm]{{{url}}}"
@@ -99,11 +107,19 @@ def _width(text: str, size: float, *, is_code: bool) -> float:
     return size * (0.5 * len(text) + 0.25 * capitals)
 
 
+def _breakable(word: re.Match[str]) -> str:
+    return re.sub(r"(?<=[_/:.])(?=\w)", _BREAK, word[0])
+
+
 def _least(entry: nodes.entry, size: float) -> float:
     """Return how wide the longest word of a cell is [pt]; a formula is a word."""
+    if entry.get("stacked"):
+        return _natural(entry, size)
     is_code = any(True for _ in entry.findall(nodes.literal))
     # Code is broken at some signs, too.
-    words = re.split(r"(?<=[\s.,;?!/])", entry.astext()) if is_code else entry.astext().split()
+    words = re.split(
+        rf"[\s{_BREAK}]|(?<=[.,;?!/])" if is_code else rf"[\s{_BREAK}]", entry.astext()
+    )
     formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
         words = formulas
@@ -111,9 +127,10 @@ def _least(entry: nodes.entry, size: float) -> float:
 
 
 def _natural(entry: nodes.entry, size: float) -> float:
-    """Return how wide a cell is on one line [pt]."""
+    """Return how wide a cell is on one line [pt], or each of those that were put together."""
     is_code = any(True for _ in entry.findall(nodes.literal))
-    return _width(_formula(entry.astext()), size, is_code=is_code)
+    lines = [each.astext() for each in entry.children] if entry.get("stacked") else [entry.astext()]
+    return max(_width(_formula(line), size, is_code=is_code) for line in lines)
 
 
 def _formula(tex: str) -> str:
@@ -121,62 +138,122 @@ def _formula(tex: str) -> str:
     return re.sub(r"\\[a-zA-Z]+\s?|[{}^_$]", "", tex) if "\\" in tex or "_{" in tex else tex
 
 
-def _shared(rows: list[list[nodes.entry]], size: float, measure: float) -> list[float] | None:
+def _lines(row: list[nodes.entry], widths: list[float], size: float) -> list[float]:
+    """Return how many lines each cell of a row takes, not in whole ones where it is broken."""
+    return [
+        max(len(entry.children) if entry.get("stacked") else 1, _natural(entry, size) / width)
+        for entry, width in zip(row, widths, strict=True)
+    ]
+
+
+def _shared(rows: list[list[nodes.entry]], size: float) -> list[float] | None:
     """Return a width for each column [pt], or nothing if the longest words do not fit."""
-    count = len(rows[0])
-    widths = [max(_least(row[i], size) for row in rows) + 2 for i in range(count)]
-    natural = [[_natural(entry, size) + 2 for entry in row] for row in rows]
-    left = measure - _GAP * count - sum(widths)
+    columns = list(zip(*rows, strict=True))
+    widths = [max(_least(entry, size) for entry in column) + 2 for column in columns]
+    left = _MEASURE - _GAP * len(columns) - sum(widths)
     if left < 0:
         return None
-    full = [max(row[i] for row in natural) for i in range(count)]
+    full = [max(_natural(entry, size) for entry in column) + 2 for column in columns]
     if sum(full) - sum(widths) <= left:
         return full
 
     def height(widths: list[float]) -> tuple[float, float]:
         # Not in whole lines: a little more width that saves none yet is a step towards it.
-        lines = [[max(1, n / w) for n, w in zip(row, widths, strict=True)] for row in natural]
+        lines = [_lines(row, widths, size) for row in rows]
         return sum(map(max, lines)), sum(map(sum, lines))
 
     # What is left goes, a little at a time, to the column that makes the table shortest by it.
     step = left / 40
     for _ in range(40):
-        wider = [[w + step * (i == j) for j, w in enumerate(widths)] for i in range(count)]
+        wider = [[w + step * (i == j) for j, w in enumerate(widths)] for i in range(len(columns))]
         widths = min(wider, key=height)
     return widths
 
 
+def _rows(table: nodes.table) -> list[list[nodes.entry]]:
+    return [list(row.findall(nodes.entry)) for row in table.findall(nodes.row)]
+
+
+def _stack(table: nodes.table, size: float) -> None:
+    """Put the narrow columns with which a table begins into one, a line each."""
+    rows = _rows(table)
+    columns = zip(*rows, strict=True)
+    widths = [max(_natural(entry, size) for entry in column) for column in columns]
+    narrow = next((n for n, width in enumerate(widths) if width > _NARROW), len(widths))
+    for row in rows if narrow > 1 else []:
+        row[0]["stacked"] = True
+        for entry in row[1:narrow]:
+            row[0] += entry.children
+            entry.parent.remove(entry)
+    (group,) = table.findall(nodes.tgroup)
+    for spec in list(group.findall(nodes.colspec))[1:narrow]:
+        group.remove(spec)
+    group["cols"] -= max(0, narrow - 1)
+
+
 def _fit(table: nodes.table) -> None:
-    """Give a table columns that fit the page, smaller type or a turned page if they must."""
-    rows = [list(row.findall(nodes.entry)) for row in table.findall(nodes.row)]
+    """Give a table columns that fit the page, in smaller type if they must, and room to begin."""
+    for text in list(table.findall(nodes.Text)):
+        if not isinstance(text.parent, nodes.math):
+            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, text)))
+    sizes: tuple[tuple[float, str], ...] = _SIZES
+    small, _ = _SIZES[-1]
+    unbroken = sum(
+        max(_natural(e, small) for e in column) for column in zip(*_rows(table), strict=True)
+    )
+    if unbroken > _TOWERS * _MEASURE:
+        sizes = _SIZES[-1:]
+        _stack(table, small)
+    rows = _rows(table)
     right = [
         any("text-right" in e.get("classes", ()) for e in column)
         for column in zip(*rows, strict=True)
     ]
-    for measure in (_UPRIGHT, _TURNED):
-        for size, command in _SIZES:
-            widths = _shared(rows, size, measure)
-            # What would be a tower of words is better turned.
-            most = sum(
-                max(_natural(entry, size) for entry in column) for column in zip(*rows, strict=True)
-            )
-            if widths is None or (measure == _UPRIGHT and most > 4.5 * _UPRIGHT):
-                continue
-            spec = "".join(
-                rf">{{\ragged{'left' if is_right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
-                for width, is_right in zip(widths, right, strict=True)
-            )
-            table["classes"].append("longtable")
-            turn, back = (
-                (r"\begin{landscape}", r"\end{landscape}") if measure == _TURNED else ("", "")
-            )
-            parent = table.parent
-            at = parent.index(table)
-            parent.insert(at + 1, _latex(rf"\endgroup{back}" + "\n"))
-            parent.insert(at, tabular_col_spec(spec=spec))
-            parent.insert(at, _latex(rf"{turn}\begingroup{command}" + "\n"))
-            return
+    for size, command in sizes:
+        widths = _shared(rows, size)
+        if widths is None:
+            continue
+        heights = [1.2 * size * math.ceil(max(_lines(row, widths, size))) + _RULES for row in rows]
+        _keep(table, sum(heights) if sum(heights) < _TOGETHER else sum(heights[:4]))
+        spec = "".join(
+            rf">{{\ragged{'left' if is_right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
+            for width, is_right in zip(widths, right, strict=True)
+        )
+        table["classes"].append("longtable")
+        parent = table.parent
+        at = parent.index(table)
+        parent.insert(at + 1, _latex(r"\endgroup" + "\n"))
+        parent.insert(at, tabular_col_spec(spec=spec))
+        parent.insert(at, _latex(rf"\begingroup{command}" + "\n"))
+        return
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
+
+
+def _keep(table: nodes.table, room: float) -> None:
+    """Begin a table, and the line that announces it, where there is room for it [pt]."""
+    block: nodes.Element = table
+    while isinstance(block.parent, nodes.container) and block.parent.index(block) == 0:
+        block = block.parent
+    around = block.parent
+    at = around.index(block)
+    before = around[at - 1] if at else None
+    if isinstance(before, nodes.paragraph) and before.astext().endswith(":"):
+        at -= 1
+        room += 30
+    around.insert(at, _latex(rf"\roomfor{{{min(room, _TOGETHER + 30):.0f}pt}}" + "\n"))
+
+
+def _keep_the_end_together(chapter: nodes.Element) -> None:
+    """Keep the last paragraphs and lists of a chapter from leaving a line alone on a page."""
+    section = next(chapter.findall(nodes.section))
+    while isinstance(section[-1], nodes.section):
+        section = section[-1]
+    at = len(section)
+    while at > 1 and isinstance(section[at - 1], nodes.paragraph | nodes.bullet_list):
+        at -= 1
+    if 1 < at < len(section):  # a heading stays with what follows it
+        section.insert(at, _latex(r"\begin{together}" + "\n"))
+        section += _latex("\\end{together}\n")
 
 
 def _leave_out_what_pages_carry(tree: nodes.document) -> None:
@@ -200,7 +277,9 @@ def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
         if reference.get("internal"):
             reference.replace_self(nodes.inline("", reference.astext()))
     page = "book/calculator"
-    next(tree.findall(nodes.section)).append(_link(app, page, "The calculator"))
+    next(tree.findall(nodes.section)).append(
+        _link(app, page, "The calculator is a page of the HTML edition")
+    )
 
 
 def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
@@ -219,6 +298,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         chapter.parent.remove(chapter)
         if found := _leave_out_what_is_folded(chapter):
             solutions[chapter_name] = found
+        _keep_the_end_together(chapter)
         next(chapter.findall(nodes.section)).insert(1, _link(app, chapter_name))
     landing = next(tree.findall(nodes.section))
     title, *text = landing.children

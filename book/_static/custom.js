@@ -70,6 +70,32 @@ window.addEventListener("load", async () => {
     const least = (LEGIBLE / DRAWN) * box.querySelector("img").naturalWidth;
     box.firstChild.style.width = narrow.matches && least > LITTLE * box.clientWidth ? `${Math.round(least)}px` : "";
   };
+  // Of many cards some are shown, and a button shows the others.
+  const [SOME, MANY] = [5, 8];
+  const shorten = (box) => {
+    const rows = [...box.querySelectorAll("tbody tr")];
+    if (rows.length <= MANY || box.dataset.unfolded) return;
+    const short = box.classList.contains("ds-cards");
+    for (const row of rows.slice(SOME)) row.hidden = short;
+    if (box.nextElementSibling?.matches(".ds-all")) box.nextElementSibling.remove();
+    if (!short) return;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "ds-all";
+    button.textContent = `Show all ${rows.length}`;
+    const unfold = () => {
+      box.dataset.unfolded = "yes";
+      for (const row of rows) row.hidden = false;
+      button.remove();
+    };
+    button.addEventListener("click", () => {
+      unfold();
+      rows[SOME].tabIndex = -1;
+      rows[SOME].focus({ preventScroll: true });
+    });
+    window.addEventListener("beforeprint", unfold, { once: true });
+    box.after(button);
+  };
   const widths = new Map();
   const observer = new ResizeObserver((changes) => {
     for (const { target: box } of changes) {
@@ -80,6 +106,7 @@ window.addEventListener("load", async () => {
         if (ofWords.has(box)) {
           box.classList.remove("ds-cards");
           box.classList.toggle("ds-cards", narrow.matches && box.scrollWidth > box.clientWidth + 1);
+          shorten(box);
         }
       }
       // Boxes that scroll sideways can be reached, and so scrolled, with the keyboard.

@@ -66,21 +66,34 @@ window.addEventListener("DOMContentLoaded", () => {
   table.closest(".pst-scrollable-table-container, .cell_output").before(bar);
   filter();
 
-  // Sorting: once for each press; rows that are equal keep their order.
+  // Sorting: once for each press; rows that are equal keep their order. Cards have no heads: they are
+  // sorted by a select and a button, which say the same as the heads do.
   const order = new Intl.Collator("en", { numeric: true });
+  const by = make("select", { ariaLabel: "sort by" }, ...names.map((name, index) => new Option(name, index)));
+  const direction = make("button", { type: "button" });
+  const sort = (index, down) => {
+    for (const head of heads) head.removeAttribute("aria-sort");
+    heads[index].setAttribute("aria-sort", down ? "descending" : "ascending");
+    const sign = down ? -1 : 1;
+    const current = [...body.rows];
+    current.sort((a, b) => sign * order.compare(text(a, index), text(b, index)));
+    body.append(...current);
+    show(index, down);
+  };
+  const show = (index, down) => {
+    by.value = index;
+    direction.textContent = down ? "\u2193 descending" : "\u2191 ascending";
+    direction.dataset.down = down ? "yes" : "";
+  };
   for (const [index, head] of heads.entries()) {
     const button = make("button", { type: "button" }, ...head.childNodes);
     head.append(button);
-    button.addEventListener("click", () => {
-      const down = head.getAttribute("aria-sort") === "ascending";
-      for (const other of heads) other.removeAttribute("aria-sort");
-      head.setAttribute("aria-sort", down ? "descending" : "ascending");
-      const sign = down ? -1 : 1;
-      const current = [...body.rows];
-      current.sort((a, b) => sign * order.compare(text(a, index), text(b, index)));
-      body.append(...current);
-    });
+    button.addEventListener("click", () => sort(index, head.getAttribute("aria-sort") === "ascending"));
   }
+  by.addEventListener("change", () => sort(Number(by.value), false));
+  direction.addEventListener("click", () => sort(Number(by.value), !direction.dataset.down));
+  show(0, false);
+  bar.append(make("span", { className: "ledger-sort" }, "sort by ", by, direction));
 
   // A link to a formal test opens the fold in which it is.
   const unfold = () => document.getElementById(location.hash.slice(1))?.closest("details")?.setAttribute("open", "");

@@ -1,6 +1,8 @@
 """Files of packets: pcap and pcapng, plain or compressed, to the place of every packet."""
 
 import lzma
+import mmap
+import signal
 import struct
 import zlib
 from collections.abc import Iterator
@@ -16,12 +18,14 @@ import numpy as np
 
 from discostorm import _checks
 from discostorm.capture._bytes import (
+    PAD,
     Array,
     Bytes,
     Columns,
     Places,
     buffer,
     number,
+    numbers,
     stack,
     take,
     view,
@@ -55,6 +59,8 @@ MOST = 262_144
 #: A file may expand to this much [B], and to so many times its own size more.
 EXPANDED, TIMES = 1 << 26, 250
 _CHUNK = 1 << 22
+#: From this size on a file is mapped into memory where that is safe; smaller ones are copied [B].
+_LARGE = 1 << 24
 
 
 class CaptureError(ValueError):
@@ -144,12 +150,35 @@ def _whole(name: str, file: BinaryIO, start: bytes, size: int | None) -> tuple[B
     """Return all bytes of a file that starts with these, and how many there are."""
     if size is None:
         return _joined([start, *iter(lambda: file.read(_CHUNK), b"")])
+    if (mapped := _mapped(file, size)) is not None:
+        return mapped, size
     data = buffer(size)
     data[: len(start)] = np.frombuffer(start, np.uint8)
     got = len(start) + file.readinto(data[len(start) : size].data)  # type: ignore[attr-defined]
     if got != size:
         raise CaptureError(f"{name}: byte {got}: it ends while it is read")
     return data, size
+
+
+def _mapped(file: BinaryIO, size: int) -> Bytes | None:
+    """Return the bytes of a large file as they lie in memory already, None if it is not safe.
+
+    Whoever would make it shorter has to wait until it is read, for at most 45 s.
+    """
+    # What is read of the padding must be of the file's last page, where zeros follow.
+    if size < _LARGE or -size % mmap.PAGESIZE < PAD:
+        return None
+    try:
+        import fcntl
+
+        # What tells that somebody waits is to be a signal that does nothing.
+        fcntl.fcntl(file, fcntl.F_SETSIG, signal.SIGURG)
+        fcntl.fcntl(file, fcntl.F_SETLEASE, fcntl.F_RDLCK)
+        data = np.frombuffer(mmap.mmap(file.fileno(), size, access=mmap.ACCESS_READ), np.uint8)
+    except (ImportError, AttributeError, OSError, ValueError):
+        # Not on Linux, somebody else's, or being written.
+        return None
+    return np.lib.stride_tricks.as_strided(data, (size + PAD,), writeable=False)
 
 
 def _joined(parts: list[bytes]) -> tuple[Bytes, int]:
@@ -214,8 +243,10 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
     (link,) = struct.unpack_from(order + "I", view(data), 20)
 
     def alike(places: Places) -> Array:
-        fraction, held, sent = (number(data, places + at, order + "u4") for at in (4, 8, 12))
-        return (fraction < 1_000_000_000 // tick) & (held > 0) & (held <= sent) & (sent <= MOST)
+        _, fraction, held, sent = numbers(data, places, order + "u4", 4).T
+        good: Array = (fraction < 1_000_000_000 // tick) & (held > 0)
+        good &= (held <= sent) & (sent <= MOST)
+        return good
 
     place, at = follow(data, size, 24, Layout(order, header, 8, header), alike)
     # Behind its last packet a file has nothing.
@@ -226,12 +257,13 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
             f"{name}: byte {where}: packet {whole + 1} is cut or broken; the first "
             f"{where} bytes of the file hold {whole} whole packets"
         )
+    head = numbers(data, place, order + "u4", 4)
+    seconds, fraction, held, sent = head.T.astype(np.int64, order="C")
     table: Columns = {
         "at": place + header,
-        "size": number(data, place + 8, order + "u4").astype(np.int64),
-        "length": number(data, place + 12, order + "u4").astype(np.int64),
-        "time": number(data, place, order + "u4").astype(np.int64) * 1_000_000_000
-        + number(data, place + 4, order + "u4").astype(np.int64) * tick,
+        "size": held,
+        "length": sent,
+        "time": seconds * 1_000_000_000 + fraction * tick,
         "interface": np.zeros(len(place), np.int64),
     }
     _plausible(name, table)

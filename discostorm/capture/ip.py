@@ -13,12 +13,15 @@ from discostorm.capture._bytes import (
     buffer,
     codes,
     number,
+    numbers,
     stack,
     take,
     view,
 )
 
 TCP, UDP, FRAGMENT = 6, 17, 44
+#: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
+TUNNELS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
 #: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
 _EXTENSIONS = (0, 43, 60, 135)
 _AUTHENTICATION, _ENCRYPTED = 51, 50
@@ -66,8 +69,8 @@ def parse(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) 
 
 def _version_4(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
     at = found["at"]
-    header = (data[at].astype(np.int64) & 15) * 4
-    total = number(data, at + 2, ">u2").astype(np.int64)
+    first, total, id_, flags, protocol = numbers(data, at, ">u2", 5).T.astype(np.int64, order="C")
+    header = (first >> 8 & 15) * 4
     # The card was to cut it into packets and to fill in the length.
     total = np.where(total == 0, found["end"] - at, total)
     good = (header >= 20) & (total >= header)
@@ -76,12 +79,12 @@ def _version_4(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[s
     good &= at + header <= found["end"]
     if not good.all():
         found, at, header, total = take(found, good), at[good], header[good], total[good]
-    flags = number(data, at + 6, ">u2").astype(np.int64)
+        id_, flags, protocol = id_[good], flags[good], protocol[good]
     return found | {
         "source": addresses.of(data, at + 12, 4),
         "target": addresses.of(data, at + 16, 4),
-        "protocol": data[at + 9],
-        "id": number(data, at + 4, ">u2").astype(np.int64),
+        "protocol": (protocol & 0xFF).astype(np.uint8),
+        "id": id_,
         "offset": (flags & 0x1FFF) * 8,
         "more": flags & 0x2000 > 0,
         "wire": total - header,
@@ -288,15 +291,15 @@ def datagrams(data: Bytes, found: Columns) -> Columns:
     """Return the UDP datagrams: ``at``, ``size`` and ``wire`` bytes of what they hold, ports."""
     found = take(found, (found["protocol"] == UDP) & (found["end"] - found["at"] >= 8))
     at = found["at"]
-    length = number(data, at + 4, ">u2").astype(np.int64)
+    from_port, to_port, length, check = numbers(data, at, ">u2", 4).T.astype(np.int64, order="C")
     wire = np.where((length >= 8) & (length <= found["wire"]), length, found["wire"]) - 8
     return found | {
         "at": at + 8,
         "size": np.minimum(found["end"] - at - 8, wire),
         "wire": wire,
-        "from_port": number(data, at, ">u2").astype(np.int32),
-        "to_port": number(data, at + 2, ">u2").astype(np.int32),
-        "check": number(data, at + 6, ">u2"),
+        "from_port": from_port.astype(np.int32),
+        "to_port": to_port.astype(np.int32),
+        "check": check,
     }
 
 

@@ -96,9 +96,12 @@ def _ethernet(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
     at = found["at"]
     kind = number(data, at + 12, ">u2")
     # Up to 1500 it is a length, and what follows is LLC.
-    llc = (kind <= 1500) & _snap(data, at + 14)
-    kind = np.where(llc, number(data, at + 20, ">u2"), kind)
-    return _ip_only(data, found, kind, at + 14 + 8 * llc, notes)
+    at = at + 14
+    short = np.flatnonzero(kind <= 1500)
+    llc = short[_snap(data, at[short])]
+    kind[llc] = number(data, at[llc] + 6, ">u2")
+    at[llc] += 8
+    return _ip_only(data, found, kind, at, notes)
 
 
 def _snap(data: Bytes, at: Places) -> Array:

@@ -42,7 +42,7 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
     rows : pandas.DataFrame
         Messages with ``time``, ``kind`` and ``airtime_s``; at least one.
     channel : str
-        What the channel is called.
+        What the channel is called in a sentence.
     """
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)
@@ -77,7 +77,7 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
         below.yaxis.set_major_formatter(PercentFormatter(1, symbol=None))
         if below.get_ylim()[1] > 0.9:
             below.axhline(1, color="black", linewidth=1)
-        below.set_xlabel(f"time [s], its start stretched; airtime on the channel {channel}")
+        below.set_xlabel(f"time [s], its start stretched; airtime on {channel}")
         powers = (lambda x: np.abs(x) ** (1 / _STRETCH), lambda x: np.abs(x) ** _STRETCH)
         below.set_xscale("function", functions=powers)
         below.set_xlim(0, span)

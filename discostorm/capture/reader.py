@@ -73,6 +73,7 @@ class _Reader:
         self.pieces: list[Columns] = []
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
+        self.domains: set[int] = set()
         self.several = (
             len(set(packets.links)) > 1
             or len(packets.links) > 1
@@ -100,6 +101,11 @@ class _Reader:
     def transport(self, data: Bytes, found: Columns) -> None:
         """Read what whole IP packets carry."""
         datagrams = ip.datagrams(data, found)
+        tunnels = int(np.isin(found["protocol"], ip.TUNNELS).sum())
+        if tunnels := tunnels + int(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS).sum()):
+            self.notes[
+                "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
+            ] += tunnels
         self.see(data, datagrams)
         is_rtps = rtps.starts(data, datagrams["at"]) & (datagrams["size"] >= 4)
         self.rtps(data, take(datagrams, is_rtps))
@@ -160,6 +166,8 @@ class _Reader:
                 * (messages["bytes"] / np.maximum(wire, 1)).astype(np.float32),
             }
         )
+        to_all = ip.multicast(self.addresses)[found["target"][datagram]]
+        self.domains |= rtps.domains(messages["kind"][to_all], found["to_port"][datagram[to_all]])
         _, first = codes(messages["process"], found["source"][datagram])
         for row in first.tolist():
             at = int(found["at"][datagram[row]])
@@ -245,6 +253,12 @@ def read(path: str | PathLike[str] | BinaryIO) -> Reading:
     for begin in range(0, size, _AT_A_TIME):
         reader.packets_of(begin, min(begin + _AT_A_TIME, size))
     reader.fragments()
+    if (count := len(reader.domains)) > 1:
+        which = ", ".join(map(str, sorted(reader.domains)))
+        reader.notes[
+            f"domains of RTPS ({which}): only processes of the same one find each other, which "
+            "the fleet does not know"
+        ] = count
     copies = _copies(reader, size)
     _read_zenoh(reader, copies)
     cut = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))

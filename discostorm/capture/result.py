@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -292,7 +293,8 @@ class Capture:
         rows = self._on_air()
         if rows.empty:
             raise CaptureError(f"{self.path}: there is no message in it to draw")
-        return draw(rows.assign(airtime_s=self.airtime(wifi)), wifi.name)
+        channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
+        return draw(rows.assign(airtime_s=self.airtime(wifi)), channel)
 
     def _on_air(self) -> pd.DataFrame:
         """Return the messages that go from host to host, once each."""
@@ -441,6 +443,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
         radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
         open, such as ``sys.stdin.buffer``, is read to its end.
+        On Linux whoever would write to a large file meanwhile may have to wait.
 
     Returns
     -------
@@ -542,14 +545,20 @@ def _words(codes: np.ndarray, names: Any) -> Any:
     """Return names by their numbers, -1 for the last one; only those used are kept."""
     import pandas as pd
 
-    known = {name: index for index, name in enumerate(dict.fromkeys(names))}
-    of_name = np.array([known[name] for name in names], np.int64)
+    known, of_name = _numbered(tuple(names))
     codes = of_name[codes]
     used = np.bincount(codes, minlength=len(known)) > 0
     new = np.cumsum(used) - 1
-    kept: Any = [name for name, index in known.items() if used[index]]
+    kept: Any = [known[index] for index in np.flatnonzero(used)]
     smallest: Any = np.int8 if len(kept) < 128 else np.int32
     return pd.Categorical.from_codes(new[codes].astype(smallest), kept)
+
+
+@lru_cache(maxsize=16)
+def _numbered(names: tuple[str, ...]) -> tuple[tuple[str, ...], np.ndarray]:
+    """Return each name once, and which of these each is."""
+    known = {name: index for index, name in enumerate(dict.fromkeys(names))}
+    return tuple(known), np.array([known[name] for name in names], np.int64)
 
 
 def _endpoints(process: reader.Process) -> int:

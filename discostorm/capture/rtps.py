@@ -1,6 +1,7 @@
 """RTPS: every submessage of every datagram, told apart by its entities."""
 
 from collections import Counter
+from functools import cache
 
 import numpy as np
 
@@ -21,6 +22,8 @@ from discostorm.data import read_data
 _MAGIC = (0x52545053, 0x52545058)
 _OVER_TCP = 0x52544350
 _HEADER = 20
+#: SPDP's port for multicast in domain 0, and how far those of two domains are apart.
+_PORT, _PORTS = 7400, 250
 PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
 #: Parameters: where unicast discovery goes to, GUIDs, the end.
 _UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
@@ -51,7 +54,8 @@ GROUPS = tuple(dict.fromkeys([row["group"] for row in ENTITIES.values()] + [*_OT
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
-def kind_names() -> list[str]:
+@cache
+def kind_names() -> tuple[str, ...]:
     """Return what messages are called, by 256 times the number of the group and submessage."""
     names = []
     for group in GROUPS:
@@ -64,7 +68,7 @@ def kind_names() -> list[str]:
                 names.append("User data" if group == "User" else group)
             else:
                 names.append(suffix if group == "SEDP" else f"{group} {suffix}")
-    return names
+    return tuple(names)
 
 
 def submessage_names() -> list[str]:
@@ -79,9 +83,15 @@ def starts(data: Bytes, at: Places) -> Array:
 
 
 def over_tcp(data: Bytes, at: Places) -> Array:
-    """Return which TCP segments start with a message of Fast DDS's TCP transport."""
-    found: Array = number(data, at, ">u4") == _OVER_TCP
+    """Return which TCP segments start with a message, in Fast DDS behind a header of its own."""
+    found: Array = np.isin(number(data, at, ">u4"), (_OVER_TCP, *_MAGIC))
     return found
+
+
+def domains(kind: Array, to_port: Array) -> set[int]:
+    """Return the domains that messages by multicast are for: the ports of SPDP tell (9.6.1)."""
+    port, rest = np.divmod(to_port[kind >> 8 == GROUPS.index("SPDP")] - _PORT, _PORTS)
+    return set(np.unique(port[(rest == 0) & (port >= 0)]).tolist())
 
 
 def messages(

@@ -60,6 +60,9 @@ class Rung:
         Of which protocol: DDS or Zenoh.
     fit : int
         The largest whole number of robots that fits.
+    within : float
+        How long their start may take [s]: until all that is asked for is carried or, where queues
+        overflow, until all know each other in the median of the runs.
     full : float
         Robots at which the channel is full [1]; of a simulation, which has whole ones, NaN.
     """
@@ -67,6 +70,7 @@ class Rung:
     switches: frozenset[str]
     protocol: str
     fit: int
+    within: float
     full: float = math.nan
 
 
@@ -137,16 +141,17 @@ def rungs() -> Iterator[Rung]:
     for protocol, on in product(TABLES, _subsets(COMPUTED)):
         table = PROTOCOLS[TABLES[protocol][len(on & {"periods", "as built"})]]
         mpdus = MPDUS if "aggregation" in on else 1
+        within = table.lease if "periods" in on else PAPER_WINDOW
         hosts = saturation_hosts(
             table,
             PROCESSES,
             ENDPOINTS,
             wifi=Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER,
-            window=table.lease if "periods" in on else PAPER_WINDOW,
+            window=within,
         )
         assert isinstance(hosts, float)
         assert math.isfinite(hosts)
-        yield Rung(on, protocol, words.whole_below(hosts), hosts)
+        yield Rung(on, protocol, words.whole_below(hosts), within, hosts)
     yield from _simulated()
 
 
@@ -164,7 +169,7 @@ def _simulated() -> Iterator[Rung]:
         limit = PAPER_WINDOW if row["step"] == "contention" else lease
         if row["step"] in _STEPS and float(row["limit_s"]) == limit:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
-            yield Rung(frozenset(on), row["protocol"], int(row["hosts"]))
+            yield Rung(frozenset(on), row["protocol"], int(row["hosts"]), limit)
 
 
 def _subsets(switches: tuple[Switch, ...]) -> Iterator[frozenset[str]]:

@@ -19,6 +19,8 @@ from discostorm.wifi.channel import PAPER_LINKS, Link, Padding, Wifi, data_time
 _MICRO = 10**6
 _MEGA = 10**6
 _GIGA = 10**9
+#: Units in which people speak of a radio, in those in which it is given.
+_SHOWN = {"": 1.0, "GHz": 1e9, "MHz": 1e6, "Mbit/s": 1e6, "µs": 1e-6}
 _RESPONSE_RATES = (6, 12, 24)
 
 Row = dict[str, str]
@@ -283,14 +285,14 @@ def _parts(radio: Radio) -> _Parts:
     bands = own["bands_GHz"].split()
     in_band = [(float(b) * _GIGA, _rows("bands", band_GHz=b)[0]) for b in bands]
     hertz, timing = (
-        in_band[-1] if radio.band is None else _choose("band", radio.band, in_band, standard, " Hz")
+        in_band[-1] if radio.band is None else _choose("band", radio.band, in_band, standard, "GHz")
     )
     ghz = timing["band_GHz"]
     widths = [
         (float(row["width_MHz"]) * _MEGA, row)
         for row in _rows("widths", standard=standard, bands_GHz=ghz)
     ]
-    _, width = _choose("width", radio.width, widths, standard, " Hz")
+    _, width = _choose("width", radio.width, widths, standard, "MHz")
     mhz = width["width_MHz"]
     counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
     streams = int(_choose("streams", radio.streams, counts, standard)[0])
@@ -312,21 +314,21 @@ def _parts(radio: Radio) -> _Parts:
     ]
     shortest = min(guard for guard, _ in guards)
     wanted = shortest if radio.guard_interval is None else radio.guard_interval
-    guard_interval, symbols = _choose("guard_interval", wanted, guards, standard, " s")
+    guard_interval, symbols = _choose("guard_interval", wanted, guards, standard, "µs")
     basics = [
         (float(row["rate_Mbit_s"]) * _MEGA, row) for row in _rows("basic_rates", bands_GHz=ghz)
     ]
     basic_rate, basic = (
         basics[0]
         if radio.multicast_rate is None
-        else _choose("multicast_rate", radio.multicast_rate, basics, f"{ghz} GHz", " bit/s")
+        else _choose("multicast_rate", radio.multicast_rate, basics, f"{ghz} GHz", "Mbit/s")
     )
     _checks.whole("aifsn", radio.aifsn, 2, 15)
     limits = _rows("ampdu", standard=standard)
     most = int(limits[0]["most_mpdus"]) if limits else 1
     _checks.whole("mpdus", radio.mpdus, 1, most, f" for {standard}")
     spacings = [(float(row["us"]) / _MICRO, row) for row in read_data("wifi/start_spacings.csv")]
-    _choose("start_spacing", radio.start_spacing, spacings, "an A-MPDU", " s")
+    _choose("start_spacing", radio.start_spacing, spacings, "an A-MPDU", "µs")
 
     slot, sifs = Fraction(timing["slot_us"]), Fraction(timing["sifs_us"])
     training_fields = streams + streams % 2 * (streams > 1)
@@ -422,15 +424,20 @@ def _rows(name: str, **wanted: object) -> list[Row]:
 def _choose(
     name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
 ) -> tuple[float, Row]:
-    """Return the row of the value, or refuse the value with those that there are."""
+    """Return the row of the value, or refuse the value with those that there are.
+
+    Parameters are in SI units; a refusal is in those in which people speak of them.
+    """
     rows = list(rows)
     given = _checks.number(name, value, 0)
     for allowed, row in rows:
         if isclose(given, allowed, rel_tol=1e-9):
             return allowed, row
-    known = [f"{allowed:g}" for allowed, _ in rows]
+    one = _SHOWN[unit]
+    known = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
     listed = " or ".join(filter(None, (", ".join(known[:-1]), known[-1])))
-    raise ValueError(f"{name} must be {listed}{unit} for {where}; got {value!r}")
+    got = f"{given / one:.12g} {unit}" if unit else repr(value)
+    raise ValueError(f"{name} must be {listed}{' ' * bool(unit)}{unit} for {where}; got {got}")
 
 
 def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:

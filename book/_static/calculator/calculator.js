@@ -8,7 +8,8 @@
   for (const protocol of Object.values(MODEL.protocols))
     protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
   const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
-  const NAMES = Object.keys(MODEL.protocols).sort((a, b) => rank(a) - rank(b));
+  // What can be chosen, in the order of the groups; the others are what changes make of these.
+  const NAMES = Object.keys(MODEL.protocols).filter((name) => MODEL.protocols[name].group).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
   // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
@@ -147,7 +148,7 @@
     choose(byId("beside"), LAPTOP);
     const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
     fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
-    fill(byId("matching"), [["", [["0", "Of its own (a namespace each)"], ["1", "The same on all"]]]]);
+    fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
     const named = (model) =>
@@ -478,7 +479,7 @@
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
           make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
-          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook}`)),
+          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook.replace(" at best", "")}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),

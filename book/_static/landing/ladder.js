@@ -65,8 +65,16 @@
       markers[i].style.left = place(rung.fit);
       markers[i].firstChild.textContent = rung.fit;
     });
-    const words = fits.flatMap((rung) => (rung ? `${rung.fit} with ${rung.protocol}` : [])).join(", ");
-    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", as the paper counts"}.${changed}`;
+    // The lower marker's name does not cross the line of the higher one.
+    markers[1].classList.toggle("ladder-left", fits[1]?.fit < fits[0]?.fit);
+    const shown = fits.filter(Boolean);
+    const words = shown.map(({ fit, protocol }) => `${fit} with ${protocol}`).join(", ");
+    const times = new Set(shown.map(({ within }) => within));
+    const time =
+      times.size > 1
+        ? shown.map(({ within, protocol }) => `${within} s with ${protocol}`).join(" and ")
+        : `${[...times]} s`;
+    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", as the paper counts"}. The start may take ${time}.${changed}`;
   }
 
   list.addEventListener("change", ({ target }) => {

@@ -60,6 +60,13 @@
     theme = { text: color("text-base"), ground: color("background"), line: color("border"), muted: color("text-muted") };
   }
 
+  /** A protocol's color; on a dark ground it is lighter. */
+  function shade({ color }) {
+    if (document.documentElement.dataset.theme !== "dark") return color;
+    const parts = [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
+    return `rgb(${parts.map((part) => Math.round(0.6 * part + 0.4 * 255)).join(" ")})`;
+  }
+
   let [width, height, places, radius] = [0, 0, [], 0];
   let now; // the storm that is shown
   let [time, heard, first] = [0, [], 0]; // of the show [s]; what hosts were told; the first message still in flight
@@ -92,7 +99,7 @@
     ctx.fillStyle = theme.muted;
     for (const side of [-1, 1]) ctx.fillRect(x + side * r * 0.6 - r * 0.25, y + r * 0.75, r * 0.5, r * 0.25);
     ctx.fillRect(x - 1, y - r * 1.1, 2, r * 0.35);
-    ctx.fillStyle = now.protocol.color;
+    ctx.fillStyle = theme.color;
     ctx.beginPath();
     ctx.roundRect(x - r * 0.75, y - r * 0.5, 1.5 * r * share, r, Math.min(r * 0.2, r * 0.7 * share));
     ctx.fill();
@@ -117,9 +124,9 @@
 
   function draw() {
     ctx.clearRect(0, 0, width, height);
-    const { start, from, to, rate, protocol } = now;
+    const { start, from, to, rate } = now;
     const [cx, cy] = [width / 2, height / 2];
-    ctx.fillStyle = protocol.color;
+    ctx.fillStyle = theme.color;
     const dot = ([x, y], part) => ctx.fillRect(cx + (x - cx) * part - 2, cy + (y - cy) * part - 2, 4, 4);
     for (let i = first; i < start.length && start[i] / rate <= time; i++) {
       const flown = (time - start[i] / rate) / FLIGHT;
@@ -166,6 +173,11 @@
     heard = Array(now.hosts).fill(0);
   }
 
+  function paint() {
+    theme.color = shade(now.protocol);
+    byId("over").parentElement.style.setProperty("--color", theme.color);
+  }
+
   function choose() {
     const before = last;
     now = storm();
@@ -173,11 +185,11 @@
     layOut();
     byId("many").textContent = chosen("hosts");
     byId("over").parentElement.style.setProperty("--second", `${100 / Math.max(1, now.used)}%`);
-    byId("over").parentElement.style.setProperty("--color", now.protocol.color);
+    paint();
     const slowed = now.length / now.used;
     byId("sum").textContent =
       `${whole.format(now.start.length)} messages, ${now.used.toFixed(2)} s of airtime: ` +
-      (now.used < 1 ? "it fits into one second, and leaves " + (1 - now.used).toFixed(2) + " s to everything else." : "more than the second that the paper allows.") +
+      (now.used < 1 ? "it fits into one second, and leaves " + (1 - now.used).toFixed(2) + " s for everything else." : "more than the second that the paper allows.") +
       ` Shown ${slowed >= 1.5 ? `${Math.round(slowed)} times slower` : slowed > 0.67 ? "as fast" : `${Math.round(1 / slowed)} times faster`} than it is.`;
     if (before === null) draw();
   }
@@ -211,6 +223,7 @@
   }).observe(canvas);
   new MutationObserver(() => {
     readTheme();
+    paint();
     if (last === null) draw();
   }).observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
 })();
