@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -168,6 +169,7 @@ def test_speakers_in_the_lab_drop_what_no_speaker_sends(monkeypatch, alike):
     lab = speaker_of_the_lab(monkeypatch)
     job = {"capacity": 8, "processes": 2, "endpoints": 10, "alike": alike, "starts": [0.0] * 8}
     one, other = (lab.Speaker(host, job | {"seed": 1}, 1) for host in (0, 1))
+    one.socket = SimpleNamespace(sendto=lambda *_: None)
 
     def taken(datagram, sender=1):
         one.sender = sender
