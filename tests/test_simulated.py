@@ -98,10 +98,10 @@ def test_losses_are_those_of_ns3_in_the_mean_of_all_settings() -> None:
     for loss in ("0.0", "0.05", "0.2"):
         assert abs(means[False, loss]) < 0.5
     # Of single runs with aggregation the standard deviation is 10 points, of 24 means of 40 runs
-    # 0.4. With frame errors we lose more, which the chapter says.
+    # 0.4; with frame errors it is 0.8 of 4 means of 20 and 100 runs, beside 100 of ours.
     assert abs(means[True, "0.0"]) < 1.2
-    assert abs(means[True, "0.05"]) < 4
-    assert abs(means[True, "0.2"]) < 6
+    assert abs(means[True, "0.05"]) < 2.4
+    assert abs(means[True, "0.2"]) < 2.4
 
 
 @pytest.mark.parametrize("name", ["drain", "queues"])

@@ -26,7 +26,7 @@ from discostorm.fleet import Hosts
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
 from discostorm.simulation._compile import shown
 from discostorm.simulation._memory import available
-from discostorm.simulation.cell import Cell
+from discostorm.simulation.cell import SUCCESS, Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Plan, finish, one_run, plan_runs
@@ -100,6 +100,41 @@ def test_a_full_aggregate_takes_the_time_of_the_closed_form(endpoints: int) -> N
         found = drained(plan(fleet, ds.Protocol("one way", (row,)), wifi))
         closed = row.load(fleet) * numbers(row, hop, wifi)
         assert found == round(closed / TICK)
+
+
+def sent_down(
+    fleet: ds.Fleet, rows: tuple[ds.Message, ...], loss: list[float], seed: int
+) -> NDArray[np.void]:
+    """Return what the access point sends with aggregation, one of the links being bad."""
+    wifi = replace(RADIO, mpdus=64).wifi()
+    what = plan(fleet, ds.Protocol("in turn", rows), wifi, loss=loss)
+    sent = finish(cell_of(what, seed), ticks(100.0), what.reserve).log
+    return sent[(sent["station"] == len(loss)) & (sent["frames"] > 0)]
+
+
+def test_the_access_point_sends_next_to_whoever_has_waited_longest() -> None:
+    """To A, B, A, B: when the first A has arrived, B's first is older than A's second."""
+    fleet = ds.Fleet((ds.HostGroup(1, 2, 1), ds.HostGroup(2, 1, 0)))
+    row = replace(SEDP, answers=None)
+    seen = set()
+    for seed in range(40):
+        sent = sent_down(fleet, (row,), [0.0, 0.5, 0.0], seed)
+        seen.add(tuple(sent["frames"][sent["outcome"] == SUCCESS].tolist()))
+    # All at once; A's first alone missing; A's second alone missing, which B's frames precede.
+    assert seen >= {(2, 2), (2, 1, 2), (2, 2, 1)}
+
+
+def test_what_comes_after_a_missing_frame_waits_for_it() -> None:
+    """So the first frame of a host is the first that the access point passes on."""
+    fleet = ds.Fleet((ds.HostGroup(1, 1, 1), ds.HostGroup(1, 1, 0)))
+    first = replace(SEDP, answers=None)
+    after = replace(SEDP, answers=None, name="after", per_unit=20)
+    begun = []
+    for seed in range(40):
+        sent = sent_down(fleet, (first, after), [0.5, 0.0], seed)
+        assert sent[0]["kind"] == 0
+        begun.append(sent[0]["frames"])
+    assert len(set(begun)) > 5, "errors differ from run to run"
 
 
 # ---------------------------------------------------------------- conservation

@@ -51,7 +51,9 @@ def simulate(
     rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
     DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
     With aggregation, block acknowledgements are agreed on before; one that is missing
-    is asked for, and frames are repeated until they arrive or are too old.
+    is asked for, and frames are repeated until they arrive or are too old. The access point passes
+    on in order what a host sends (hosts do not put in order what comes down), and sends
+    next to whoever has waited longest.
 
     Parameters
     ----------

@@ -112,22 +112,26 @@ NOW = _record(
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
 FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 
-#: A station: the slot in which it sends, whether it waits for it; failures in a row; frames that it
-#: holds, has just sent, has numbered; whether it has to ask for a block acknowledgement; its
-#: queue; who it is; where it is in making a burst, ``made`` frames, ``times`` of ``number`` that
-#: are alike; how many were to receive its processes' frames, and for how many they are lost for
-#: good. The access point's frames for host h hang on ``to_head`` and ``to_tail`` of h, ``to_number``
-#: so far. What most
-#: transmissions need is in the first line of cache, with what the next frame of a burst needs,
-#: ``last`` being the one before. (Of an even number of lines the first ones would share few
+#: A station: the slot in which it sends, whether it waits for it or sends; failures in a row;
+#: frames that it holds, has just sent, has numbered, and the first that the access point has not
+#: passed on; whether it has to ask for a block acknowledgement; its queue; who it is; where it is
+#: in making a burst, ``made`` frames, ``times`` of ``number`` that are alike; how many were to
+#: receive its processes' frames, and for how many they are lost for good. The access point's frames
+#: for host h hang on ``to_head`` and ``to_tail`` of h, ``to_number`` being the next number. What
+#: most transmissions need is in the first line of cache, with what the next frame of a burst
+#: needs, ``last`` being the one before. (Of an even number of lines the first ones would share few
 #: places in the cache.)
 STATION = _record(
     *("held", "failures", "waits", "begun", "times", "number"),
     *("length", "made", "last", "missed", "head"),
     *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
-    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought", "to_number"),
+    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought"),
+    *("to_number", "passed"),
     floats=("loss",),
-    short=("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
+    short=(
+        *("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
+        *("to_number", "passed"),
+    ),
     lines=3,
 )
 
@@ -199,6 +203,8 @@ class Cell(NamedTuple):
     now: Records
     stations: Records
     window: Records
+    #: Of each host what has come to the access point before a frame with a lower number, or -1.
+    ordered: Ints
     #: Who waits for a slot, and who waits behind them for the same.
     wheel: Places
     behind: Places

@@ -87,6 +87,54 @@ def keep(cell, station, place, kept):
 
 
 @shared
+def deliver(cell, station, frame, time, alone):
+    """Pass on what has arrived: to the access point's queue, or to who it is for."""
+    now = cell.now[0]
+    row = cell.kinds[kind_of(frame)]
+    if station < now.hosts and row.down:
+        if offer(cell, now.hosts, frame, time):
+            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
+            wake(cell, now.hosts, time, not alone)
+        return
+    burst = not frame & STEADY
+    now.open -= burst
+    if station < now.hosts or not row.multicast:
+        now.arrived += burst
+        if now.repairs:
+            arrive(cell, frame, destination_of(frame), time)
+        return
+    sender = host_of(cell, frame)
+    for host in range(now.hosts):
+        its = cell.stations[host]
+        if host == sender:
+            continue
+        if its.loss > 0 and uniform(now) < its.loss:
+            now.on_air += burst
+            cell.stations[sender].missed += burst
+            continue
+        now.arrived += burst
+        if now.repairs:
+            for process in range(its.first, its.first + its.processes):
+                arrive(cell, frame, process, time)
+
+
+@shared
+def pass_on(cell, host, time, alone):
+    """Pass on what has come to the access point from a host, in order.
+
+    What comes after a missing frame waits until that is there or given up (10.25).
+    """
+    its, ring = cell.stations[host], cell.radio[0].window
+    end = cell.window[host, 0].number if its.held else its.following
+    for number in range(its.passed, end):
+        frame = cell.ordered[host, number % ring]
+        if frame >= 0:
+            cell.ordered[host, number % ring] = -1
+            deliver(cell, host, frame, time, alone)
+    its.passed = end
+
+
+@shared
 def throw_out_old(cell, station, time):
     """Drop the held frames that are too old."""
     its = cell.stations[station]
@@ -100,6 +148,8 @@ def throw_out_old(cell, station, time):
             keep(cell, station, place, kept)
             kept += 1
     its.held = kept
+    if cell.now[0].per_receiver:
+        pass_on(cell, station, time, True)
 
 
 @njit
@@ -162,8 +212,6 @@ def load(cell, station, time):
                 drop_head(cell, station)
         else:
             drop_head(cell, station)
-        if its.held == 0:
-            its.following = 0
         held = cell.window[station, its.held]
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
         its.following += 1
@@ -259,38 +307,6 @@ def sample(cell, time):
         now.sample += now.step
 
 
-@shared
-def deliver(cell, station, frame, time, alone):
-    """Pass on what has arrived: to the access point's queue, or to who it is for."""
-    now = cell.now[0]
-    row = cell.kinds[kind_of(frame)]
-    if station < now.hosts and row.down:
-        if offer(cell, now.hosts, frame, time):
-            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
-            wake(cell, now.hosts, time, not alone)
-        return
-    burst = not frame & STEADY
-    now.open -= burst
-    if station < now.hosts or not row.multicast:
-        now.arrived += burst
-        if now.repairs:
-            arrive(cell, frame, destination_of(frame), time)
-        return
-    sender = host_of(cell, frame)
-    for host in range(now.hosts):
-        its = cell.stations[host]
-        if host == sender:
-            continue
-        if its.loss > 0 and uniform(now) < its.loss:
-            now.on_air += burst
-            cell.stations[sender].missed += burst
-            continue
-        now.arrived += burst
-        if now.repairs:
-            for process in range(its.first, its.first + its.processes):
-                arrive(cell, frame, process, time)
-
-
 @njit
 def count_failure(cell, station):
     """Note that nothing came back to a station."""
@@ -299,9 +315,10 @@ def count_failure(cell, station):
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
     for place in range(its.sent):
         held = cell.window[station, place]
-        held.tries += 1
         if aggregates(cell, station):
             cell.pool[held.number].tries += 1
+        else:
+            held.tries += 1
     if its.sent > 1:
         its.must_ask = 1
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
@@ -365,6 +382,7 @@ def send_unicast(cell, station, time, end):
     if station == now.hosts:
         link = receiver(cell, cell.window[station, 0].frame)
     loss = cell.stations[link].loss
+    in_order = now.per_receiver and station < now.hosts
     good = np.int64(0)
     for place in range(its.sent):
         held = cell.window[station, place]
@@ -372,6 +390,8 @@ def send_unicast(cell, station, time, end):
             held.came |= _MISSING
         else:
             cell.senders[good].frame = held.frame
+            if in_order:
+                cell.ordered[station, held.number % radio.window] = held.frame
             good += 1
     if good == 0:
         for place in range(its.sent):
@@ -399,6 +419,9 @@ def send_unicast(cell, station, time, end):
     change_length(cell, station, -good)
     back_off(cell, station, now.base)
     alone = its.sent == 1
+    if in_order:
+        pass_on(cell, station, end, alone)
+        return
     for place in range(good):
         deliver(cell, station, cell.senders[place].frame, end, alone)
 
@@ -456,10 +479,10 @@ def collide(cell, count, time):
 @njit
 def add_sender(cell, station, time, count):
     """Add a station to those that send now unless all that it has is too old."""
-    cell.stations[station].waits = 0
     if load(cell, station, time):
         cell.senders[count].station = station
         return count + 1
+    cell.stations[station].waits = 0
     return count
 
 

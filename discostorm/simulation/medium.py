@@ -55,7 +55,7 @@ def wait(cell, station, base, slots):
     """Let a station wait for so many slots, from a tick of its own on or from all others'."""
     now, its = cell.now[0], cell.stations[station]
     if its.length == 0:
-        its.send_slot = now.slot + slots
+        its.send_slot, its.waits = now.slot + slots, 0
     elif base == now.base:
         enter(cell, station, now.slot + slots)
     else:

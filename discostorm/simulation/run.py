@@ -83,10 +83,12 @@ class Plan:
         """How many frames and events one step adds at most."""
         count, each = self.hosts.host_of.size, self.shares.most()
         most = int(self.hosts.processes.max()) * count
+        # All hosts may give up a frame at once for which what came after it has waited.
+        least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
-            return 1024 + int((each * one_hop).sum()) * most + int(self.radio["mpdus"][0])
-        return 1024 + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
+            return least + int((each * one_hop).sum()) * most
+        return least + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
     def estimate(self) -> tuple[float, float]:
         """Return about how long a run takes [s], and how much memory [MB]."""
@@ -113,7 +115,8 @@ class Plan:
         seconds = (2 * (carried + again) * _ATTEMPTS + looks) * _PER_TRANSMISSION
         items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
         pairs = 0 if self.repairs is None else count**2 * (96 + items // 8)
-        return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * 48) / 1e6
+        each = _cell.ENTRY.itemsize + _cell.EVENT.itemsize
+        return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * each) / 1e6
 
 
 def plan_runs(

@@ -394,6 +394,7 @@ def new_cell(
         now=now,
         stations=stations,
         window=_cell.aligned((count + 1) * mpdus, _cell.HELD).reshape(count + 1, mpdus),
+        ordered=np.full((count, int(radio["window"][0])), -1, np.int64),
         wheel=np.full(wheel, -1, np.int32),
         behind=np.full(count + 1, -1, np.int32),
         strays=np.zeros(count + 1, _cell.STRAY),

@@ -238,11 +238,13 @@ RUNS: list[Run] = [
     *saturations((1, 2, 5, 10, 20)),
     *grid("queue", (2, 3), (20, 40), queues=[QUEUE]),
     *grid("queue", (4, 5, 6), (40, 40), queues=[QUEUE]),
-    *grid("queue", (7, 8), (10, 40), queues=[QUEUE]),
+    *grid("queue", (7, 8), (10, 100), queues=[QUEUE]),
     *grid("staggered", (4, 8), (10, 20), queues=[QUEUE], windows=WINDOWS),
     *grid("queue", (10, 12), (10, 40), queues=[QUEUE]),
     *saturations((30, 50), duration=0.5),
-    *grid("errors", (3, 6), (10, 20), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
+    *grid("errors", (3,), (10, 20), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
+    *grid("errors", (6,), (10, 20), losses=(0.05, 0.2)),
+    *grid("errors", (6,), (10, 100), queues=[QUEUE], losses=(0.05, 0.2)),
     *grid("short_queue", (4, 8, 12), (10, 40), queues=[(100, 0.5)]),
     *(
         run
