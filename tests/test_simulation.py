@@ -879,6 +879,8 @@ def test_long_runs_are_estimated_by_how_long_they_are() -> None:
         assert short < 1
         assert longest > 1
         assert longest - short == pytest.approx(10 * (long - short), rel=1e-3)
+        # Who holds a lease looks whether it has run out.
+        assert seconds(replace(table, lease=1e-6), until=10.0) > 60
         # Only who has started speaks.
         late = np.full(5, 1e6)
         assert seconds(until=10.0, start=late) == short
