@@ -268,6 +268,14 @@ def instance(name: str, value: Any, kind: type) -> None:
         raise TypeError(f"{name} must be {article} {kind.__name__}; got {short(value)}")
 
 
+def boolean(name: str, value: Any) -> bool:
+    """Return ``value`` as a bool if it is one, of Python or NumPy."""
+    if isinstance(value, np.bool_):
+        return bool(value)
+    instance(name, value, bool)
+    return bool(value)
+
+
 def members(name: str, values: Any, kind: type) -> tuple[Any, ...]:
     """Return ``values`` as a tuple if it holds at least one, and only such of that kind."""
     if isinstance(values, str) or not np.iterable(values):

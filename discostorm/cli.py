@@ -236,31 +236,45 @@ def _own_channel(changes: Mapping[str, float]) -> Wifi:
     return Wifi("own channel", links["unicast"], links["multicast"])
 
 
-wifi_options = _packed(
-    "wifi",
-    _wifi,
-    click.option(
-        "--wifi",
-        "channel",
-        default="paper",
-        show_default=True,
-        metavar="NAME",
-        callback=_listing(("paper", *ds.WIFI)),
-        help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
-        "'802.11n 20 MHz 2x2, A-MPDU 64', in any case of letters; 'list' lists some.",
-    ),
-    *(
+def _radio(channel: str, **given: float | None) -> Wifi:
+    """Return the channel of a name with its radio, with another multicast rate."""
+    wifi = _wifi(channel, **given)
+    if wifi.radio is None:
+        raise click.UsageError(f"--multicast-rate goes with a radio here; got --wifi {channel!r}")
+    return wifi
+
+
+def _wifi_options(make: Callable[..., Wifi], *options: str) -> Callable[[Any], Any]:
+    return _packed(
+        "wifi",
+        make,
         click.option(
-            f"--{option.replace('_', '-')}",
-            type=float,
-            metavar=unit,
-            help="Instead of the channel's."
-            if option == "multicast_rate"
-            else "Instead of the paper's.",
-        )
-        for option, (_, _, unit) in LINK_OPTIONS.items()
-    ),
-)
+            "--wifi",
+            "channel",
+            default="paper",
+            show_default=True,
+            metavar="NAME",
+            callback=_listing(("paper", *ds.WIFI)),
+            help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
+            "'802.11n 20 MHz 2x2, A-MPDU 64', in any case of letters; 'list' lists some.",
+        ),
+        *(
+            click.option(
+                f"--{option.replace('_', '-')}",
+                type=float,
+                metavar=LINK_OPTIONS[option][2],
+                help="Instead of the channel's."
+                if option == "multicast_rate"
+                else "Instead of the paper's.",
+            )
+            for option in options
+        ),
+    )
+
+
+wifi_options = _wifi_options(_wifi, *LINK_OPTIONS)
+#: Of what needs more of a channel than rates and overheads.
+radio_options = _wifi_options(_radio, "multicast_rate")
 
 
 def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
@@ -840,7 +854,7 @@ class Runs:
     ),
     click.option("--no-recovery", is_flag=True, help="Nothing answers and nothing is repaired."),
 )
-@wifi_options
+@radio_options
 @output_options
 def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Output) -> None:
     """Simulate how the fleet of a file starts, frame by frame, in several runs.

@@ -29,6 +29,8 @@ PROCESS = struct.Struct("!12sHHHHI")
 #: Word, octets of each part, and which are in it; the parts' exclusive-or follows.
 CODED = struct.Struct("!HHQ")
 SET_HASH = 8
+#: Longer than any datagram.
+NO_SET = 2**16
 KINDS = ("Announce", "Digest", "Repair", "Heartbeat", "Pull", "Data")
 SETTLED, WHOLE = 0x80, 0x40
 UNKNOWN, LACKED, GONE, FIRST_VERSION = range(4)
@@ -279,6 +281,53 @@ class Speaker:
 
     # ------------------------------------------------------------ from octets
 
+    def is_ours(self, datagram: bytes) -> bool:
+        """Return whether a datagram is one that a speaker of this fleet may have sent."""
+        speakers = range(self.rules.speakers.hosts)
+        if len(datagram) < HEADER.size or self.sender not in speakers:
+            return False
+        code, _, sender, *_ = HEADER.unpack_from(datagram)
+        if code & 0x0F >= len(KINDS) or sender not in speakers:
+            return False
+        return self.is_whole(KINDS[code & 0x0F], datagram)
+
+    def is_whole(self, kind: str, datagram: bytes) -> bool:
+        """Return whether the parts of a datagram are as long as they say."""
+        body, hosts = datagram[HEADER.size :], self.rules.speakers.hosts
+        if kind in ("Digest", "Pull"):
+            return len(body) <= hosts
+        if kind == "Heartbeat":
+            return len(body) <= -(-hosts // 8)
+        if kind == "Announce":
+            return self.set_size(body, whole=bool(datagram[0] & WHOLE)) == len(body)
+        while body and kind == "Repair":
+            if len(body) < CODED.size:
+                return False
+            word, length, mask = CODED.unpack_from(body)
+            if (
+                mask >> max(hosts - 64 * word, 0)
+                or 64 * word >= hosts
+                or len(body) < CODED.size + length
+            ):
+                return False
+            body = body[CODED.size + length :]
+        while datagram and kind == "Data":
+            if len(datagram) < HEADER.size or HEADER.unpack_from(datagram)[2] >= hosts:
+                return False
+            size = HEADER.size + self.set_size(datagram[HEADER.size :])
+            if len(datagram) < size:
+                return False
+            datagram = datagram[size:]
+        return True
+
+    def set_size(self, octets: bytes, *, whole: bool = False) -> int:
+        """Return how many octets a set has that these begin with; `NO_SET` if it is none."""
+        if len(octets) < PROCESS.size:
+            return NO_SET
+        if self.store.alike and not whole:
+            return PROCESS.size * int(struct.unpack_from("!I", octets, 4)[0]) + SET_HASH
+        return size_told(octets)
+
     def receive(self, datagram: bytes) -> None:
         """Hear a datagram: keep its sets, then follow the rules."""
         rules, speakers, me = self.rules, self.rules.speakers, self.host
@@ -315,8 +364,7 @@ class Speaker:
             while rest:
                 of = HEADER.unpack_from(rest)[2]
                 octets = rest[HEADER.size :]
-                size = PROCESS.size * struct.unpack_from("!I", octets, 4)[0] + SET_HASH
-                size = size if self.store.alike else size_told(octets)
+                size = self.set_size(octets)
                 self.store.keep(of, octets[:size])
                 content |= speakers.own[of]
                 rest = octets[size:]
@@ -367,7 +415,8 @@ class Speaker:
                 rules.now = time.monotonic() - zero
                 datagram, (address, _) = self.socket.recvfrom(65535)
                 self.sender = int(address.rpartition(".")[2]) - 1
-                self.receive(datagram)
+                if self.is_ours(datagram):
+                    self.receive(datagram)
         self.tell("end", late=f"{late:.4f}")
 
 

@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -157,6 +158,48 @@ def test_octets_come_out_of_combinations_as_the_rules_say(monkeypatch, alike):
             assert set(store.sets) == {host for host in range(64) if held >> host & 1}
             assert all(octets == sets[host] for host, octets in store.sets.items())
         assert len(store.sets) > 15
+
+
+@pytest.mark.parametrize("alike", [False, True])
+def test_speakers_in_the_lab_drop_what_no_speaker_sends(monkeypatch, alike):
+    lab = speaker_of_the_lab(monkeypatch)
+    job = {"capacity": 8, "processes": 2, "endpoints": 10, "alike": alike, "starts": [0.0] * 8}
+    one, other = (lab.Speaker(host, job | {"seed": 1}, 1) for host in (0, 1))
+    one.socket = SimpleNamespace(sendto=lambda *_: None)
+
+    def taken(datagram, sender=1):
+        one.sender = sender
+        return one.is_ours(datagram)
+
+    def header(kind, host=1):
+        return other.header(kind, host=host)
+
+    whole = lab.set_of(1, 2, 10, alike)
+    told = lab.hashed(whole) if alike else whole
+    coded = lab.CODED.pack(0, len(told), 0b11) + told
+    good = {
+        "Announce": told,
+        "Digest": bytes(8),
+        "Pull": bytes(3),
+        "Heartbeat": bytes(1),
+        "Repair": coded + coded,
+        "Data": told + header("Data", 2) + told,
+    }
+    for kind, body in good.items():
+        assert taken(header(kind) + body), kind
+        # From no host of the fleet, or about none.
+        assert not taken(header(kind) + body, sender=8)
+        assert not taken(header(kind) + body, sender=-1)
+        assert not taken(header(kind, 8) + body)
+        one.receive(header(kind) + body)
+    for kind in ("Announce", "Repair", "Data"):
+        assert not any(taken(header(kind) + good[kind][:-cut]) for cut in (1, 9, len(told) + 3))
+    for kind in ("Digest", "Pull", "Heartbeat"):
+        assert not taken(header(kind) + bytes(9))
+    assert not taken(b"hello")
+    assert not taken(b"\x0f" + bytes(40))
+    assert not taken(header("Repair") + lab.CODED.pack(1, 0, 1))
+    assert not taken(header("Repair") + lab.CODED.pack(0, 0, 1 << 8))
 
 
 def test_equations_are_resolved_like_by_gauss():

@@ -158,7 +158,7 @@ def hybrid_run(
     """
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("wifi", wifi, Wifi)
-    _checks.instance("alike", alike, bool)
+    alike = _checks.boolean("alike", alike)
     if not isinstance(loss, (tuple, list)) or len(loss) != 2:
         raise TypeError(f"loss must be a tuple of two parts, multicast and unicast; got {loss!r}")
     multicast = _checks.number("loss[0]", loss[0], 0, 1)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.messages import (
     ENDPOINT_PAIR,
@@ -16,6 +17,7 @@ from discostorm.messages import (
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Records
 from discostorm.simulation.traffic import Shares, ticks
+from discostorm.wifi.channel import TICK
 
 #: Timer of TCP before the first round trip [s] (RFC 6298, 2.1).
 RTO_FIRST = 1.0
@@ -50,6 +52,15 @@ def _announcements(protocol: Protocol) -> list[Message]:
         first = {m.phase for m in by_clock[:1]}
         found = [m for m in by_clock if m.unit == PAIR and m.hops == HOPS and m.phase in first]
     return [m for m in found if m.phase == found[0].phase]
+
+
+def check_answers(protocol: Protocol) -> None:
+    """Refuse messages that answer what the table does not have."""
+    names = [message.name for message in protocol.messages]
+    for message in protocol.messages:
+        if message.answers is not None:
+            name = f"protocol {protocol.name!r}, message {message.name!r}: answers"
+            _checks.choice(name, message.answers, names, ", or None")
 
 
 def check_announced(protocol: Protocol) -> None:
@@ -155,7 +166,7 @@ def fill_kinds(protocol: Protocol, kinds: Records) -> None:
         record["of_host"] = message.unit == HOST
         record["tcp"] = message.transport == "TCP"
         record["answers"] = -1
-        if message.answers is not None and message.answers in names:
+        if message.answers is not None:
             record["answers"] = names.index(message.answers)
             record["when"] = _when(protocol, message)
             answered = protocol.message(message.answers).schedule
@@ -197,6 +208,11 @@ def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
 
 def repair_record(protocol: Protocol) -> Records:
     """Return the timers of a middleware; see `FAMILY`."""
+    if protocol.lease < TICK:
+        raise ValueError(
+            f"protocol {protocol.name!r}: lease must be at least {TICK:g} s to be simulated; "
+            f"got {protocol.lease:g}"
+        )
     data = _data(protocol)
     transport = data[0].transport if data else "UDP"
     name = protocol.name.rpartition("periods of ")[2]

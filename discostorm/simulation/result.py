@@ -88,7 +88,8 @@ class Simulation:
         When each host started [s], in the order of the fleet's groups.
     drain_time : ndarray
         End of the last transmission of the burst, with its acknowledgement [s]; infinity if
-        some of it was still waiting at the end. With recovery the repairs belong to it.
+        some of it was still waiting or still to come at the end. With recovery the repairs
+        belong to it.
     lost : ndarray
         The part of the frames that never arrived [1]. A multicast frame counts once for each
         host that was to receive it; with recovery repeated frames count, too.

@@ -14,6 +14,7 @@ from discostorm.simulation.cell import Cell, Records
 from discostorm.simulation.engine import MEMORY, OVER, PARTS, advance
 from discostorm.simulation.middleware import (
     check_announced,
+    check_answers,
     check_items,
     clock_only,
     fill_kinds,
@@ -106,9 +107,12 @@ class Plan:
         )
         if self.repairs is not None and (period := float(self.repairs["announce_most"][0]) * TICK):
             again += span * float(of_row[alone if alone.any() else 0].sum()) / period
+        looks = 0.0
+        if self.repairs is not None:  # at leases, of each process for each other
+            looks = count**2 * span / (float(self.repairs["lease"][0]) * TICK)
         held = min(frames, self.queue[0] * (1 + self.hosts.processes.size))
         carried = frames if self.repairs is not None else min(frames, 4 * held)
-        seconds = 2 * (carried + again) * _ATTEMPTS * _PER_TRANSMISSION
+        seconds = (2 * (carried + again) * _ATTEMPTS + looks) * _PER_TRANSMISSION
         items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
         pairs = 0 if self.repairs is None else count**2 * (96 + items // 8)
         each = _cell.ENTRY.itemsize + _cell.EVENT.itemsize
@@ -138,6 +142,7 @@ def plan_runs(
     kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
     repairs, table = None, protocol
     if recovery:
+        check_answers(protocol)
         check_announced(protocol)
         fill_kinds(protocol, kinds)
         check_items(protocol, kinds, shares)

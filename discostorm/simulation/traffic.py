@@ -8,8 +8,11 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
+from inspect import signature
 from itertools import takewhile
 from typing import Any
 
@@ -30,6 +33,8 @@ ATTEMPTS = 7
 RX_START_DELAY = 20e-6
 #: How many frames a block acknowledgement looks back at least (10.25).
 WINDOW = 64
+#: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
+_MOST_OCTETS = 65_535
 _MOST_PROCESSES = 2**_cell.PROCESS_BITS
 _MOST_ENDPOINTS = 2**_cell.ITEM_BITS
 _MOST_MESSAGES = 2**_cell.KIND_BITS
@@ -38,7 +43,7 @@ _SAMPLES, _LOG, _POOL = 512, 4096, 4096
 
 
 def ticks(seconds: float) -> int:
-    """Return a time in whole ticks."""
+    """Return a time in whole ticks; what is too long to count them never comes."""
     never = int(_cell.NEVER)
     found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
     return never if found >= never else round(found)
@@ -111,7 +116,7 @@ def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
         "most_bytes": aggregation.most_bytes if aggregation else 0,
         "least_subframe": aggregation.least_bytes if aggregation else 0,
         "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
-        "queue": int(min(queue[0], float(_cell.NEVER))),
+        "queue": int(min(queue[0], int(_cell.NEVER))),
     }
     record = np.zeros(1, _cell.RADIO)
     for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
@@ -160,12 +165,19 @@ def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
                 f"{_where(protocol, message)}: unit must declare its senders to be simulated; "
                 f"got {unit.name!r}"
             )
-        sent = message.per_unit * message.frames * unit.senders(hosts)
+        where = f"{_where(protocol, message)}: "
+        sent = _of_processes(f"{where}senders", unit.senders(hosts), hosts, _checks.MOST)
+        sent *= message.per_unit * message.frames
         if unit.receivers is None:
             to_all[:, row] = sent
             each[:, row] = sent / remote
             continue
-        taking = np.asarray(unit.receivers(hosts), np.int64)
+        receiving = _of_processes(f"{where}receivers", unit.receivers(hosts), hosts, 1)
+        taking = receiving.astype(np.int64)
+        if (taking != receiving).any():
+            raise ValueError(
+                f"{where}receivers must be 0 or 1; got {receiving[taking != receiving][0]:g}"
+            )
         each[:, row] = sent
         own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
         to_all[:, row] = sent * (taking.sum() - own) * (message.cast == "multicast")
@@ -173,6 +185,20 @@ def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
     before = np.zeros((len(sets), hosts.every.size + 1), np.int64)
     before[:, 1:] = np.cumsum(list(sets), axis=1)
     return Shares(each, to_all, before, of_row)
+
+
+def _of_processes(name: str, values: Any, hosts: Hosts, most: float) -> NDArray[np.float64]:
+    """Return what a unit of one's own says of each process."""
+    told = np.asarray(values)
+    found = np.asarray(
+        _checks.numbers(name, told.astype(int) if told.dtype == bool else told, 0, most)
+    )
+    if found.shape != hosts.every.shape:
+        raise ValueError(
+            f"{name} must be a number for each of the {hosts.every.size} processes; "
+            f"got shape {found.shape}"
+        )
+    return found.astype(np.float64)
 
 
 def _where(protocol: Protocol, message: Message) -> str:
@@ -231,7 +257,10 @@ def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
     radio = wifi.radio
     assert radio is not None
     if len(protocol.messages) > _MOST_MESSAGES:
-        raise ValueError(f"protocol must have at most {_MOST_MESSAGES} messages to simulate")
+        raise ValueError(
+            f"protocol must have at most {_MOST_MESSAGES} messages to simulate; "
+            f"got {len(protocol.messages)}"
+        )
     fast = wifi.unicast.padding or radio.padding
     slow = wifi.multicast.padding or radio.multicast_padding
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
@@ -250,6 +279,11 @@ def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
             )
         # Under a block acknowledgement each frame has a QoS Control field.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
+        if octets > _MOST_OCTETS:
+            raise ValueError(
+                f"{_where(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
+                f"headers to be simulated; got {octets}"
+            )
         record["octets"] = octets
         record["multicast"] = multicast
         record["to_all"] = multicast or not paired
@@ -281,6 +315,11 @@ def bursts_of(protocol: Protocol) -> Bursts:
         if np.isfinite(schedule.period):
             first = schedule.starts[-1] + schedule.period
             at.setdefault((first, schedule.period), []).append(row)
+            if schedule.period < TICK:
+                raise ValueError(
+                    f"{_where(protocol, message)}: period must be at least {TICK:g} s to be "
+                    f"simulated; got {schedule.period:g}"
+                )
     sets: dict[tuple[tuple[int, ...], float], int] = {}
     times = []
     for (time, period), rows in sorted(at.items()):
@@ -442,11 +481,24 @@ def told(start: Any) -> float | list[float] | str:
     return f"{named.__module__}.{named.__qualname__}"
 
 
+def _check_call(start: Callable[..., Any], *given: Any) -> None:
+    """Refuse a function that does not take what it is given."""
+    with suppress(ValueError):  # some that are compiled do not say what they take
+        try:
+            signature(start).bind(*given)
+        except TypeError as error:
+            raise TypeError(
+                "start must be a function of a numpy.random.Generator and a number of hosts; "
+                f"got one that does not take these: {error}"
+            ) from error
+
+
 def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
     """Return when each host starts [s]; see `discostorm.simulate`."""
     if hasattr(start, "rvs"):
         drawn = start.rvs(size=hosts, random_state=rng)
     elif callable(start):
+        _check_call(start, rng, hosts)
         drawn = start(rng, hosts)
     else:
         drawn = start
