@@ -35,10 +35,10 @@ def wanted(
     what: str = "a finite number",
 ) -> str:
     """Return in words which numbers are allowed."""
-    what = f"infinity or {what}" if endless else what
     start = f" above {exactly(low)}" if above else f" of at least {exactly(low)}"
     end = f" and below {exactly(high)}" if below else f" and at most {exactly(high)}"
-    return f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
+    text = f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
+    return f"{text}, or infinity" if endless else text
 
 
 def exactly(value: float) -> str:

@@ -269,7 +269,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: Protocol("x", ds.DDS.messages, 0),
             ValueError,
-            "lease must be a finite number above 0; got 0",
+            "lease must be a finite number above 0, or infinity; got 0",
         ),
         (
             lambda: ds.utilization(FAST_DDS, 3, 2, 10, window=0),
@@ -330,7 +330,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=-math.inf),
             ValueError,
-            "window must be a finite number of at least 1e-09; got -inf",
+            "window must be a finite number of at least 1e-09, or infinity; got -inf",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, wifi=cast(Any, "x")),
