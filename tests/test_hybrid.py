@@ -359,7 +359,7 @@ def test_same_seed_same_run():
         ({"wifi": ds.Radio("802.11n", mpdus=8).wifi()}, "without aggregation"),
         ({"fleet": ds.Fleet.swarm(100, 1, 2000)}, "digest is at most 1400 B"),
         ({"fleet": ds.Fleet.swarm(3, 100, 0)}, "at most 57 processes"),
-        ({"queue": (-5, -1)}, r"queue\[0\] must be .* at least 1; got -5"),
+        ({"queue": (-5, -1)}, r"queue\[0\] must be .* at least 1, or infinity; got -5"),
         ({"enough": -1}, "enough must be .* at least 0; got -1"),
         ({"enough": np.nan}, "enough must be .* at least 0; got nan"),
         ({"seed": -1}, "seed must be .* at least 0; got -1"),

@@ -668,13 +668,13 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
 
 BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"queue": (0, 0.5)}, ValueError, r"queue\[0\] must be .* at least 1.*; got 0"),
-    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number of .* 1; got 2.5"),
+    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number of .* 1, or infinity; got 2.5"),
     (
         {"queue": ("a", 0.5)},
         TypeError,
         r"queue\[0\] must be a whole number of at least 1, or infinity; got 'a'",
     ),
-    ({"queue": (500, 0)}, ValueError, r"queue\[1\] must be .* above 0; got 0"),
+    ({"queue": (500, 0)}, ValueError, r"queue\[1\] must be .* above 0, or infinity; got 0"),
     ({"queue": 500}, TypeError, "queue must be None or a tuple"),
     ({"start": -1.0}, ValueError, "start must be .* at least 0 and .*; got -1"),
     ({"start": [0.0, 1.0]}, ValueError, r"start must give one time for each of the 5 hosts"),
