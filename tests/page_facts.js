@@ -42,7 +42,9 @@
     width: document.documentElement.scrollWidth,
     formulas: formulas.length,
     broken_formulas: formulas
-      .filter((e) => !(e.querySelector("mjx-container svg")?.getBoundingClientRect().width > 0))
+      // Of a row that waits for "Show all", the parts of the formula are there, without a width.
+      .filter((e) => !e.querySelector("mjx-container svg > g *"))
+      .concat(formulas.filter((e) => shown(e) && !(e.getBoundingClientRect().width > 0)))
       // An error in a formula, and a command that is not known, which MathJax shows in red.
       .concat(all("mjx-container [data-mml-node=merror], mjx-container [fill=red]"))
       .map(name),

@@ -668,7 +668,7 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
 
 BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"queue": (0, 0.5)}, ValueError, r"queue\[0\] must be .* at least 1.*; got 0"),
-    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole number of .* 1, or infinity; got 2.5"),
+    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole .* 1, or infinity; got 2.5"),
     (
         {"queue": ("a", 0.5)},
         TypeError,

@@ -1,7 +1,7 @@
 """Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -111,7 +111,7 @@ class Radio:
         others = {key: value for key, value in vars(self).items() if key not in _WORDS}
         _checks.one_each(others.items())
         for key, value in others.items():
-            if value is not None:
+            if value is not None and not isinstance(value, Hashable):  # to be looked up
                 _checks.one(key, value, "a number")
         _parts(self)  # raises if the standard has no such combination
 
