@@ -560,6 +560,13 @@ def test_batches_in_segments_of_any_size(size: int, read: Read) -> None:
     assert capture.processes()["endpoints"].to_list() == [9]
 
 
+@pytest.mark.parametrize("size", [1, 7])
+def test_a_session_whose_first_segment_is_a_part_of_it(size: int, read: Read) -> None:
+    whole = INIT_SYN + DECLARE + KEEP_ALIVE + KEEP_ALIVE
+    first, *parts = (whole[place : place + size] for place in range(0, len(whole), size))
+    assert zenoh_kinds(read(pcap(at(session(*parts, init=first)), 101))) == EXPECTED
+
+
 def test_sent_again_reordered_overlapping(read: Read) -> None:
     whole = DECLARE + KEEP_ALIVE + KEEP_ALIVE
     parts = [whole[place : place + 9] for place in range(0, len(whole), 9)]

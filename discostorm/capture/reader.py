@@ -470,6 +470,9 @@ def _read_streams(reader: _Reader, streams: tcp.Streams, known: dict[bytes, int]
     data = reader.packets.data
     _note_tls(reader, data, streams)
     chosen = zenoh.chosen(data, streams)
+    if len(others := zenoh.undecided(streams, chosen)):
+        begun = list(zenoh.sessions(tcp.content(data, streams, others)))
+        chosen = np.union1d(chosen, [*begun, *streams.reverse[begun]]).astype(np.int64)
     if not len(chosen):
         return
     content = tcp.content(data, streams, chosen)

@@ -467,6 +467,17 @@ def chosen(data: Bytes, streams: Streams) -> Array:
     return np.flatnonzero(found)
 
 
+def undecided(streams: Streams, chosen: Array) -> Array:
+    """Return the other streams of Zenoh's port of which the start was captured.
+
+    Their first segment may be too short to tell.
+    """
+    table = streams.table
+    at_port = (table["from_port"] == PORT) | (table["to_port"] == PORT)
+    found = np.unique(table["stream"][at_port & (table["size"] > 0)])
+    return np.setdiff1d(found[streams.complete[found]], chosen)
+
+
 @dataclass(frozen=True)
 class Session:
     """What one side said when it opened a session."""
