@@ -398,6 +398,16 @@ def test_domains_are_told_apart_by_the_ports_of_spdp(read: Read) -> None:
     assert notes(7400, 7400) == notes(7400, 7650, target=0x0A000002) == []
 
 
+def test_what_is_encrypted_below_the_middleware_is_noted(read: Read) -> None:
+    inner = udp(rtps(data(0x100C2)))
+    esp = inner[:9] + bytes([50]) + inner[10:]
+    guard = [udp(bytes([kind, 0, 0, 0]) + bytes(40), ports=(9, 51820)) for kind in (0, 1, 4, 5)]
+    assert read(pcap(at([esp, *guard]), 101)).notes == (
+        "1 encrypted IP packets",
+        "2 datagrams of WireGuard, which are encrypted",
+    )
+
+
 def test_tunnels_and_rtps_over_tcp_are_noted(read: Read) -> None:
     inner = udp(rtps(data(0x100C2)))
     outer = [inner[:9] + bytes([protocol]) + inner[10:] for protocol in (4, 41, 47)]

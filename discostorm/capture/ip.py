@@ -22,9 +22,11 @@ from discostorm.capture._bytes import (
 TCP, UDP, FRAGMENT = 6, 17, 44
 #: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
 TUNNELS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
+#: IPsec's Encapsulating Security Payload, and the port of WireGuard.
+ENCRYPTED, WIREGUARD_PORT = 50, 51820
 #: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
 _EXTENSIONS = (0, 43, 60, 135)
-_AUTHENTICATION, _ENCRYPTED = 51, 50
+_AUTHENTICATION = 51
 _MOST_EXTENSIONS = 8
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
 _LIFETIME = 60_000_000_000
@@ -93,7 +95,7 @@ def _version_4(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[s
     }
 
 
-def _version_6(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
+def _version_6(data: Bytes, found: Columns, addresses: Numbers, _notes: Counter[str]) -> Columns:
     found = take(found, found["end"] - found["at"] >= 40)
     start = found["at"]
     length = number(data, start + 4, ">u2").astype(np.int64)
@@ -121,8 +123,6 @@ def _version_6(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[s
         size = np.where(signed, 4 * (length_field + 2), 8 * (length_field + 1))
         following = np.where(step, data[here], following)
         at = at + np.where(cut, 8, size * step)
-    if count := int(np.count_nonzero(following == _ENCRYPTED)):
-        notes["encrypted IP packets"] += count
     return found | {
         "source": addresses.of(data, start + 8, 16),
         "target": addresses.of(data, start + 24, 16),

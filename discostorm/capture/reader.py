@@ -101,6 +101,8 @@ class _Reader:
     def transport(self, data: Bytes, found: Columns) -> None:
         """Read what whole IP packets carry."""
         datagrams = ip.datagrams(data, found)
+        if encrypted := int((found["protocol"] == ip.ENCRYPTED).sum()):
+            self.notes["encrypted IP packets"] += encrypted
         tunnels = int(np.isin(found["protocol"], ip.TUNNELS).sum())
         if tunnels := tunnels + int(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS).sum()):
             self.notes[
@@ -126,12 +128,14 @@ class _Reader:
         self.segments.append(_kept(segments, "sequence", "flags"))
 
     def note_encrypted(self, data: Bytes, found: Columns) -> None:
-        """Count what looks like DTLS or QUIC."""
+        """Count what looks like DTLS, QUIC or WireGuard."""
         at, size = found["at"], found["size"]
         first = data[at]
         dtls = (first >= 20) & (first <= 25) & (number(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
         quic = (first >= 0xC0) & (number(data, at + 1, ">u4") == 1) & (size > 20)
-        for name, mask in (("DTLS", dtls), ("QUIC", quic)):
+        guard = (found["from_port"] == ip.WIREGUARD_PORT) | (found["to_port"] == ip.WIREGUARD_PORT)
+        guard &= number(data, at, "<u4") - np.uint32(1) < 4
+        for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
             if count := int(np.count_nonzero(mask)):
                 self.notes[f"datagrams of {name}, which are encrypted"] += count
 
