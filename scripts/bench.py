@@ -270,7 +270,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     (
         "read_capture, 10^6 packets / 10^5",
         lambda: max(map(read_ten_times_as_many, ("fast_dds", "zenoh_data"))),
-        12,
+        13,
     ),
 ]
 #: What a capture of 100 000 packets takes.
