@@ -79,8 +79,10 @@ ARRANGEMENTS: dict[
     ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
 }
-ALONE = ["setpriv", "--pdeathsig", "KILL", "unshare", "--fork", "--pid", "--kill-child"]
-ALONE += ["--mount-proc", "--net", sys.executable]
+#: Who began it may have ended before the signal at its death was asked for.
+ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
+ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
+ALONE += [sys.executable]
 STAGE = [*ALONE, str(LAB / "stage.py")]
 
 SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
