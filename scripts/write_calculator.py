@@ -80,7 +80,8 @@ LENGTH = sp.Symbol("L", positive=True)
 #: What products' tables were fitted to.
 ABOUT = {
     row["protocol"]: f"{row['what']} (version {row['versions']})"
-    for row in read_data("vendors/products.csv")
+    for table in ("products", "arrangements")
+    for row in read_data(f"vendors/{table}.csv")
 }
 
 #: Further hosts than the first.
@@ -94,7 +95,7 @@ GROUPS = (
     "Products arranged against the storm",
     "As the paper counts",
     "The paper's messages, a product's periods",
-    "Other tables",
+    "Proposals and other tables",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -311,7 +312,7 @@ def fields() -> Code:
     return {
         "swarm": counts(
             "",
-            ("Robots", "Processes on each", "Endpoints a process"),
+            ("Robots", "Processes on each", "Endpoints of each process"),
             SWARM.counts(),
             (START_HOSTS, robot.processes, robot.endpoints),
         ),
