@@ -15,7 +15,15 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, remedies as changed, timeline, words
+from discostorm import (
+    _checks,
+    figures,
+    measured,
+    notation as nt,
+    remedies as changed,
+    timeline,
+    words,
+)
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
@@ -442,6 +450,19 @@ def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Code:
     }
 
 
+def measured_up_to(protocol: Protocol) -> list[float]:
+    """Return the most hosts, processes and endpoints of a process that a product ran with [1].
+
+    None for a table that was not fitted to captures.
+    """
+    if protocol.name not in MEASURED | ARRANGED:
+        return []
+    endpoints = (
+        group.endpoints for point in measured.points(protocol.name) for group in point.fleet.groups
+    )
+    return [*measured.largest(protocol.name), max(map(float, endpoints))]
+
+
 def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     """Return all that the calculator knows of a protocol."""
     windows = {"second": PAPER_WINDOW}
@@ -456,6 +477,7 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "product": data(changed.product(protocol)),
         "tables": table_remedies(protocol),
         "about": data(ABOUT.get(protocol.name, "")),
+        "measured": [number(most) for most in measured_up_to(protocol)],
         "variant": data(protocol.name in MEASURED and protocol.name not in PRODUCTS),
         "lease": number(protocol.lease),
         "repeats": data(protocol.repeats),

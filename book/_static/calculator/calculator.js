@@ -63,7 +63,7 @@
   function number(value) {
     if (!Number.isFinite(value)) return "more than can be computed";
     if (value >= 1e9 || (value > 0 && value < 1e-6)) return power(value);
-    return value >= 1000 ? whole.format(value) : value >= 100 ? tenth.format(value) : three.format(value);
+    return value >= 100 ? whole.format(value) : three.format(value);
   }
 
   // No line ends between a number and its unit.
@@ -408,7 +408,7 @@
         `Leases at risk: ${duration(drain)} if nothing is lost.`,
         `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
       ],
-      ["Never catches up.", `What ${who} ${alone ? "repeats" : "repeat"} for ever takes ${percent(steady)}, so the start is never carried.`],
+      ["Never catches up.", `What ${who} ${alone ? "repeats" : "repeat"} for ever takes ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the start is never carried.`],
     ][severity];
   }
 
@@ -435,13 +435,23 @@
     );
   }
 
-  /** What every number of this page assumes. */
-  function assumed({ settings: { channel } }) {
+  /** What every number of this page assumes, and whether the product ever ran with so many. */
+  function assumed({ settings: { channel, swarm }, front }) {
     const frames =
       channel.model === "aggregated"
         ? `${count(channel.values.n_agg)} frames in every exchange where that many fit`
         : "each message in a frame of its own, except where a product packs or splits it";
-    return `Assumed: all start at once, ${frames}, nothing lost, no collisions.`;
+    const all = [
+      swarm.N_H + swarm.N_H1,
+      swarm.N_H * swarm.N_P + swarm.N_H1 * swarm.N_P1,
+      Math.max(swarm.N_E, swarm.N_H1 && swarm.N_E1),
+    ];
+    const [hosts, processes, endpoints] = front.protocol.measured;
+    const beyond = all.some((many, i) => many > front.protocol.measured[i])
+      ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
+        `and ${plural(endpoints, "endpoint")} in a process; what is more than that is extrapolated.`
+      : "";
+    return `Assumed: all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
   }
 
   function showRemedies(answer) {
@@ -454,7 +464,7 @@
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           best_case ? " at best" : "",
-          then.severity < answer.front.severity ? make("b", {}, `; then ${outlookOf(then)}`) : "",
+          then.severity < answer.front.severity ? make("b", {}, `; then: ${outlookOf(then)}`) : "",
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
         for (const { where, version, text } of paste) {
@@ -512,7 +522,7 @@
           make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
           make("td", {}, exact(message.load, count(message.load), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
-          make("td", {}, make("span", { class: "calc-part" }, percent(share)), bar),
+          make("td", {}, make("span", { class: "calc-part" }, share > 0 && share < 1e-5 ? "<0.001%" : percent(share)), bar),
         );
       }),
       make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
@@ -893,7 +903,7 @@
     byId("own").hidden = chosen("channel") !== OWN;
     const channel = channels.get(chosen("channel"));
     const { R_uni, O_uni, R_multi, O_agg, n_agg } = channel?.values ?? {};
-    const mega = (rate) => `${number(rate / 1e6)}${SPACE}Mbit/s`;
+    const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number((O_agg ?? O_uni) * 1e6)}${SPACE}µs${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, multicast at ${mega(R_multi)}.`
       : "";
