@@ -22,7 +22,7 @@ from click.testing import CliRunner
 from playwright.sync_api import Browser, Page, expect
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import measured, timeline
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
@@ -344,6 +344,26 @@ def test_the_verdict_is_the_packages(
     assert sum(told) == min(int(severity), most)
     outlook = timeline.OUTLOOKS[sum(told)].removesuffix(" at best")  # as the verdict says it
     expect(tab.locator(".calc-front")).to_contain_text(outlook)
+
+
+@pytest.mark.parametrize(
+    ("entries", "beyond"),
+    [
+        (START, True),  # 678 endpoints
+        ({**PAPER, "middleware": "Fast DDS"}, True),  # 14 processes
+        ({**PAPER, "middleware": "Fast DDS", "hosts": "6"}, False),
+        ({**PAPER, "middleware": "Fast DDS", "hosts": "6", "beside": "laptop"}, True),
+        ({**PAPER, "hosts": "100"}, False),  # the paper's table was fitted to nothing
+    ],
+)
+def test_says_where_a_products_table_is_extrapolated(
+    tab: Page, entries: dict[str, str], beyond: bool
+) -> None:
+    put(tab, entries)
+    hosts, processes = measured.largest("Fast DDS")
+    told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
+    said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
+    assert (told in said) == beyond
 
 
 @pytest.mark.parametrize(
