@@ -378,7 +378,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of one message {message.name} of {protocol.name}",
+            f"payload of {message.name}, a message of {protocol.name}",
             "B",
             message.payload.source,
         )
