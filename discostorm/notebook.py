@@ -116,15 +116,20 @@ class Advice:
         blocks = self.plan.advice().split("\n\n")
         cost, shares = (block.splitlines() for block in blocks[:2])
         parts = [
-            f"<p>{escape(' '.join(cost))}</p>",
-            f"<p>{escape(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
+            f"<p>{_prose(' '.join(cost))}</p>",
+            f"<p>{_prose(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
         ]
         for title, remedies in self.plan.told().items():
             cards = "".join(map(_card, remedies))
-            parts.append(f'<p class="plan-title">{escape(title)}</p>')
+            parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             parts.append(f'<div class="plan-cards">{cards}</div>')
-        parts.append(f"<p>{escape(' '.join(blocks[-1].split()))}</p>")
+        parts.append(f"<p>{_prose(' '.join(blocks[-1].split()))}</p>")
         return "".join(parts)
+
+
+def _prose(text: str) -> str:
+    """Return a sentence as HTML, with the apostrophes of the book's type."""
+    return escape(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
 
 
 def _card(remedy: Remedy) -> str:
@@ -138,9 +143,9 @@ def _card(remedy: Remedy) -> str:
         for piece in remedy.snippets
     )
     return (
-        f'<div class="plan-card"><p class="plan-what">{escape(what)} {fits}</p>'
-        f"<p>{escape(words.capitalized(gain.strip()))}.</p>"
-        f'<p class="plan-mind">{escape(remedy.caution())}</p>{pieces}</div>'
+        f'<div class="plan-card"><p class="plan-what">{_prose(what)} {fits}</p>'
+        f"<p>{_prose(words.capitalized(gain.strip()))}.</p>"
+        f'<p class="plan-mind">{_prose(remedy.caution())}</p>{pieces}</div>'
     )
 
 
@@ -378,7 +383,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of one message {message.name} of {protocol.name}",
+            f"payload of {message.name}, a message of {protocol.name}",
             "B",
             message.payload.source,
         )
