@@ -109,7 +109,7 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
     few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
     assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
     *_, (page, title) = check_pdf.headings(pdf, pdf.outline[-3:])
-    running = text[inside].strip().splitlines()[0]
+    running = text[-2].strip().splitlines()[0]
     for last in (f"7.2 {title}", "Solution 2"):
         ends = f"{running}\n\nwords\n\n{last}\n\n7. A section\n\n9\n"
         worse = [*text[:page], ends, *text[page + 1 :]]
@@ -150,7 +150,7 @@ def test_figures_are_described(pdf: PdfReader) -> None:
     told = []
     for page in pdf.pages:
         contents = page.get_contents()
-        drawn = contents.get_data() if contents else b""
+        drawn = b"" if contents is None else contents.get_data()
         told += [bytes.fromhex(each.decode()) for each in alternative.findall(drawn)]
         assert len(alternative.findall(drawn)) == drawn.count(b"EMC")
     assert len(told) == sum(len(source(page)[1]) for page in PAGES)
