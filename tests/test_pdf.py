@@ -146,6 +146,7 @@ def test_chapters_lead_to_their_page(address: str) -> None:
 
 
 def test_figures_are_described(pdf: PdfReader) -> None:
+    assert pdf.trailer["/Root"]["/Lang"] == "en"
     alternative = re.compile(rb"/Span\s*<<\s*/Alt\s*<FEFF([0-9A-F]*)>\s*>>\s*BDC", re.IGNORECASE)
     told = []
     for page in pdf.pages:
