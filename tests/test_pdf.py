@@ -11,6 +11,7 @@ import pytest
 import yaml
 from bs4 import BeautifulSoup, SoupStrainer
 from conftest import BUILD, missing, newest, sources
+from docutils import nodes
 from pypdf import PdfReader
 from test_browser import PAGES, source
 
@@ -109,7 +110,7 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
     few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
     assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
     *_, (page, title) = check_pdf.headings(pdf, pdf.outline[-3:])
-    running = text[inside].strip().splitlines()[0]
+    running = text[-2].strip().splitlines()[0]
     for last in (f"7.2 {title}", "Solution 2"):
         ends = f"{running}\n\nwords\n\n{last}\n\n7. A section\n\n9\n"
         worse = [*text[:page], ends, *text[page + 1 :]]
@@ -145,12 +146,47 @@ def test_chapters_lead_to_their_page(address: str) -> None:
         assert "qrcode" not in link
 
 
+def table(*rows: tuple[str, ...]) -> nodes.table:
+    """Return a table, the first row of which is its head, in the section of a chapter."""
+    head, *body = (
+        nodes.row("", *(nodes.entry("", nodes.paragraph("", cell)) for cell in row)) for row in rows
+    )
+    group = nodes.tgroup("", *(nodes.colspec() for _ in rows[0]), cols=len(rows[0]))
+    group += [nodes.thead("", head), nodes.tbody("", *body)]
+    made = nodes.table("", group)
+    nodes.section("", nodes.title("", "A heading"), nodes.paragraph("", "Numbers:"), made)
+    return made
+
+
+def test_a_table_breaks_where_two_rows_are_left_and_begins_with_its_announcement() -> None:
+    made = table(("a", "b"), *((str(number), "") for number in range(7)))
+    section = made.parent
+    printed._fit(made)
+    raw = [each.astext() for each in section.findall(nodes.raw)]
+    assert [text.startswith(r"\noalign{\nobreak}") for text in raw].count(True) == 3
+    room, announcement = section[1], section[2]
+    assert room.astext().startswith(r"\roomfor{")
+    assert announcement.astext() == "Numbers:"
+    # An empty paragraph in a cell would be a second line of its row.
+    assert [len(entry) for entry in made.findall(nodes.entry)][-1] == 0
+
+
+def test_a_wide_table_has_its_narrow_columns_in_pairs() -> None:
+    sentence = "words " * 100
+    made = table(("no.", "where", "verdict", "by", "says"), ("1", "Sec. I", "yes", "us", sentence))
+    printed._fit(made)
+    cells = [[each.astext() for each in entry] for entry in made.findall(nodes.entry)]
+    assert cells[:3] == [["no.", "where"], ["verdict", "by"], ["says"]]
+    assert [cell[-2:] for cell in cells[3:]] == [["1", "Sec. I"], ["yes", "us"], [sentence]]
+
+
 def test_figures_are_described(pdf: PdfReader) -> None:
+    assert pdf.trailer["/Root"]["/Lang"] == "en"
     alternative = re.compile(rb"/Span\s*<<\s*/Alt\s*<FEFF([0-9A-F]*)>\s*>>\s*BDC", re.IGNORECASE)
     told = []
     for page in pdf.pages:
         contents = page.get_contents()
-        drawn = contents.get_data() if contents else b""
+        drawn = b"" if contents is None else contents.get_data()
         told += [bytes.fromhex(each.decode()) for each in alternative.findall(drawn)]
         assert len(alternative.findall(drawn)) == drawn.count(b"EMC")
     assert len(told) == sum(len(source(page)[1]) for page in PAGES)

@@ -39,8 +39,8 @@ _SCALE = 88
 _CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
 #: What stands between blocks and is not seen.
 _UNSEEN = (nodes.Invisible, nodes.raw)
-#: Points that a heading takes.
-_HEADING = 45.0
+#: Points that a heading takes, and a chapter's last section that begins where it ends.
+_HEADING, _ENDING = 45.0, 280.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
@@ -289,7 +289,8 @@ def _announces(paragraph: nodes.paragraph) -> bool:
 
 
 def _natural_height(paragraph: nodes.paragraph) -> float:
-    return 12 * math.ceil(_width(paragraph.astext(), 10, is_code=False) / _MEASURE) + 6
+    measure = _MEASURE - (0 if isinstance(paragraph.parent, nodes.section) else 50)
+    return 12 * math.ceil(_width(paragraph.astext(), 10, is_code=False) / measure) + 6
 
 
 def _describe_and_scale(figure: nodes.figure) -> None:
@@ -310,16 +311,19 @@ def _keep_the_beginning(block: nodes.literal_block) -> None:
 
 
 def _keep_the_end_together(chapter: nodes.Element) -> None:
-    """Keep the last paragraphs and lists of a chapter from leaving a line alone on a page."""
+    """Begin the last section of a chapter where there is room for it, if it is short and text."""
     section = next(chapter.findall(nodes.section))
-    while isinstance(section[-1], nodes.section):
-        section = section[-1]
-    at = len(section)
-    while at > 1 and isinstance(section[at - 1], nodes.paragraph | nodes.bullet_list):
-        at -= 1
-    if 1 < at < len(section):  # a heading stays with what follows it
-        section.insert(at, _latex(r"\begin{together}" + "\n"))
-        section += _latex("\\end{together}\n")
+    if not isinstance(section[-1], nodes.section):
+        return
+    section = section[-1]
+    room = _HEADING + sum(map(_natural_height, section.findall(nodes.paragraph)))
+    if room < _ENDING and not next(section.findall(_is_no_text), None):
+        begin = _latex(rf"\settlefigures\roomfor{{{room:.0f}pt}}" + "\n")
+        section.parent.insert(section.parent.index(section), begin)
+
+
+def _is_no_text(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.table | nodes.figure | nodes.literal_block)
 
 
 def _shorten_the_contents(chapter: nodes.Element) -> None:
