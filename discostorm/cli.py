@@ -470,7 +470,8 @@ def _aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) -
         cells = [formats.get(name, _plain)(value) for value in values]
         heading = headings.get(name, name.replace("_", " "))
         width = max(map(len, [heading, *cells]))
-        number = all(type(value) in (int, float) for value in values)  # a truth is a word
+        there = [value for value in values if value is not None]
+        number = all(type(value) in (int, float) for value in there)  # a truth is a word
         columns.append(
             [cell.rjust(width) if number else cell.ljust(width) for cell in (heading, *cells)]
         )
@@ -764,7 +765,7 @@ def plan(
       hosts = 10
       processes = 1       # of each host
       endpoints = 678     # of each process
-      nodes = 13          # with parameter services, in each process; may be left out
+      nodes = 13          # with parameter services; may be left out
 
     \b
     Examples:
@@ -866,8 +867,8 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     \b
     Examples:
       discostorm simulate fleet.toml --until 5
-      discostorm simulate fleet.toml --protocol Zenoh --window 30 --until 5 --json
-      discostorm simulate fleet.toml --no-recovery --wifi '802.11n 20 MHz 2x2, A-MPDU 64'
+      discostorm simulate fleet.toml --window 30 --until 5 --json
+      discostorm simulate fleet.toml --no-recovery --wifi '802.11ac 80 MHz 2x2'
     """
     with _bad_input():
         try:
