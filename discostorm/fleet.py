@@ -25,6 +25,9 @@ Count = Any
 LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(LEAST)
 
+#: Most groups in symbols: nobody reads as many, and what they count takes long to write out.
+_MOST_SYMBOLIC = 1000
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class HostGroup:
@@ -262,9 +265,10 @@ class Fleet:
     @classmethod
     def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
         """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
+        _checks.whole("groups", groups, 1, _MOST_SYMBOLIC)
         if groups == 1:
             return cls(SWARM.groups, matching)
-        return cls(tuple(symbolic_group(index) for index in range(1, groups + 1)), matching)
+        return cls(tuple(symbolic_group(index) for index in range(1, int(groups) + 1)), matching)
 
     @classmethod
     def from_toml(cls, path: str | PathLike[str]) -> "Fleet":
@@ -307,15 +311,19 @@ class Fleet:
         return cls.from_bytes(Path(name).read_bytes(), name)
 
     @classmethod
-    def from_bytes(cls, content: bytes, name: str) -> "Fleet":
+    def from_bytes(cls, content: bytes | bytearray | memoryview, name: str) -> "Fleet":
         """Return the fleet that the content of a TOML file describes; see `from_toml`.
 
         Errors call it by its name.
         """
-        _checks.instance("content", content, bytes)
+        if not isinstance(content, (bytes, bytearray, memoryview)):
+            raise TypeError(
+                f"content must be bytes, a bytearray or a memoryview; got {_checks.short(content)}"
+            )
+        _checks.instance("name", name, str)
         try:
             # With a byte order mark, too, as Windows' editors write it.
-            tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
+            tables = tomllib.loads(bytes(content).decode("utf-8-sig").replace("\r\n", "\n"))
         except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
             raise ValueError(f"{name} must be a TOML file: {error}") from error
         except RecursionError:

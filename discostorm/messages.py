@@ -30,6 +30,9 @@ PAPER_WINDOW = 1.0
 #: A message counts as sent at a time that misses its instant by rounding alone [periods].
 _ROUNDING = 1e-9
 
+#: Most periods that `Schedule.times` goes through.
+_MOST_ROUNDS = 1e8
+
 
 #: Takes the hosts one by one, returns a number for each of their processes.
 OfProcesses = Callable[[Hosts], NDArray[Any]]
@@ -412,9 +415,10 @@ class Schedule:
 
         As an upper bound, see `extra`. The window may be a sympy expression [s].
         """
-        if isinstance(window, sp.Expr):
-            return plain(self.extra) / window + plain(self.per_second)
-        return plain(self.extra / window + self.per_second)
+        span = _window(window)
+        if isinstance(span, sp.Expr):
+            return plain(self.extra) / span + plain(self.per_second)
+        return plain(self.extra / span + self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
         """Return how many are sent from 0 up to and including a time.
@@ -447,6 +451,7 @@ class Schedule:
     def times(self, until: float) -> NDArray[np.float64]:
         """Return the times up to `until` at which the message is sent [s]."""
         last = self.starts[-1]
+        until = _checks.number("until", until, 0, last + _MOST_ROUNDS * self.period)
         rounds = max(0, int((until - last) / self.period + _ROUNDING))
         later = last + self.period * np.arange(1, rounds + 1) if rounds else np.empty(0)
         times = np.concatenate([np.array(self.starts, dtype=float), later])
@@ -571,18 +576,20 @@ class Message:
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame up to the access point [s]."""
-        part = plain(self.frames or 1.0)
-        return part * hop_airtime("up", self.cast, self.frames > 0, self.frame_symbolic, model)
+        return self._airtime("up", model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame down from the access point [s]."""
-        part = plain(self.frames or 1.0)
-        return part * hop_airtime("down", self.cast, self.frames > 0, self.frame_symbolic, model)
+        return self._airtime("down", model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame on all of its hops [s]."""
-        of_hop = {"up": self.airtime_up, "down": self.airtime_down}
-        return sp.Add(*(of_hop[hop](model) for hop in self.hops))
+        return sp.Add(*(self._airtime(hop, model) for hop in self.hops))
+
+    def _airtime(self, hop: Hop, model: Model) -> sp.Expr:
+        _checks.choice("model", model, get_args(Model))
+        part = plain(self.frames or 1.0)
+        return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)
 
 
 _HEADER_SYMBOLS: dict[Transport, sp.Symbol] = {"UDP": nt.H_UDP, "TCP": nt.H_TCP}

@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import (
     HostGroup,
@@ -32,7 +33,7 @@ def shared_endpoints(nodes: float = 0.0) -> float:
     >>> shared_endpoints(), shared_endpoints(nodes=13)
     (2.0, 28.0)
     """
-    per = {"process": 1.0, "node": float(nodes)}
+    per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MOST)}
     rows = read_data("fleets/shared_topics.csv")
     return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
 
@@ -58,9 +59,10 @@ def likely_nodes(endpoints: float) -> float:
     >>> likely_nodes(10), likely_nodes(20), round(likely_nodes(678))
     (0.0, 1.0, 24)
     """
-    if endpoints < parameter_service_endpoints():
+    given = _checks.number("endpoints", endpoints, 0, _checks.MOST)
+    if given < parameter_service_endpoints():
         return 0.0
-    return max(1.0, endpoints / endpoints_of_a_node())
+    return max(1.0, given / endpoints_of_a_node())
 
 
 @cache

@@ -19,6 +19,9 @@ from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
 
+#: Most hosts that `in_turn` gives a start each.
+MOST_STARTS = 1e6
+
 
 def window(
     protocol: Protocol,
@@ -119,7 +122,7 @@ def in_turn(
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`, one number each; hosts whole.
+        As for `discostorm.utilization`, one number each; hosts whole, at most a million.
 
     Returns
     -------
@@ -145,7 +148,7 @@ def in_turn(
     >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
-    _checks.whole("hosts", hosts, 1)
+    _checks.whole("hosts", hosts, 1, MOST_STARTS)
     _checks.one_each([("processes", processes), ("endpoints", endpoints)])
     before = np.arange(1.0, hosts)
     return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

@@ -486,7 +486,8 @@ def sample_together(
 
 def _whole(name: str, value: object, low: int, high: int | None = None) -> int:
     allowed = f"an integer of at least {low}" + (f" and at most {high}" if high else "")
-    if not isinstance(value, Integral) or isinstance(value, bool):
+    # A duration is an integer to NumPy.
+    if not isinstance(value, Integral) or isinstance(value, (bool, np.timedelta64)):
         raise TypeError(f"{name} must be {allowed}; got {value!r}")
     number = int(value)
     if number < low or (high is not None and number > high):

@@ -58,6 +58,11 @@ else
         stop "$("$python" --version 2>&1) $old"
     "$python" -c 'import ensurepip, venv' 2>/dev/null ||
         stop "$python has no venv module: install it (Debian: apt-get install python3-venv), or uv"
+    # The first line that pip writes for them is read by a shell where there is a space.
+    case $PWD in
+        *' '*[\"\$\`\\]* | *[\"\$\`\\]*' '*)
+            stop "programs that pip installs do not start in a folder whose name has a space and one of \"\$\`\\, as $PWD: rename it, or install uv" ;;
+    esac
     echo "Setting up .venv with pip (once, about a minute) ..."
     try "make .venv" "$python" -m venv .venv
     install='.venv/bin/python -m pip install --quiet'

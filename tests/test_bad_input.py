@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import robots, staggered, timeline, uncertainty, wifi
 from discostorm.messages import PROCESS
 from discostorm.notation import N_H, N_P
 
@@ -193,6 +193,35 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
     fails(TypeError, text, ds.Wifi, name="x", unicast=link, multicast=link, aggregation=3)
 
 
+@pytest.mark.parametrize("model", [[], {}, np.array([1])], ids=repr)
+def test_a_model_that_is_no_word_is_refused_by_name(model: Any) -> None:
+    text = "model must be 'linear' or 'padded' or 'aggregated'; got "
+    message = ds.DDS.messages[0]
+    for call in (ds.DDS.utilization, message.airtime, message.airtime_up, message.airtime_down):
+        fails(ValueError, text, call, model=model)
+    fails(ValueError, text, wifi.uplink_airtime, frame_bytes=N_H, model=model)
+    text = "cast must be 'multicast' or 'unicast'; got "
+    fails(ValueError, text, wifi.downlink_airtime, frame_bytes=N_H, cast=model)
+
+
+def test_schedules_robots_and_starts() -> None:
+    every = ds.Schedule((0.0,), 3)
+    text = "window must be a finite number of at least 1e-09, or infinity; got "
+    fails(ValueError, f"{text}0", every.mean, window=0)
+    fails(TypeError, f"{text}'3'", every.mean, window="3")
+    text = "until must be a finite number of at least 0 and at most 3e+08; got "
+    fails(ValueError, f"{text}inf", every.times, until=float("inf"))
+    fails(TypeError, f"{text}None", every.times, until=None)
+    fails(TypeError, "nodes must be a finite number", robots.shared_endpoints, nodes="3")
+    fails(TypeError, "endpoints must be a finite number", robots.likely_nodes, endpoints="3")
+    fails(ValueError, "endpoints must be a finite number", robots.likely_nodes, endpoints=-1)
+    swarm = {"protocol": ds.DDS, "processes": 2, "endpoints": 10}
+    text = "hosts must be a whole number of at least 1 and at most 1e+06; got "
+    fails(ValueError, f"{text}80000000", staggered.in_turn, **swarm, hosts=8e7)
+    text = "seed must be an integer of at least 0; got "
+    fails(TypeError, text, uncertainty.sample, protocol=ds.DDS, seed=np.timedelta64(3, "s"))
+
+
 def test_limit_that_one_host_exceeds() -> None:
     single = ds.utilization(ds.DDS, 1, 2, 10)
     text = (
@@ -246,12 +275,26 @@ def test_fleet() -> None:
     fails(TypeError, "groups must be a tuple of HostGroup; got HostGroup(", ds.Fleet, groups=group)
     fails(TypeError, "groups[1] must be a HostGroup; got 3", ds.Fleet, groups=(group, 3))
     assert ds.Fleet([group]).groups == (group,)  # type: ignore[arg-type]
+    text = "groups must be a whole number of at least 1 and at most 1000; got "
+    for value in (0, 1.5, 2**63):
+        fails(ValueError, f"{text}{value}", ds.Fleet.symbolic, groups=value)
+    fails(TypeError, f"{text}'2'", ds.Fleet.symbolic, groups="2")
     fails(
         ValueError,
         "shapes that broadcast to one; got groups[0].hosts (2,), groups[1].endpoints (3,)",
         ds.Fleet,
         groups=(ds.HostGroup([1, 2], 1, 1), ds.HostGroup(1, 1, [1, 2, 3])),
     )
+
+
+def test_the_content_of_a_fleet_file_is_bytes_of_any_kind() -> None:
+    content = b"[[groups]]\nhosts = 7\nprocesses = 2\nendpoints = 10\n"
+    for kind in (bytes, bytearray, memoryview):
+        assert ds.Fleet.from_bytes(kind(content), "it") == ds.Fleet.swarm(7, 2, 10)
+    for value in (content.decode(), None, [1]):
+        text = f"content must be bytes, a bytearray or a memoryview; got {value!r}"[:60]
+        fails(TypeError, text, ds.Fleet.from_bytes, content=value, name="it")
+    fails(TypeError, "name must be a str; got 3", ds.Fleet.from_bytes, content=content, name=3)
 
 
 # Tables of one's own

@@ -101,6 +101,18 @@ def test_set_up_says_what_to_install(
     assert not (tmp_path / ".venv").exists()
 
 
+def test_pip_is_not_tried_where_its_programs_would_not_start(tmp_path: Path) -> None:
+    folder = tmp_path / "my $HOME"
+    folder.mkdir()
+    done = set_up(folder, {"fake": ""})
+    assert done.returncode == 1
+    assert done.stderr.startswith("discostorm: programs that pip installs do not start in a folder")
+    assert f"as {folder}: rename it, or install uv\n" in done.stderr
+    plain = tmp_path / "my home"
+    plain.mkdir()
+    assert "rename it" not in set_up(plain, {"fake": ""}).stderr
+
+
 #: A uv that makes a Python which does nothing; as the real one, it stops where it can write no
 #: cache or cannot look for Pythons. What it does for the command `pip` follows.
 UV = """

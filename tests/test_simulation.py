@@ -1,6 +1,7 @@
 """The simulator, held against the closed form, Markov chains, Bianchi and itself."""
 
 import json
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -19,7 +20,7 @@ from click.testing import CliRunner
 from numpy.typing import NDArray
 
 import discostorm as ds
-from discostorm import staggered
+from discostorm import simulation, staggered
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.fleet import Hosts
@@ -1003,3 +1004,19 @@ def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> 
     result = command(*arguments)
     assert result.exit_code == 2
     assert message in result.output
+
+
+def test_ctrl_c_reaches_no_process_of_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They would each print a traceback if it came while they start; this one ends them."""
+
+    def handler(_plan: Any, _seed: Any) -> Any:
+        return signal.getsignal(signal.SIGINT)
+
+    monkeypatch.setattr("discostorm.simulation.run.compiled", lambda: None)
+    monkeypatch.setattr("discostorm.simulation.run.one_run", handler)
+    plan: Any = SimpleNamespace(estimate=lambda: (10.0, 1.0))
+    seeds: Any = [0, 1]
+    before = handler(plan, 0)
+    found: Any = simulation._all_runs(plan, seeds)
+    assert found == [signal.SIG_IGN, signal.SIG_IGN]
+    assert handler(plan, 0) == before

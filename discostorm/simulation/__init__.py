@@ -6,7 +6,11 @@ A second opinion of the closed form: one 802.11 cell whose hosts contend for the
 
 from __future__ import annotations
 
+import signal
 import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
@@ -215,10 +219,25 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
                 bar.update()
             return found
         jobs = Parallel(return_as="generator", **_jobs(int(min(free / megabytes, len(seeds)))))
-        for run in jobs(delayed(one_run)(plan, seed) for seed in seeds):
+        with _ctrl_c_ignored():
+            runs = jobs(delayed(one_run)(plan, seed) for seed in seeds)
+        for run in runs:
             found.append(run)
             bar.update()
     return found
+
+
+@contextmanager
+def _ctrl_c_ignored() -> Iterator[None]:
+    """Ignore Ctrl-C; so do, for good, processes started meanwhile, which this one ends."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
 def _jobs(most: int) -> dict[str, int]:

@@ -266,27 +266,26 @@ def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
     return (nt.O_AGG + data_time(octets, *UNICAST)) / frames
 
 
-@cache
-def _unicast_airtime(frame_bytes: sp.Expr, model: Model) -> sp.Expr:
-    _checks.choice("model", model, get_args(Model))
-    if model == "aggregated":
-        return aggregated_airtime(frame_bytes)
-    if model == "padded":
-        return nt.O_UNI + data_time(frame_bytes, *UNICAST)
-    return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
-
-
 def uplink_airtime(frame_bytes: sp.Expr, model: Model = "linear") -> sp.Expr:
     """Return the airtime from a host to the access point: always unicast."""
-    return _unicast_airtime(frame_bytes, model)
+    return downlink_airtime(frame_bytes, "unicast", model)
+
+
+def downlink_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model = "linear") -> sp.Expr:
+    """Return the airtime from the access point to one host, or once to all of them."""
+    _checks.choice("cast", cast, get_args(Cast))
+    _checks.choice("model", model, get_args(Model))
+    return _frame_airtime(frame_bytes, cast, model)
 
 
 @cache
-def downlink_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model = "linear") -> sp.Expr:
-    """Return the airtime from the access point to one host, or once to all of them."""
+def _frame_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model) -> sp.Expr:
     if cast == "unicast":
-        return _unicast_airtime(frame_bytes, model)
-    _checks.choice("model", model, get_args(Model))
+        if model == "aggregated":
+            return aggregated_airtime(frame_bytes)
+        if model == "padded":
+            return nt.O_UNI + data_time(frame_bytes, *UNICAST)
+        return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
     if model == "linear":
         return airtime(frame_bytes, nt.R_MULTI, nt.O_MULTI)
     # Nobody acknowledges a multicast frame, so it is never aggregated.
