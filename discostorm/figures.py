@@ -6,6 +6,7 @@ There are more drawings: `airtime`, of one frame of each message; and, of any pr
 `who_tells_whom`, of the way that each message takes.
 """
 
+import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -28,7 +29,7 @@ from discostorm import words
 from discostorm._numeric import evaluate
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
-from discostorm.messages import Message, Protocol
+from discostorm.messages import PAPER_WINDOW, Message, Protocol
 from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
 from discostorm.scalability import saturation_hosts, utilization
 from discostorm.wifi import PAPER
@@ -467,8 +468,11 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
 _FAR = 10.0
 
 
-def remedies(bars: pd.DataFrame) -> Figure:
-    """Draw utilizations as bars from the top down, each below its name, with a line at 100%.
+def remedies(bars: pd.DataFrame, window: float = PAPER_WINDOW) -> Figure:
+    """Draw what takes the channel as bars from the top down, each below its name.
+
+    Bars are seconds of airtime, and a line is the time that they are charged to; in the steady
+    state they are parts of the channel, and the line is all of it.
 
     Changes that fit are dark, others light, and what is not changed is gray. If something takes
     more than ten times the channel, the axis is logarithmic, and bars begin at the line.
@@ -478,6 +482,8 @@ def remedies(bars: pd.DataFrame) -> Figure:
     bars : pandas.DataFrame
         One row a bar, with columns bar (its name) and utilization [1]; the first, and those whose
         names begin with its name, are what the others change.
+    window : float, optional
+        The seconds that are averaged [s]; infinity for the steady state.
 
     Returns
     -------
@@ -493,7 +499,7 @@ def remedies(bars: pd.DataFrame) -> Figure:
             axis.set_xlim(min(0.5, taken.min()) / 3, 6 * taken.max())
         else:
             axis.set_xlim(0, 1.14 * max(1.0, taken.max()))
-        start = 1.0 if far else 0.0
+        start, steady = (1.0 if far else 0.0), math.isinf(window)
         places = np.arange(len(bars))
         unchanged = bars["bar"].str.startswith(bars["bar"].iloc[0])
         colors = np.where(unchanged, "#777777", np.where(taken < 1, "#0072B2", "#a9c9e3"))
@@ -506,7 +512,8 @@ def remedies(bars: pd.DataFrame) -> Figure:
             axis.text(0.005, place - 0.42, name, va="center", fontsize=9, transform=left)
             inward = far and part < 1
             axis.annotate(
-                words.percent(part), (part, place), (-4 if inward else 4, 0),
+                words.percent(part) if steady else words.duration(part * window),
+                (part, place), (-4 if inward else 4, 0),
                 textcoords="offset points", va="center", ha="right" if inward else "left",
                 fontsize=9, bbox=white,
             )  # fmt: skip
@@ -514,8 +521,14 @@ def remedies(bars: pd.DataFrame) -> Figure:
         axis.set_yticks([])
         axis.set_ylabel("what is changed")
         axis.grid(visible=False, axis="y")
-        axis.xaxis.set_major_formatter(FuncFormatter(lambda part, _: words.percent(part)))
-        axis.set_xlabel("utilization by discovery [%]; the line is the whole channel")
+        axis.xaxis.set_major_formatter(
+            FuncFormatter(lambda x, _: words.percent(x) if steady else f"{x * window:,g}")
+        )
+        axis.set_xlabel(
+            "utilization by discovery [%]; the line is the whole channel"
+            if steady
+            else f"airtime of discovery [s]; the line is at {window:,g} s"
+        )
     return figure
 
 

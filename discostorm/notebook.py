@@ -1,6 +1,5 @@
 """What the chapter notebooks share: looks, sentences, numbered equations, tables, data."""
 
-import math
 import os
 import re
 import shlex
@@ -92,12 +91,12 @@ def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown
 def say(*sentences: str) -> None:
     """Show sentences with computed numbers in the type of the page; several of them as a list."""
     start = "- " if len(sentences) > 1 else ""
-    display(Markdown("\n".join(start + sentence for sentence in sentences)))
+    display(Markdown("\n".join(start + with_minus(sentence) for sentence in sentences)))
 
 
 def answer(*paragraphs: str) -> Markdown:
     """Show what a chapter answers to its question, set off from the text as the question is."""
-    first, *others = paragraphs
+    first, *others = map(with_minus, paragraphs)
     return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
 
 
@@ -117,15 +116,20 @@ class Advice:
         blocks = self.plan.advice().split("\n\n")
         cost, shares = (block.splitlines() for block in blocks[:2])
         parts = [
-            f"<p>{escape(' '.join(cost))}</p>",
-            f"<p>{escape(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
+            f"<p>{_prose(' '.join(cost))}</p>",
+            f"<p>{_prose(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
         ]
         for title, remedies in self.plan.told().items():
             cards = "".join(map(_card, remedies))
-            parts.append(f'<p class="plan-title">{escape(title)}</p>')
+            parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             parts.append(f'<div class="plan-cards">{cards}</div>')
-        parts.append(f"<p>{escape(' '.join(blocks[-1].split()))}</p>")
+        parts.append(f"<p>{_prose(' '.join(blocks[-1].split()))}</p>")
         return "".join(parts)
+
+
+def _prose(text: str) -> str:
+    """Return a sentence as HTML, with the apostrophes of the book's type."""
+    return escape(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
 
 
 def _card(remedy: Remedy) -> str:
@@ -139,9 +143,9 @@ def _card(remedy: Remedy) -> str:
         for piece in remedy.snippets
     )
     return (
-        f'<div class="plan-card"><p class="plan-what">{escape(what)} {fits}</p>'
-        f"<p>{escape(words.capitalized(gain.strip()))}.</p>"
-        f'<p class="plan-mind">{escape(remedy.caution())}</p>{pieces}</div>'
+        f'<div class="plan-card"><p class="plan-what">{_prose(what)} {fits}</p>'
+        f"<p>{_prose(words.capitalized(gain.strip()))}.</p>"
+        f'<p class="plan-mind">{_prose(remedy.caution())}</p>{pieces}</div>'
     )
 
 
@@ -170,8 +174,12 @@ _UNITS = {
 #: Names of the standard, which are not words.
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
+_MINUS = "\N{MINUS SIGN}"
+#: What stays as it is, code and formulas, or else a hyphen that stands for a minus.
+_HYPHEN = re.compile(r"(`[^`]*`|\$[^$]*\$)|(?<![\w.)/#-])-(?=\d)")
 _NUMBER = re.compile(
-    rf"[-+<≤>≥≈ ]*\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|{_NONE}|∞|"
+    rf"[-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
+    rf"|{_NONE}|"
 )
 
 
@@ -194,15 +202,25 @@ def heading(name: str) -> str:
     return f"{words} [{_UNITS[unit]}]" if unit else words
 
 
-def _cell(value: object) -> object:
-    """Return a value as a reader reads it: no True, no inf, no nan."""
+def with_minus(text: str) -> str:
+    """Return a text for people in which a minus is one, not a hyphen, but in code and formulas.
+
+    Examples
+    --------
+    >>> with_minus("by -6% in 2020-2024; `x = -1`") == "by \N{MINUS SIGN}6% in 2020-2024; `x = -1`"
+    True
+    """
+    return _HYPHEN.sub(lambda found: found[1] or _MINUS, text)
+
+
+def _cell(value: object) -> str:
+    """Return a value as a reader reads it: no True, no inf, no nan, no hyphen for a minus."""
     if isinstance(value, bool | np.bool_):
         return "yes" if value else "no"
-    if isinstance(value, float) and not math.isfinite(value):
-        return _NONE if math.isnan(value) else "∞"
-    if isinstance(value, str) and re.fullmatch(r"[-+]?(inf|nan)\b.*", value):
-        return _NONE if "nan" in value else "∞"
-    return value
+    text = f"{value:g}" if isinstance(value, float) else str(value)
+    if infinite := re.fullmatch(r"([-+]?)inf\b.*", text):
+        return f"{_MINUS if infinite[1] == '-' else ''}∞"
+    return _NONE if re.fullmatch(r"[-+]?nan\b.*", text) else with_minus(text)
 
 
 def table(
@@ -365,7 +383,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of one message {message.name} of {protocol.name}",
+            f"payload of {message.name}, a message of {protocol.name}",
             "B",
             message.payload.source,
         )

@@ -172,7 +172,9 @@ class Remedy:
         before, after = (_amount(value, self.window) for value in (self.before, self.utilization))
         s = "" if self._plural else "s"
         if self.kind == "staggered start":
-            brings = f"within {words.duration(self.spread)} takes the same {before} of airtime"
+            brings = (
+                f"takes the same {before} of airtime, over {words.duration(self.spread)} at least"
+            )
         elif self.utilization and not self.before:
             brings = f"add{s} {after}, where nothing was sent before"
         elif abs(self.saved) < _NOTHING:
@@ -190,7 +192,7 @@ class Remedy:
     def _plural(self) -> bool:
         """Whether the change is told in the plural: several of them, or things without article."""
         first = self.what.split()[0]
-        one = first in ("a", "another", "the") or first.endswith("ing")
+        one = first in ("a", "another", "the") or _is_doing(self.what)
         return self.kind == "combination" or not one
 
     def caution(self) -> str:
@@ -233,6 +235,11 @@ class Remedy:
         }
 
 
+def _is_doing(what: str) -> bool:
+    """Return whether a change is told as what is done, not as a thing."""
+    return what.split()[0].endswith("ing")
+
+
 @cache
 def _efforts() -> dict[str, dict[str, str]]:
     return {row["effort"]: row for row in read_data("vendors/efforts.csv")}
@@ -262,7 +269,8 @@ class Plan:
     remedies : tuple of Remedy
         What could be changed, one thing each: what makes it fit first, that which is easiest
         before all; then what saves most. In both parts those of which the gain is that of the best
-        case stand behind. Those after which not all hosts find each other stand behind all others.
+        case stand behind, then what is a prototype. Those after which not all hosts find each other
+        stand behind all others.
     combinations : tuple of Remedy
         The best of two or three of them together, in the same order; none that does without
         one of its changes as well.
@@ -375,7 +383,7 @@ class Plan:
         """Draw what each remedy leads to, beside what there is and the whole channel."""
         from discostorm import figures
 
-        return figures.remedies(self.picture_data())
+        return figures.remedies(self.picture_data(), self.window)
 
     @property
     def best(self) -> Remedy | None:
@@ -420,7 +428,7 @@ class Plan:
             lines += ["", title, *self._ranked(remedies)]
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
         others = f"{rest} other{'s' * (rest != 1)}"
-        lines += ["", f"{others}, what was left out and what to paste: in the table and JSON."]
+        lines += ["", f"In the JSON: {others}, what was left out and what to paste."]
         return "\n".join(map(words.wrapped, lines))
 
     def __str__(self) -> str:
@@ -440,13 +448,15 @@ class Plan:
             f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}"
             f"{' of airtime' * math.isfinite(self.window)}. Channel: {self.wifi.name}."
         )
-        share = words.percent(self.utilization)
         if math.isinf(self.window):
-            yield f"That is {share} of the channel in the steady state, {fit}."
+            share = words.charged(self.utilization, "of the channel", "the channel has")
+            yield f"That is {share} in the steady state, {fit}."
         elif self.window == PAPER_WINDOW:
-            yield f"All charged to one second, that is {share} of it, {fit}."
+            share = words.charged(self.utilization, "of it", "it holds")
+            yield f"All charged to one second, that is {share}, {fit}."
         else:
-            yield f"All charged to the first {self.window:g} s, that is {share} of them, {fit}."
+            share = words.charged(self.utilization, "of them", "they hold")
+            yield f"All charged to the first {self.window:g} s, that is {share}, {fit}."
         exchanges = "an exchange of its own"
         if self.wifi.aggregation is not None:
             exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
@@ -459,9 +469,9 @@ class Plan:
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
                 f"in swarms of up to {words.many(most[0], 'host')} and "
                 f"{words.many(most[1], 'process', 'es')} that began all at once"
-                f"{', so that this fleet is extrapolated' * beyond}; of the endpoints "
-                f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} match in "
-                "every process."
+                f"{', so that this fleet is extrapolated' * beyond}; here "
+                f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} of the "
+                "endpoints match in every process."
             )
         if self.protocol.repeats:
             papers = [message.name for message in self.protocol.messages if of_paper(message)]
@@ -628,7 +638,9 @@ def plan(
         of_all: Callable[[Iterable[float]], float] = sum
         if any(step.kind == "channels" for step in steps):
             of_all = max
-        rows = [known(kind, new.protocol) for step in steps for kind in step.steps]
+        # Things first: "leaving out services and a server" would leave out both.
+        told = sorted(steps, key=lambda step: _is_doing(step.what))
+        rows = [known(kind, new.protocol) for step in told for kind in step.steps]
         note = steps[0].note
         if len(steps) > 1:
             notes = [step.by for step in steps if step.by]
@@ -640,7 +652,7 @@ def plan(
             )
         return Remedy(
             steps[0].kind if len(steps) == 1 else "combination",
-            words.listed([step.what for step in steps]),
+            words.listed([step.what for step in told]),
             "; ".join(dict.fromkeys(row["price"] for row in rows)),
             all(row["all_find_each_other"] == "yes" for row in rows),
             parts,

@@ -215,7 +215,8 @@ def _other_tables(protocol: Protocol) -> Iterator[Change | str]:
     if calm is not None:
         yield Change("announcements", "calmer announcements", "table", table=calm)
     elif family(protocol) == "DDS":
-        yield f"calmer announcements: what {protocol.name} repeats is not of a product as built"
+        of = list(dict.fromkeys(row["protocol"] for row in read_data("vendors/announcements.csv")))
+        yield f"calmer announcements: known for the tables of {words.listed(of)} alone"
     if family(protocol) == "Zenoh":
         listed = _listed(protocol)
         if listed is not None:
@@ -363,7 +364,7 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
             unknown.append(of_kind[0]["title"])
         elif row is None:
             others = words.listed([found["family"] for found in of_kind])
-            yield f"{of_kind[0]['title']}: there is none in {own}, but in {others}"
+            yield f"{of_kind[0]['title']}: for {others} alone"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
         elif built and row["table"] in PROTOCOLS and row["base"]:

@@ -41,6 +41,20 @@ def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
     return f"{share:,.{decimals}%}"
 
 
+def charged(utilization: float, to: str, held: str) -> str:
+    """Return what is charged to a time: in percent, from ten times what it holds on as times.
+
+    Examples
+    --------
+    >>> charged(1.38, "of it", "it holds"), charged(28.44, "of it", "it holds")
+    ('138% of it', '28.4 times what it holds')
+    """
+    if utilization < 10:
+        return f"{percent(utilization)} {to}"
+    times = f"{utilization:.3g}" if utilization >= HUGE else f"{float(f'{utilization:.3g}'):,g}"
+    return f"{times} times what {held}"
+
+
 def part(share: float) -> str:
     """Return a part of a whole in percent; almost all of it as "nearly all"."""
     return "nearly all" if 0.995 <= share < 1 else percent(share)

@@ -1,9 +1,12 @@
-"""Fail if something in the book's PDF runs off a page, or leaves one all but empty."""
+"""Fail if something in the book's PDF runs off a page, is missing, or leaves one all but empty."""
 
 import argparse
 import re
 import subprocess
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from pypdf import PageObject, PdfReader
@@ -18,6 +21,8 @@ HEAD, FOOT = 0.09, 0.91
 BOX = re.compile(
     r"(?:Overfull \\[hv]box \(|Float too large for page by )([\d.]+)pt([^\n]*)\n([^\n]*)"
 )
+#: What LaTeX's log says of a letter that a typeface has not, and of a reference to nothing.
+MISSING = re.compile(r"Missing character: .*|LaTeX Warning: (?:Reference|Citation) .* undefined.*")
 
 
 def overfull(log: str) -> list[str]:
@@ -27,6 +32,11 @@ def overfull(log: str) -> list[str]:
         for points, where, text in BOX.findall(log)
         if float(points) > TOO_WIDE
     ]
+
+
+def missing(log: str) -> list[str]:
+    """Return what LaTeX says of letters and references that are printed as nothing."""
+    return sorted(set(MISSING.findall(log)))
 
 
 def words(pdf: Path) -> list[str]:
@@ -96,6 +106,32 @@ def scant(reader: PdfReader, texts: list[str]) -> list[str]:
     ]
 
 
+def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None, str]]:
+    """Yield the page, from 0, and the title of everything in the outline."""
+    for entry in outline:
+        if isinstance(entry, list):
+            yield from headings(reader, entry)
+        else:
+            yield reader.get_destination_page_number(entry), entry.title or ""
+
+
+def alone(reader: PdfReader, texts: list[str]) -> list[str]:
+    """Return the headings, and the labels of solutions, with which a page ends."""
+    titles = {(page, "".join(title.split())) for page, title in headings(reader, reader.outline)}
+    pages = [list(filter(None, map(str.strip, text.splitlines()))) for text in texts]
+    ((head, _),) = Counter(lines[0] for lines in pages if lines).most_common(1)
+    found = []
+    for number, lines in enumerate(pages):
+        # Below the text is the page's number; where there is a head, the section's name, too.
+        body = lines[1:-2] if lines[:1] == [head] else lines[:-1]
+        last = "".join(body[-1].split()) if body else ""
+        # A heading is "3.5 Words"; the section's name, which may be read early, is "3.5. Words".
+        is_title = {(number, last), (number, re.sub(r"^[\d.]*\d", "", last))} & titles
+        if (is_title and len(body) > 1) or re.fullmatch(r"Solution\d+", last):
+            found.append(f"page {number + 1} of the file ends with {body[-1]!r}")
+    return found
+
+
 def main() -> None:
     """Check the PDF and the log beside it."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -105,7 +141,9 @@ def main() -> None:
     pdf = arguments.pdf
     reader = PdfReader(pdf)
     log = pdf.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
-    wrong = overfull(log) + gaps(reader, filled(pdf)) + scant(reader, words(pdf))
+    texts = words(pdf)
+    wrong = overfull(log) + missing(log) + gaps(reader, filled(pdf))
+    wrong += scant(reader, texts) + alone(reader, texts)
     if arguments.pages and len(reader.pages) > arguments.pages:
         wrong.append(f"{len(reader.pages)} pages; at most {arguments.pages} are wanted")
     if wrong:

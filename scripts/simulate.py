@@ -14,6 +14,7 @@ import sys
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 from hashlib import sha256
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,8 @@ import discostorm as ds
 from discostorm import staggered
 from discostorm.simulation._compile import sources
 from discostorm.simulation.result import CAUSES
+from discostorm.simulation.run import finish, plan_runs
+from discostorm.simulation.traffic import ticks
 
 ROOT = Path(__file__).parents[1]
 CACHE = ROOT / "build" / "simulate"
@@ -305,6 +308,7 @@ def main() -> None:
         write(name, [asdict(one) | result(one) | SOURCE for one in settings])
     if only in (None, "drain"):
         write("events", [row | SOURCE for row in events()])
+        write("saturation", [row | SOURCE for row in saturation()])
     if only in (None, "queues"):
         write("hosts", [row | SOURCE for row in by_host()])
     if only in (None, "fits"):
@@ -326,6 +330,44 @@ def events() -> list[dict[str, object]]:
     for column in ("start_s", "end_s"):
         table[column] = [f"{value:.7f}" for value in table[column]]  # whole ticks
     return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
+
+
+#: Of stations that always have something to send: how many, runs, and seconds of each.
+STATIONS, TRIES, LASTING = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
+
+
+def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
+    """Return what arrives when so many stations always have something to send.
+
+    By the rules of the standard, and by those of Bianchi's chain, which knows no timeout for
+    acknowledgements and gives up no frame.
+    """
+    sedp = replace(ds.DDS.message("SEDP"), hops=("up",), answers=None)
+    rows: list[dict[str, object]] = []
+    for count, rules in product(stations, ("standard", "Bianchi")):
+        starts = np.zeros(count + 1)
+        starts[-1] = 1e4  # is there only to be sent to
+        what = plan_runs(
+            ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
+            ds.Protocol("saturation", (sedp,)),
+            Setting("DDS", 2).wifi,
+            (np.inf, np.inf),
+            starts,
+            0.0,
+            recovery=False,
+            until=1e5,
+            eifs=False,
+        )
+        if rules == "Bianchi":
+            what.radio["timeout"], what.radio["attempts"] = 0, 10**6
+        arrived = []
+        for seed in np.random.SeedSequence(SEED).spawn(TRIES):
+            cell = finish(what.cell(seed)[0], ticks(LASTING), what.reserve)
+            assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
+            arrived.append(int(cell.now["arrived"][0]) / LASTING)
+        row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
+        rows.append(row | {"runs": TRIES} | spread("frames_per_s", np.array(arrived)))
+    return rows
 
 
 def by_host() -> list[dict[str, object]]:

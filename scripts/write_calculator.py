@@ -15,7 +15,15 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _checks, figures, notation as nt, remedies as changed, timeline, words
+from discostorm import (
+    _checks,
+    figures,
+    measured,
+    notation as nt,
+    remedies as changed,
+    timeline,
+    words,
+)
 from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
@@ -80,7 +88,8 @@ LENGTH = sp.Symbol("L", positive=True)
 #: What products' tables were fitted to.
 ABOUT = {
     row["protocol"]: f"{row['what']} (version {row['versions']})"
-    for row in read_data("vendors/products.csv")
+    for table in ("products", "arrangements")
+    for row in read_data(f"vendors/{table}.csv")
 }
 
 #: Further hosts than the first.
@@ -94,7 +103,7 @@ GROUPS = (
     "Products arranged against the storm",
     "As the paper counts",
     "The paper's messages, a product's periods",
-    "Other tables",
+    "Proposals and other tables",
 )
 
 #: The largest whole number of hosts below saturation.
@@ -311,7 +320,7 @@ def fields() -> Code:
     return {
         "swarm": counts(
             "",
-            ("Robots", "Processes on each", "Endpoints a process"),
+            ("Robots", "Processes on each", "Endpoints of each process"),
             SWARM.counts(),
             (START_HOSTS, robot.processes, robot.endpoints),
         ),
@@ -441,6 +450,19 @@ def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Code:
     }
 
 
+def measured_up_to(protocol: Protocol) -> list[float]:
+    """Return the most hosts, processes and endpoints of a process that a product ran with [1].
+
+    None for a table that was not fitted to captures.
+    """
+    if protocol.name not in MEASURED | ARRANGED:
+        return []
+    endpoints = (
+        group.endpoints for point in measured.points(protocol.name) for group in point.fleet.groups
+    )
+    return [*measured.largest(protocol.name), max(map(float, endpoints))]
+
+
 def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     """Return all that the calculator knows of a protocol."""
     windows = {"second": PAPER_WINDOW}
@@ -455,6 +477,7 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "product": data(changed.product(protocol)),
         "tables": table_remedies(protocol),
         "about": data(ABOUT.get(protocol.name, "")),
+        "measured": [number(most) for most in measured_up_to(protocol)],
         "variant": data(protocol.name in MEASURED and protocol.name not in PRODUCTS),
         "lease": number(protocol.lease),
         "repeats": data(protocol.repeats),

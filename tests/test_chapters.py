@@ -102,13 +102,41 @@ def test_tables_are_for_people() -> None:
     ]
 
 
+def test_a_minus_is_one_for_people_and_a_hyphen_for_machines() -> None:
+    frame = pd.DataFrame(
+        {
+            "change": [-1.25, -np.inf],
+            "points": [-3, 2],
+            "share": ["-4.9%", "+3%"],
+            "remark": ["off by -6%, from 2 to -3, in 7-8", "`ours -5`, $N^{-1}$, IEEE-754"],
+        }
+    )
+    *_, rule, one, two = notebook.table(frame, {"change": ".1f"}).data.splitlines()
+    minus = "\N{MINUS SIGN}"
+    assert [cell.strip() for cell in one.strip("|").split("|")] == [
+        f"{minus}1.2",
+        f"{minus}3",
+        f"{minus}4.9%",
+        f"off by {minus}6%, from 2 to {minus}3, in 7-8",
+    ]
+    assert [cell.strip() for cell in two.strip("|").split("|")] == [
+        f"{minus}∞",
+        "2",
+        "+3%",
+        "`ours -5`, $N^{-1}$, IEEE-754",
+    ]
+    assert [mark.endswith(":") for mark in rule.strip("|").split("|")] == [True] * 3 + [False]
+    assert notebook.answer("By -5%.").data == f"> **The answer.** By {minus}5%."
+    assert notebook.download(frame[["points"]], "fig-some").content == "points\n-3\n2\n"
+
+
 def test_sentences_are_said_one_by_one_or_as_a_list() -> None:
     shown: list[Any] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(notebook, "display", shown.append)
         notebook.say("One.")
-        notebook.say("One.", "Two.")
-    assert [markdown.data for markdown in shown] == ["One.", "- One.\n- Two."]
+        notebook.say("One.", "Two: -2.")
+    assert [markdown.data for markdown in shown] == ["One.", "- One.\n- Two: \N{MINUS SIGN}2."]
     assert notebook.answer("Yes.", "Why: so.").data == "> **The answer.** Yes.\n>\n> Why: so."
 
 

@@ -403,6 +403,13 @@ def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
         ),
         ("utilization DDS 3 1 40 is low", "DDS with 3 hosts of 1 process with 40 endpoints: 11%"),
         ("ht_rate 7 ≈ 144.4e6 ± 0.05e6", "about 144.4 Mbit/s ± 0.05 Mbit/s for MCS 7"),
+        ("utilization DDS 100 1 0 ≥ 1", "at least 100% of a second, DDS with 100 hosts of 1 pro"),
+        ("utilization DDS 100 1 0 ≥ 1", ": 14.8 s"),
+        ("start_saved Zenoh_router_per_host 100 > 0", "hosts: none, it takes 8 times as much"),
+        (
+            "default Cyclone_DDS sedp_multicast_wired = 0",
+            "multicast of SEDP on a wired interface off by default, Cyclone DDS: on",
+        ),
     ],
 )
 def test_tests_in_words(test: str, said: str) -> None:
@@ -411,7 +418,8 @@ def test_tests_in_words(test: str, said: str) -> None:
 
 def test_every_quantity_has_words_and_says_how_it_is_known() -> None:
     named = [row["quantity"] for row in read_data("paper/quantities.csv")]
-    tested = {test.quantity.split()[0] for claim in claims.claims() for test in deciding(claim)}
+    parts = [test.quantity.split() for claim in claims.claims() for test in deciding(claim)]
+    tested = {f"default {part[-1]}" if part[0] == "default" else part[0] for part in parts}
     assert sorted(tested) == sorted(named)
     known = {test.provenance for claim in claims.claims() for test in deciding(claim)}
     assert known <= {"computed", "read in sources", "simulated", "measured"}

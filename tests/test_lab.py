@@ -12,6 +12,7 @@ import sys
 import time
 import uuid
 from collections import Counter
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -109,16 +110,23 @@ def test_what_is_missing_is_said_with_the_packages_to_install(tmp_path: Path) ->
     assert re.search(r"apt-get install .*tcpdump", made.stderr)
 
 
-def ready() -> None:
-    """Skip where the lab cannot run."""
+def unready() -> str:
+    """Return why the lab cannot run here, or nothing."""
     if os.geteuid() != 0:
-        missing("the lab needs root")
+        return "the lab needs root"
     if subprocess.run(
         ["sh", "lab/check.sh"], cwd=ROOT, capture_output=True, check=False
     ).returncode:
-        missing("the lab's programs are not installed: see lab/check.sh")
+        return "the lab's programs are not installed: see lab/check.sh"
     if not (lab.BUILD / ".ready").exists():
-        missing("the lab is not set up: run make lab GRID=short")
+        return "the lab is not set up: run make lab GRID=short"
+    return ""
+
+
+def ready() -> None:
+    """Skip where the lab cannot run."""
+    if why := unready():
+        missing(why)
 
 
 def marked(mark: str) -> list[int]:
@@ -201,19 +209,49 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     assert wait_until(lambda: not marked(mark))
 
 
-def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
+@dataclass(frozen=True)
+class Done:
+    """What came of programs of the lab that ran side by side, each for the seconds it takes."""
+
+    folder: Path
+    ended: dict[str, tuple[int, str]]  # exit code and what it said, by program
+    left: list[int]  # processes
+    links: tuple[str, str]  # before and after
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """Run the speakers of the hybrid, and a short lab of all products beside a longer one of one.
+
+    The latter two only where the lab is set up, which the speakers do not need.
+    """
+    folder, mark, before = tmp_path_factory.mktemp("lab"), uuid.uuid4().hex, links()
+    made = {"hybrid": hybrid(folder, mark, 12)}
+    if not unready():
+        made["short"] = begin(folder / "short", mark, 4)
+        made["long"] = begin(folder / "long", mark, 14, "fast_dds-default")
+    said = {name: program.communicate(timeout=300)[0] for name, program in made.items()}
+    ended = {name: (program.returncode, said[name]) for name, program in made.items()}
+    return Done(folder, ended, marked(mark), (before, links()))
+
+
+def links() -> str:
+    return subprocess.run(["ip", "link"], capture_output=True, text=True, check=True).stdout
+
+
+def test_nothing_is_left_after_the_lab(done: Done) -> None:
+    assert not done.left
+    before, after = done.links
+    assert after == before
+
+
+def test_a_short_lab_captures_every_product(done: Done) -> None:
     """For real: two hosts, and each product's processes find each other."""
     ready()
-    mark = uuid.uuid4().hex
-    before = subprocess.run(["ip", "link"], capture_output=True, text=True, check=True).stdout
-    made = begin(out := tmp_path / "out", mark, 4)
-    said, _ = made.communicate(timeout=300)
-    assert made.returncode == 0, said
-    assert not marked(mark)
-    after = subprocess.run(["ip", "link"], capture_output=True, text=True, check=True).stdout
-    assert after == before
+    code, said = done.ended["short"]
+    assert code == 0, said
     for product, variant in lab.PRODUCTS:
-        [capture] = out.glob(f"{product.replace('.', '')}-{variant}-*.pcap.gz")
+        [capture] = (done.folder / "short").glob(f"{product.replace('.', '')}-{variant}-*.pcap.gz")
         told = json.loads(capture.with_suffix("").with_suffix(".json").read_text())
         assert told["version"]
         assert len(told["times"]) == 2
@@ -222,13 +260,13 @@ def test_a_short_lab_captures_every_product(tmp_path: Path) -> None:
         assert {who for who, _ in hosts} == {"10.77.0.1", "10.77.0.2"}
 
 
-def test_captures_are_counted_in_windows(tmp_path: Path) -> None:
+def test_captures_are_counted_in_windows(done: Done, tmp_path: Path) -> None:
     """Of a run of 14 s the start-up is counted, and of the steady window nothing."""
     ready()
-    made = begin(out := tmp_path / "out", uuid.uuid4().hex, 14, "fast_dds-default")
-    said, _ = made.communicate(timeout=300)
-    assert made.returncode == 0, said
-    command = [sys.executable, str(LAB / "count.py"), str(out), "--out", str(tmp_path / "tables")]
+    code, said = done.ended["long"]
+    assert code == 0, said
+    command = [sys.executable, str(LAB / "count.py"), str(done.folder / "long")]
+    command += ["--out", str(tmp_path / "tables")]
     subprocess.run(command, check=True, capture_output=True)
     with (tmp_path / "tables" / "runs.csv").open(newline="") as file:
         [run] = csv.DictReader(file)
@@ -271,13 +309,10 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     return started("hybrid.py", mark, "--grid", grid, *where)
 
 
-def test_speakers_of_the_hybrid_discovery_find_each_other(tmp_path: Path) -> None:
-    mark = uuid.uuid4().hex
-    made = hybrid(tmp_path, mark, 12)
-    said, _ = made.communicate(timeout=300)
-    assert made.returncode == 0, said
-    assert not marked(mark)
-    with (tmp_path / "hybrid.csv").open(newline="") as file:
+def test_speakers_of_the_hybrid_discovery_find_each_other(done: Done) -> None:
+    code, said = done.ended["hybrid"]
+    assert code == 0, said
+    with (done.folder / "hybrid.csv").open(newline="") as file:
         rows = {row["kind"]: row for row in csv.DictReader(file)}
     assert int(rows["Announce"]["frames"]) == 3
     assert int(rows["Heartbeat"]["frames"]) >= 9

@@ -129,5 +129,7 @@ def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:
 
 
 def test_every_claim_says_in_which_cell_it_is_decided(ledger: Page) -> None:
-    links = ledger.locator(f"{ROWS} a", has_text=re.compile("^(computed|more) here$")).count()
+    links = ledger.locator(
+        f"{ROWS} a", has_text=re.compile("^(computed|simulated|measured|more) here$")
+    ).count()
     assert links == sum(bool(claim.link) for claim in claims.claims())

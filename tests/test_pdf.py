@@ -75,8 +75,10 @@ def test_the_title_page_says_version_and_commit(text: list[str]) -> None:
 def test_nothing_runs_off_a_page_and_none_is_all_but_empty(pdf: PdfReader, text: list[str]) -> None:
     log = LABELS.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
     assert not check_pdf.overfull(log)
+    assert not check_pdf.missing(log)
     assert not check_pdf.gaps(pdf, check_pdf.filled(PDF))
     assert not check_pdf.scant(pdf, text)
+    assert not check_pdf.alone(pdf, text)
 
 
 def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
@@ -84,7 +86,10 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
         "Overfull \\hbox (4.9pt too wide) in paragraph at lines 1--2\n[]small\n"
         "Overfull \\hbox (48.2pt too wide) in paragraph at lines 3--4\n[]ledger\n"
         "LaTeX Warning: Float too large for page by 12.0pt on input line 5.\n\n"
+        "Missing character: There is no → in font FreeMono!\n"
+        "LaTeX Warning: Reference `nowhere' on page 7 undefined on input line 9.\n"
     )
+    assert [line[:15] for line in check_pdf.missing(log)] == ["LaTeX Warning: ", "Missing charact"]
     assert [line.split(" pt")[0] for line in check_pdf.overfull(log)] == ["48.2", "12.0"]
     begins = check_pdf.starts(pdf)
     before_a_figure = next(
@@ -103,6 +108,12 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
     )
     few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
     assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
+    *_, (page, title) = check_pdf.headings(pdf, pdf.outline[-3:])
+    running = text[inside].strip().splitlines()[0]
+    for last in (f"7.2 {title}", "Solution 2"):
+        ends = f"{running}\n\nwords\n\n{last}\n\n7. A section\n\n9\n"
+        worse = [*text[:page], ends, *text[page + 1 :]]
+        assert check_pdf.alone(pdf, worse) == [f"page {page + 1} of the file ends with {last!r}"]
 
 
 def test_solutions_come_last_and_are_found(text: list[str]) -> None:
@@ -132,6 +143,18 @@ def test_chapters_lead_to_their_page(address: str) -> None:
     else:
         assert "html/notebooks/06_hosts.html" in link
         assert "qrcode" not in link
+
+
+def test_figures_are_described(pdf: PdfReader) -> None:
+    alternative = re.compile(rb"/Span\s*<<\s*/Alt\s*<FEFF([0-9A-F]*)>\s*>>\s*BDC", re.IGNORECASE)
+    told = []
+    for page in pdf.pages:
+        contents = page.get_contents()
+        drawn = contents.get_data() if contents else b""
+        told += [bytes.fromhex(each.decode()) for each in alternative.findall(drawn)]
+        assert len(alternative.findall(drawn)) == drawn.count(b"EMC")
+    assert len(told) == sum(len(source(page)[1]) for page in PAGES)
+    assert min(len(each.decode("utf-16-be")) for each in told) > 30
 
 
 def test_figures_are_vectors(pdf: PdfReader) -> None:

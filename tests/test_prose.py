@@ -49,7 +49,7 @@ def test_whatever_the_model_leaves_out_has_a_direction() -> None:
     [
         ("Collisions", "more"),
         ("Lost frames", "more"),
-        ("Queues that end", "either"),
+        ("Queues of limited", "either"),
         ("RTS and CTS; protection", "more"),
         ("TXOP", "less"),
         ("DTIM", "later"),

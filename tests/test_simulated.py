@@ -67,6 +67,13 @@ def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
         assert [text(row | simulate.SOURCE) for row in rows] == read_data(f"simulated/{name}.csv")
 
 
+def test_saturation_comes_out_the_same_again() -> None:
+    stored = read_data("simulated/saturation.csv")
+    assert [int(row["stations"]) for row in stored[::2]] == list(simulate.STATIONS)
+    again = [text(row | simulate.SOURCE) for row in simulate.saturation((2,))]
+    assert again == [row for row in stored if row["stations"] == "2"]
+
+
 def test_the_ladder_is_that_of_its_sweep() -> None:
     rows = [
         asdict(setting) | row

@@ -4,9 +4,11 @@ import math
 import re
 from pathlib import Path
 
+import matplotlib
 from docutils import nodes
 from sphinx.addnodes import start_of_file, tabular_col_spec, toctree
 from sphinx.application import Sphinx
+from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 
 #: The page that is a document of its own, too.
@@ -19,11 +21,26 @@ _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
 #: Measures that a table would have if no line of it were broken: more is read in small type only,
 #: and with its first columns in one if all that stands in them is at most so wide [pt].
 _TOWERS, _NARROW = 4.5, 110.0
-#: Points: what is kept on one page of a table, and what the rules of a row take.
-_TOGETHER, _RULES = 230.0, 4.0
+#: How much wider a word is in the type of a column's head than in that of the cells.
+_SANS = 1.15
+#: Points: what is kept on one page of a table, what the rules of a row take, and those of a table.
+_TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
+#: The space between a number and its unit.
+_UNIT = re.compile(r"(?<=\d) (?=(?:s|ms|µs|B|Hz|MHz|GHz|Mbit/s)(?!\w))")
 _SOLUTION = "Show the solution"
+#: Sections that the contents need not name; short pages that begin where the one before ends.
+_IN_EVERY_CHAPTER = ("Exercises", "The answer")
+_RUN_ON = ("book/how_to_cite", "book/status")
+#: Percent of a figure's size on the screen, in which its letters are no larger than the text's.
+_SCALE = 88
+#: Points that a line of code takes, and the frame around it; lines of it that stay together.
+_CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
+#: What stands between blocks and is not seen.
+_UNSEEN = (nodes.Invisible, nodes.raw)
+#: Points that a heading takes.
+_HEADING = 45.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
@@ -69,7 +86,7 @@ def _shorten(block: nodes.literal_block) -> None:
 
 def _solutions(app: Sphinx, by_chapter: dict[str, list[nodes.container]]) -> nodes.section:
     """Return a chapter of solutions, a section for each chapter that has exercises."""
-    last = nodes.section("", nodes.title("", "Solutions"), ids=["solutions"])
+    last = nodes.section("", nodes.title("", "Solutions"), _depth(0), ids=["solutions"])
     for name, cells in by_chapter.items():
         number = ".".join(map(str, app.env.toc_secnumbers.get(name, {}).get("", ())))
         title = f"{number} {app.env.titles[name].astext()}".strip()
@@ -102,7 +119,7 @@ def _link(app: Sphinx, name: str, text: str = _MORE) -> nodes.raw:
 def _width(text: str, size: float, *, is_code: bool) -> float:
     """Return roughly how wide a line is [pt]: letters of Times are half as wide as it is high."""
     if is_code:
-        return 0.62 * size * len(text)
+        return 0.52 * size * len(text)
     capitals = sum(letter.isupper() for letter in text)
     return size * (0.5 * len(text) + 0.25 * capitals)
 
@@ -113,12 +130,12 @@ def _breakable(word: re.Match[str]) -> str:
 
 def _least(entry: nodes.entry, size: float) -> float:
     """Return how wide the longest word of a cell is [pt]; a formula is a word."""
-    if entry.get("stacked"):
-        return _natural(entry, size)
     is_code = any(True for _ in entry.findall(nodes.literal))
-    # Code is broken at some signs, too.
+    if isinstance(entry.parent.parent, nodes.thead):
+        size *= _SANS
+    # Code is broken at some signs, too; at no space that is there to prevent it.
     words = re.split(
-        rf"[\s{_BREAK}]|(?<=[.,;?!/])" if is_code else rf"[\s{_BREAK}]", entry.astext()
+        rf"[ \n{_BREAK}]|(?<=[.,;?!/])" if is_code else rf"[ \n{_BREAK}]", entry.astext()
     )
     formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
     if formulas:
@@ -128,9 +145,13 @@ def _least(entry: nodes.entry, size: float) -> float:
 
 def _natural(entry: nodes.entry, size: float) -> float:
     """Return how wide a cell is on one line [pt], or each of those that were put together."""
+    return max(_each(entry, size), default=0.0)
+
+
+def _each(entry: nodes.entry, size: float) -> list[float]:
+    """Return how wide each paragraph of a cell is on one line [pt]."""
     is_code = any(True for _ in entry.findall(nodes.literal))
-    lines = [each.astext() for each in entry.children] if entry.get("stacked") else [entry.astext()]
-    return max(_width(_formula(line), size, is_code=is_code) for line in lines)
+    return [_width(_formula(each.astext()), size, is_code=is_code) for each in entry.children]
 
 
 def _formula(tex: str) -> str:
@@ -141,7 +162,7 @@ def _formula(tex: str) -> str:
 def _lines(row: list[nodes.entry], widths: list[float], size: float) -> list[float]:
     """Return how many lines each cell of a row takes, not in whole ones where it is broken."""
     return [
-        max(len(entry.children) if entry.get("stacked") else 1, _natural(entry, size) / width)
+        sum(max(1, natural / width) for natural in _each(entry, size))
         for entry, width in zip(row, widths, strict=True)
     ]
 
@@ -153,7 +174,10 @@ def _shared(rows: list[list[nodes.entry]], size: float) -> list[float] | None:
     left = _MEASURE - _GAP * len(columns) - sum(widths)
     if left < 0:
         return None
-    full = [max(_natural(entry, size) for entry in column) + 2 for column in columns]
+    full = [
+        max(least, max(_natural(entry, size) for entry in column) + 2)
+        for least, column in zip(widths, columns, strict=True)
+    ]
     if sum(full) - sum(widths) <= left:
         return full
 
@@ -175,28 +199,36 @@ def _rows(table: nodes.table) -> list[list[nodes.entry]]:
 
 
 def _stack(table: nodes.table, size: float) -> None:
-    """Put the narrow columns with which a table begins into one, a line each."""
+    """Put the narrow columns with which a table begins into half as many, two lines each."""
     rows = _rows(table)
     columns = zip(*rows, strict=True)
     widths = [max(_natural(entry, size) for entry in column) for column in columns]
     narrow = next((n for n, width in enumerate(widths) if width > _NARROW), len(widths))
-    for row in rows if narrow > 1 else []:
-        row[0]["stacked"] = True
-        for entry in row[1:narrow]:
-            row[0] += entry.children
-            entry.parent.remove(entry)
     (group,) = table.findall(nodes.tgroup)
-    for spec in list(group.findall(nodes.colspec))[1:narrow]:
-        group.remove(spec)
-    group["cols"] -= max(0, narrow - 1)
+    for row in [*rows, list(group.findall(nodes.colspec))]:
+        for upper, lower in zip(row[: narrow // 2 * 2 : 2], row[1:narrow:2], strict=True):
+            upper += lower.children
+            lower.parent.remove(lower)
+    group["cols"] -= narrow // 2
 
 
-def _fit(table: nodes.table) -> None:
+def _keep_its_ends(table: nodes.table) -> None:
+    """Break a table across pages only where two rows or more are left on either."""
+    (body,) = table.findall(nodes.tbody)
+    for number, row in enumerate(body.findall(nodes.row)):
+        if number == 1 or number >= len(body) - 2:
+            row[0].insert(0, _latex(r"\noalign{\nobreak}"))
+
+
+def _fit(table: nodes.table, sizes: tuple[tuple[float, str], ...] = _SIZES) -> None:
     """Give a table columns that fit the page, in smaller type if they must, and room to begin."""
+    for entry in table.findall(nodes.entry):
+        if not entry.astext() and not next(entry.findall(nodes.target), None):
+            entry.children = []  # an empty paragraph would be a line of its own
     for text in list(table.findall(nodes.Text)):
         if not isinstance(text.parent, nodes.math):
-            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, text)))
-    sizes: tuple[tuple[float, str], ...] = _SIZES
+            kept = _UNIT.sub("\N{NO-BREAK SPACE}", text)
+            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, kept)))
     small, _ = _SIZES[-1]
     unbroken = sum(
         max(_natural(e, small) for e in column) for column in zip(*_rows(table), strict=True)
@@ -214,7 +246,8 @@ def _fit(table: nodes.table) -> None:
         if widths is None:
             continue
         heights = [1.2 * size * math.ceil(max(_lines(row, widths, size))) + _RULES for row in rows]
-        _keep(table, sum(heights) if sum(heights) < _TOGETHER else sum(heights[:4]))
+        _keep(table, _AROUND + sum(heights if sum(heights) < _TOGETHER else heights[:4]))
+        _keep_its_ends(table)
         spec = "".join(
             rf">{{\ragged{'left' if is_right else 'right'}\arraybackslash}}p{{{width:.1f}pt}}"
             for width, is_right in zip(widths, right, strict=True)
@@ -229,18 +262,51 @@ def _fit(table: nodes.table) -> None:
     raise ValueError(f"a table is too wide for a page: {table.astext()[:80]!r}")
 
 
-def _keep(table: nodes.table, room: float) -> None:
-    """Begin a table, and the line that announces it, where there is room for it [pt]."""
-    block: nodes.Element = table
-    while isinstance(block.parent, nodes.container) and block.parent.index(block) == 0:
-        block = block.parent
-    around = block.parent
-    at = around.index(block)
-    before = around[at - 1] if at else None
-    if isinstance(before, nodes.paragraph) and before.astext().endswith(":"):
-        at -= 1
-        room += 30
-    around.insert(at, _latex(rf"\roomfor{{{min(room, _TOGETHER + 30):.0f}pt}}" + "\n"))
+def _keep(block: nodes.Element, room: float) -> None:
+    """Begin a block, and the heading and the line that announce it, where there is room [pt]."""
+    while True:
+        around = block.parent
+        ahead = around[: around.index(block)]
+        before = next((n for n in reversed(ahead) if not isinstance(n, _UNSEEN)), None)
+        if before is None and isinstance(around, nodes.container):
+            block = around
+        elif isinstance(before, nodes.title) and isinstance(around.parent, nodes.section):
+            block, room = around, room + _HEADING
+        elif isinstance(before, nodes.paragraph) and _announces(before):
+            block, room = before, room + _natural_height(before)
+        else:
+            break
+    # Figures that wait come before a section begins, and take of the room.
+    first = r"\settlefigures" if isinstance(block, nodes.section) else ""
+    begin = _latex(rf"{first}\roomfor{{{room:.0f}pt}}" + "\n")
+    block.parent.insert(block.parent.index(block), begin)
+
+
+def _announces(paragraph: nodes.paragraph) -> bool:
+    """Return whether a paragraph is nothing without what follows: a label, or words and a colon."""
+    is_label = len(paragraph) == 1 and isinstance(paragraph[0], nodes.strong)
+    return is_label or paragraph.astext().endswith(":")
+
+
+def _natural_height(paragraph: nodes.paragraph) -> float:
+    return 12 * math.ceil(_width(paragraph.astext(), 10, is_code=False) / _MEASURE) + 6
+
+
+def _describe_and_scale(figure: nodes.figure) -> None:
+    """Give a figure letters as small as the text's, and its alternative text to who reads aloud."""
+    for image in list(figure.findall(nodes.image)):
+        image["scale"] = _SCALE
+        told = image.get("alt", "").encode("utf-16-be").hex().upper()
+        at = figure.index(image)
+        figure.insert(at + 1, _latex(r"\special{pdf:literal direct EMC}"))
+        alternative = rf"\special{{pdf:literal direct /Span <</Alt <FEFF{told}>>> BDC}}"
+        figure.insert(at, _latex(alternative))
+
+
+def _keep_the_beginning(block: nodes.literal_block) -> None:
+    """Begin a block of code where there is room for it, or, if it is long, for a part of it."""
+    lines = block.astext().rstrip().count("\n") + 1
+    _keep(block, _CODE_LINE * min(lines, _CODE_LINES) + _CODE_FRAME)
 
 
 def _keep_the_end_together(chapter: nodes.Element) -> None:
@@ -256,14 +322,34 @@ def _keep_the_end_together(chapter: nodes.Element) -> None:
         section += _latex("\\end{together}\n")
 
 
+def _shorten_the_contents(chapter: nodes.Element) -> None:
+    """Leave the sections with which every chapter ends out of the contents; bookmarks have them."""
+    for section in list(chapter.findall(nodes.section)):
+        if section[0].astext() in _IN_EVERY_CHAPTER:
+            section.parent.insert(section.parent.index(section), _depth(0))
+    chapter += _depth(1)
+
+
+def _depth(level: int) -> nodes.raw:
+    """Set down to which level the contents list what follows."""
+    return _latex(rf"\addtocontents{{toc}}{{\protect\setcounter{{tocdepth}}{{{level}}}}}" + "\n")
+
+
 def _leave_out_what_pages_carry(tree: nodes.document) -> None:
-    """Take out what only a page can carry: links to a figure's data, and what its scripts read."""
+    """Take out what only a page can carry: links to a figure's data, and what its scripts read.
+
+    Of the data of a table the text speaks, so that what it is called stays.
+    """
     for cell in _cells(tree):
         outputs = list(cell.findall(nodes.literal_block))
+        for output in outputs:
+            if output.astext().startswith("Data of this table"):
+                output.replace_self(nodes.paragraph("", output.astext()))
         carried = [
             output
             for output in outputs
-            if "tag_page-data" in cell["classes"] or output.astext().startswith("Data of this ")
+            if "tag_page-data" in cell["classes"]
+            or output.astext().startswith("Data of this figure")
         ]
         for output in carried:
             output.parent.remove(output)
@@ -287,19 +373,35 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
     if app.builder.name != "latex":
         return
     _leave_out_what_pages_carry(tree)
-    for table in list(tree.findall(nodes.table)):
-        _fit(table)
+    chapters = {node["docname"]: node for node in tree.findall(start_of_file)}
+    exercises = {
+        chapter_name: found
+        for chapter_name, chapter in chapters.items()
+        if (found := _leave_out_what_is_folded(chapter))
+    }
+    solutions = _solutions(app, exercises)
+    sheet = list(chapters[CHEAT_SHEET].findall(nodes.table)) if chapters else []
+    for part in (tree, solutions):
+        for figure in part.findall(nodes.figure):
+            _describe_and_scale(figure)
+        for block in list(part.findall(nodes.literal_block)):
+            _keep_the_beginning(block)
+        for table in list(part.findall(nodes.table)):
+            _fit(table, _SIZES[2:] if table in sheet else _SIZES)
     if name != app.config.root_doc:
         _stand_alone(app, tree)
         return
-    chapters = {node["docname"]: node for node in tree.findall(start_of_file)}
-    solutions = {}
     for chapter_name, chapter in chapters.items():
         chapter.parent.remove(chapter)
-        if found := _leave_out_what_is_folded(chapter):
-            solutions[chapter_name] = found
         _keep_the_end_together(chapter)
-        next(chapter.findall(nodes.section)).insert(1, _link(app, chapter_name))
+        _shorten_the_contents(chapter)
+        section = next(chapter.findall(nodes.section))
+        section.insert(1, _link(app, chapter_name))
+        if chapter_name in _RUN_ON:
+            chapter.insert(0, _latex(r"\runon" + "\n"))
+        if chapter_name == CHEAT_SHEET:
+            section.insert(1, _latex(r"\begingroup\small" + "\n"))
+            section += _latex(r"\endgroup" + "\n")
     landing = next(tree.findall(nodes.section))
     title, *text = landing.children
     landing.children = []
@@ -313,8 +415,8 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         part = rf"\part{{{caption}}}" if caption else ""
         landing += _latex(rf"\setcounter{{secnumdepth}}{{{depth}}}{part}")
         landing += [chapters[chapter] for _, chapter in contents["entries"]]
-    if solutions:
-        landing += _solutions(app, solutions)
+    if exercises:
+        landing += solutions
 
 
 def _add_the_cheat_sheet(app: Sphinx, env: BuildEnvironment) -> list[str]:
@@ -326,8 +428,15 @@ def _add_the_cheat_sheet(app: Sphinx, env: BuildEnvironment) -> list[str]:
     return []
 
 
+def _add_the_fonts(app: Sphinx, config: Config) -> None:
+    """Put the typeface of code, which the figures' Matplotlib brings, where LaTeX finds it."""
+    fonts = sorted(Path(matplotlib.get_data_path(), "fonts/ttf").glob("DejaVuSansMono*.ttf"))
+    config.latex_additional_files = [*config.latex_additional_files, *map(str, fonts)]
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Connect to Sphinx."""
+    app.connect("config-inited", _add_the_fonts)
     app.connect("env-updated", _add_the_cheat_sheet)
     app.connect("doctree-resolved", _arrange)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

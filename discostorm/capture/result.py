@@ -549,9 +549,17 @@ def _words(codes: np.ndarray, names: Any) -> Any:
     codes = of_name[codes]
     used = np.bincount(codes, minlength=len(known)) > 0
     new = np.cumsum(used) - 1
-    kept: Any = [known[index] for index in np.flatnonzero(used)]
-    smallest: Any = np.int8 if len(kept) < 128 else np.int32
-    return pd.Categorical.from_codes(new[codes].astype(smallest), kept)
+    kept = _categories(tuple(known[index] for index in np.flatnonzero(used)))
+    smallest: Any = np.int8 if len(kept.categories) < 128 else np.int32
+    return pd.Categorical.from_codes(new[codes].astype(smallest), dtype=kept)
+
+
+@lru_cache(maxsize=16)
+def _categories(names: tuple[str, ...]) -> pd.CategoricalDtype:
+    """Return the names as pandas wants them; it takes longer for these than for a few packets."""
+    import pandas as pd
+
+    return pd.CategoricalDtype(list(names))
 
 
 @lru_cache(maxsize=16)

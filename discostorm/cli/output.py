@@ -134,7 +134,8 @@ def aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) ->
         cells = [formats.get(name, plain)(value) for value in values]
         heading = headings.get(name, name.replace("_", " "))
         width = max(map(len, [heading, *cells]))
-        number = all(type(value) in (int, float) for value in values)  # a truth is a word
+        there = [value for value in values if value is not None]
+        number = all(type(value) in (int, float) for value in there)  # a truth is a word
         columns.append(
             [cell.rjust(width) if number else cell.ljust(width) for cell in (heading, *cells)]
         )

@@ -50,7 +50,7 @@ def plan(
       hosts = 10
       processes = 1       # of each host
       endpoints = 678     # of each process
-      nodes = 13          # with parameter services, in each process; may be left out
+      nodes = 13          # with parameter services; may be left out
 
     \b
     Examples:

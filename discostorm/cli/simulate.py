@@ -95,8 +95,8 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     \b
     Examples:
       discostorm simulate fleet.toml --until 5
-      discostorm simulate fleet.toml --protocol Zenoh --window 30 --until 5 --json
-      discostorm simulate fleet.toml --no-recovery --wifi '802.11n 20 MHz 2x2, A-MPDU 64'
+      discostorm simulate fleet.toml --window 30 --until 5 --json
+      discostorm simulate fleet.toml --no-recovery --wifi '802.11ac 80 MHz 2x2'
     """
     with bad_input():
         try:

@@ -653,9 +653,11 @@ def _value(quantity: str) -> Any:
 
 
 @cache
-def _quantity_words(name: str) -> dict[str, str]:
-    """Return what a quantity is called, its unit, and how it is known."""
-    (row,) = (row for row in read_data("paper/quantities.csv") if row["quantity"] == name)
+def _quantity_words(quantity: str) -> dict[str, str]:
+    """Return what a quantity, or which default, is called, its unit, and how it is known."""
+    name, *arguments = quantity.split()
+    called = f"{name} {arguments[-1]}" if name == "default" else name
+    (row,) = (row for row in read_data("paper/quantities.csv") if row["quantity"] == called)
     return row
 
 
@@ -671,7 +673,7 @@ def _named(argument: str) -> str:
 def _singular(text: str) -> str:
     """Return a text in which one thing is not many of them."""
     return re.sub(
-        r"\b1 (process(?=es\b)|(?:variable|message|bit|host|kind)(?=s\b))e?s", r"1 \1", text
+        r"\b1 (process(?=es\b)|(?:variable|message|bit|host|kind|frame)(?=s\b))e?s", r"1 \1", text
     )
 
 
@@ -680,8 +682,14 @@ def _told(value: Any, unit: str) -> str:
     if unit == "expression" or not sp.sympify(value).is_number:
         return f"${sp.latex(sp.factor(value))}$"
     number = float(value)
+    if unit == "switch":
+        return "on" if number else "off"
+    if unit == "saving" and number < 0:
+        return f"none, it takes {1 - number:.3g} times as much"
     factor, suffix = {
         "percent": (100, "%"),
+        "saving": (100, "%"),
+        "second": (1, " s") if number >= 10 else (100, "%"),
         "bytes": (1, " B"),
         "rate": (1e-6, " Mbit/s"),
         "time": (1e6, " µs"),
@@ -779,8 +787,8 @@ class Criterion:
         >>> Criterion("control_saved is significant").in_words()
         'at least 10% of the control messages of DDS saved by Zenoh: 50%'
         """
-        name, *arguments = self.quantity.split()
-        row = _quantity_words(name)
+        _, *arguments = self.quantity.split()
+        row = _quantity_words(self.quantity)
         word = self.word
         relation = self._part("relation") or (word.relation if word else "")
         if self._part("negated"):
@@ -804,7 +812,7 @@ class Criterion:
     @property
     def provenance(self) -> str:
         """How the quantity is known: computed, read in sources, simulated or measured."""
-        return _quantity_words(self.quantity.split()[0])["provenance"]
+        return _quantity_words(self.quantity)["provenance"]
 
     def ours(self) -> Any:
         """Return the quantity as computed by the package: a number or an expression."""

@@ -103,15 +103,15 @@ AS_BUILT = Switch(
 CONTENTION = Switch(
     "contention",
     "Hosts that contend for the channel",
-    "hosts and access point wait, collide and try again, frame by frame; their queues have no end, "
-    "and all is carried within a second",
+    "hosts and access point wait, collide and try again, frame by frame; their queues hold any "
+    "number of frames, and all is carried within a second",
     kind="simulated",
     needs=("timing",),
 )
 QUEUES = Switch(
     "queues",
     "Queues that overflow, and repair",
-    "queues of 500 frames that are thrown away after half a second; the middleware repairs what is "
+    "queues hold 500 frames, none for longer than half a second; the middleware repairs what is "
     "lost, and all know each other before a lease of its product has passed",
     kind="simulated",
     needs=("contention",),

@@ -63,7 +63,7 @@
   function number(value) {
     if (!Number.isFinite(value)) return "more than can be computed";
     if (value >= 1e9 || (value > 0 && value < 1e-6)) return power(value);
-    return value >= 1000 ? whole.format(value) : value >= 100 ? tenth.format(value) : three.format(value);
+    return value >= 100 ? whole.format(value) : three.format(value);
   }
 
   // No line ends between a number and its unit.
@@ -147,7 +147,7 @@
     fill(byId("beside"), [["", [[NONE, "Nothing"], [LAPTOP, "Laptop with RViz"], [OWN, "Others, by number"]]]]);
     choose(byId("beside"), LAPTOP);
     const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
-    fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, name])]).filter(([, names]) => names.length));
+    fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, capitalized(name)])]).filter(([, names]) => names.length));
     fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
@@ -375,6 +375,8 @@
   // ---- showing it ----
 
   const SIGNS = ["✓", "◐", "!", "✕"];
+  // What each assumes is said once, above.
+  const outlookOf = ({ outlook }) => outlook.replace(" at best", "");
   const robotsWord = (value) => plural(value, "robot");
 
   function everybody({ swarm }) {
@@ -385,27 +387,28 @@
   function verdict({ front, settings }) {
     const { severity, drain, steady, protocol } = front;
     const who = everybody(settings);
-    const takes = `All that ${who} have to say to find each other takes ${duration(drain)} of the channel`;
+    const alone = settings.swarm.N_H + settings.swarm.N_H1 === 1;
+    const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${duration(drain)}`;
     const after = protocol.repeats ? ` From then on discovery takes ${percent(steady)} of it.` : "";
     const lease = duration(protocol.lease);
     return [
-      ["Starts within a second, at best.", `${takes}.${after}`],
+      ["Starts within a second if nothing is lost.", `${takes}.${after}`],
       protocol.lease < Infinity
         ? [
-            `Starts slowly: ${duration(drain)} at best.`,
+            `Starts slowly: ${duration(drain)} if nothing is lost.`,
             `${takes}. Until then some do not see each other, and data waits in the same queues. ` +
-              `That is within the lease of ${lease}, so nobody need be taken for lost.${after}`,
+              `It is within the lease of ${lease}, so nobody need be taken for lost.${after}`,
           ]
         : [
-            `Does not fit into one second: ${duration(drain)} at best.`,
+            `Does not fit into one second: ${duration(drain)} if nothing is lost.`,
             `${takes}, which the paper charges to one second and calls saturated. Its messages have neither a ` +
               `lease nor periods; choose a product to see what becomes of the start.`,
           ],
       [
-        `Leases at risk: ${duration(drain)} at best.`,
+        `Leases at risk: ${duration(drain)} if nothing is lost.`,
         `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
       ],
-      ["Never catches up.", `What ${who} repeat for ever takes ${percent(steady)}, so the start is never carried.`],
+      ["Never catches up.", `What ${who} ${alone ? "repeats" : "repeat"} for ever takes ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the start is never carried.`],
     ][severity];
   }
 
@@ -417,13 +420,13 @@
     become(
       box,
       make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[box.dataset.severity]), make("strong", {}, title)),
-      make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${front.name}`),
+      make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${capitalized(front.name)}`),
     );
     byId("reason").textContent = reason;
     const { second, lease, ever } = front.fitting;
     const fit = [["within a second", second], ["within the lease", lease], ["in the long run", ever]]
       .filter(([, found]) => found && found.largest < Infinity)
-      .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as one alone is too much" : ""));
+      .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as even one is too many" : ""));
     become(
       byId("numbers"),
       make("p", { class: "calc-title" }, "Robots that fit"),
@@ -432,13 +435,23 @@
     );
   }
 
-  /** What every number of this page assumes. */
-  function assumed({ settings: { channel } }) {
+  /** What every number of this page assumes, and whether the product ever ran with so many. */
+  function assumed({ settings: { channel, swarm }, front }) {
     const frames =
       channel.model === "aggregated"
         ? `${count(channel.values.n_agg)} frames in every exchange where that many fit`
-        : "each message a frame of its own";
-    return `At best: all start at once, ${frames}, nothing lost, no collisions.`;
+        : "each message in a frame of its own, except where a product packs or splits it";
+    const all = [
+      swarm.N_H + swarm.N_H1,
+      swarm.N_H * swarm.N_P + swarm.N_H1 * swarm.N_P1,
+      Math.max(swarm.N_E, swarm.N_H1 && swarm.N_E1),
+    ];
+    const [hosts, processes, endpoints] = front.protocol.measured;
+    const beyond = all.some((many, i) => many > front.protocol.measured[i])
+      ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
+        `and ${plural(endpoints, "endpoint")} in a process; what is more than that is extrapolated.`
+      : "";
+    return `Assumed: all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
   }
 
   function showRemedies(answer) {
@@ -451,7 +464,7 @@
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           best_case ? " at best" : "",
-          then.severity < answer.front.severity ? make("b", {}, `; then ${then.outlook}`) : "",
+          then.severity < answer.front.severity ? make("b", {}, `; then: ${outlookOf(then)}`) : "",
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
         for (const { where, version, text } of paste) {
@@ -478,8 +491,8 @@
         const row = make(
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
-          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${one.name}`),
-          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${one.outlook.replace(" at best", "")}`)),
+          make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${capitalized(one.name)}`),
+          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${outlookOf(one)}`)),
           make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
           make("td", {}, cell(one, "second")),
           make("td", {}, cell(one, "lease")),
@@ -509,7 +522,7 @@
           make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
           make("td", {}, exact(message.load, count(message.load), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
-          make("td", {}, make("span", { class: "calc-part" }, percent(share)), bar),
+          make("td", {}, make("span", { class: "calc-part" }, share > 0 && share < 1e-5 ? "<0.001%" : percent(share)), bar),
         );
       }),
       make("tr", { class: "calc-sum" }, make("th", { scope: "row" }, "All"), make("td"), make("td", {}, exact(front.utilization, duration(front.utilization), `${front.name} utilization`)), make("td")),
@@ -676,7 +689,7 @@
         const hosts = Math.max(1, Math.round(u.posToVal(left, "x")));
         tip.replaceChildren(
           make("b", {}, robotsWord(hosts)),
-          ...answer.drawn.map((one) => make("span", {}, sample(answer, one), ` ${one.name}: ${duration(one.at(hosts))}`)),
+          ...answer.drawn.map((one) => make("span", {}, sample(answer, one), ` ${capitalized(one.name)}: ${duration(one.at(hosts))}`)),
         );
         const { clientWidth: width, clientHeight: height } = u.over;
         tip.style.left = `${left + tip.offsetWidth + 16 < width ? left + 12 : Math.max(0, left - tip.offsetWidth - 12)}px`;
@@ -757,7 +770,7 @@
   }
 
   function showLegend(answer) {
-    become(byId("legend"), ...answer.drawn.map((one) => make("li", {}, sample(answer, one), ` ${one.name}`)));
+    become(byId("legend"), ...answer.drawn.map((one) => make("li", {}, sample(answer, one), ` ${capitalized(one.name)}`)));
   }
 
   // ---- the numbers as CSV ----
@@ -890,7 +903,7 @@
     byId("own").hidden = chosen("channel") !== OWN;
     const channel = channels.get(chosen("channel"));
     const { R_uni, O_uni, R_multi, O_agg, n_agg } = channel?.values ?? {};
-    const mega = (rate) => `${number(rate / 1e6)}${SPACE}Mbit/s`;
+    const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number((O_agg ?? O_uni) * 1e6)}${SPACE}µs${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, multicast at ${mega(R_multi)}.`
       : "";

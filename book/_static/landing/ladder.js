@@ -88,7 +88,7 @@
     const less = wanted.filter((key) => !found.includes(key));
     const changed = [
       more.length ? ` ${listed(more)} ${more.length > 1 ? "go" : "goes"} with it.` : "",
-      less.length ? ` ${listed(less)} ${less.length > 1 ? "were" : "was"} switched off: there is no number for both.` : "",
+      less.length ? ` ${listed(less)} ${less.length > 1 ? "were" : "was"} switched off: there is no number for them together.` : "",
     ].join("");
     show(found, changed);
   });

@@ -185,6 +185,7 @@
     layOut();
     byId("many").textContent = chosen("hosts");
     byId("over").parentElement.style.setProperty("--second", `${100 / Math.max(1, now.used)}%`);
+    byId("over").parentElement.classList.toggle("storm-early", now.used > 2);
     paint();
     const slowed = now.length / now.used;
     byId("sum").textContent =

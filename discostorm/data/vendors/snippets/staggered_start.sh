@@ -1,3 +1,3 @@
-# The same WINDOW on all robots, in seconds; $RANDOM is of bash.
+# The same WINDOW on all robots, in whole seconds: what the plan says, or more. $RANDOM is of bash.
 WINDOW=60
 sleep $((RANDOM % (WINDOW + 1)))
