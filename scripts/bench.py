@@ -260,7 +260,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     (
         "discostorm --help / import sympy, numpy",
         lambda: ratio(command("--help"), python("import sympy, numpy"), rounds=7),
-        1.15,
+        1.2,
     ),
     ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),
     (
