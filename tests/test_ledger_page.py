@@ -67,6 +67,10 @@ def test_filters_leave_what_fits_all_of_them(ledger: Page) -> None:
     assert ledger.locator("output").inner_text() == f"{len(here)} of {len(everything)} claims"
     ledger.get_by_label("word").fill("no such word")
     assert ledger.evaluate(COLUMN, 0) == []
+    ledger.get_by_role("button", name="qualified").click()
+    ledger.get_by_label(re.compile("^where")).select_option("")
+    ledger.get_by_label("word").fill("s_rel")  # a symbol of the paper, which is typeset
+    assert ledger.evaluate(COLUMN, 0) == ["61"]
 
 
 def test_enter_sorts_once_and_equals_keep_their_order(ledger: Page) -> None:

@@ -28,13 +28,15 @@ window.addEventListener("DOMContentLoaded", () => {
   const sections = make("select", {}, new Option("all", ""));
   for (const name of new Set(rows.map(section))) sections.add(new Option(name));
   const word = make("input", { type: "search", placeholder: "multicast" });
+  // A symbol of the paper, such as S_REL, is typeset, so that its text has no underscore.
+  const plain = (said) => said.toLowerCase().replaceAll("_", "");
   const filter = () => {
-    const asked = word.value.trim().toLowerCase();
+    const asked = plain(word.value.trim());
     for (const row of rows) {
       row.hidden =
         (chosen.size > 0 && !chosen.has(row.dataset.verdict)) ||
         (sections.value !== "" && section(row) !== sections.value) ||
-        !row.textContent.toLowerCase().includes(asked);
+        !plain(row.textContent).includes(asked);
     }
     count.value = `${rows.filter((row) => !row.hidden).length} of ${rows.length} claims`;
   };

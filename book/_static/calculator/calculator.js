@@ -197,6 +197,7 @@
     const element = byId(`${name}-error`);
     if (element.textContent !== error) element.textContent = error;
     const input = byId(name);
+    input.parentElement.classList.toggle("calc-wrong", error !== "");
     if (error) input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }
