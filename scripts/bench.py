@@ -257,6 +257,11 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
         lambda: ratio(python("import discostorm.scalability"), python("import sympy"), rounds=7),
         1.4,
     ),
+    (
+        "discostorm --help / import sympy, numpy",
+        lambda: ratio(command("--help"), python("import sympy, numpy"), rounds=7),
+        1.2,
+    ),
     ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),
     (
         "discostorm saturation / --help",

@@ -16,7 +16,8 @@ from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 import discostorm as ds
 from discostorm import messages
 from discostorm.data import read_data
-from discostorm.paper import claims
+from discostorm.paper import claims, criteria
+from discostorm.paper.quantities import swarms
 from discostorm.uncertainty import saturation_bounds
 
 ROOT = Path(__file__).parents[1]
@@ -190,10 +191,10 @@ def test_payloads_move_the_saturation_point_by_less_than_all_parameters() -> Non
     known = {symbol.name: value for symbol, value in (ds.DDS.values() | ds.PAPER.values()).items()}
     fixed = {name: (value, value) for name, value in known.items() if not name.startswith("s_")}
     least, most = saturation_bounds(ds.DDS, 2, 10, ranges=fixed)
-    spread = claims.saturation_spread_by_payloads(ds.DDS, 2, 10)
+    spread = swarms.saturation_spread_by_payloads(ds.DDS, 2, 10)
     assert spread == pytest.approx(most - least)
     low, high = saturation_bounds(ds.DDS, 2, 10)
-    of_all = claims.saturation_spread(ds.DDS, 2, 10)
+    of_all = swarms.saturation_spread(ds.DDS, 2, 10)
     assert of_all == pytest.approx(high - low)
     assert 0 < spread < of_all / 10
 
@@ -216,7 +217,7 @@ def test_remarks_about_aggregation_hold() -> None:
 @pytest.fixture
 def fresh_values():
     """Compute quantities anew, and forget them afterwards."""
-    caches = claims._value, claims.claims
+    caches = criteria.value_of, claims.claims
     for cache in caches:
         cache.cache_clear()
     yield
@@ -250,8 +251,8 @@ def test_every_equation_of_a_load_is_reproduced(number):
 
 @pytest.mark.usefixtures("fresh_values")
 def test_a_changed_formula_changes_verdicts(monkeypatch):
-    thrice = tuple(replace(m, per_unit=3 * m.per_unit) for m in claims.DDS.messages)
-    monkeypatch.setitem(claims._PROTOCOLS, "DDS", replace(claims.DDS, messages=thrice))
+    thrice = tuple(replace(m, per_unit=3 * m.per_unit) for m in ds.DDS.messages)
+    monkeypatch.setitem(criteria._PROTOCOLS, "DDS", replace(ds.DDS, messages=thrice))
     changed = {c.where for c in claims.claims() if c.test and not c.test.holds()}
     assert {"Eq. (1)", "Eq. (2)", "Eq. (3)", "Eq. (4)", "Eq. (5)", "Fig. 2"} <= changed
 
@@ -265,7 +266,7 @@ def test_a_changed_payload_changes_verdicts(monkeypatch):
 
 @pytest.mark.parametrize(("quantity", "value"), BY_HAND.items())
 def test_quantities_by_hand(quantity, value):
-    ours = claims.Criterion(f"{quantity} = 0").ours()
+    ours = criteria.Criterion(f"{quantity} = 0").ours()
     assert float(ours) == pytest.approx(float(value), rel=1e-12)
 
 
@@ -288,7 +289,7 @@ def test_every_claim_leads_somewhere_in_the_book():
         assert f"claims-{claim.section}" in labels
 
 
-def deciding(claim: claims.Claim) -> list[claims.Criterion]:
+def deciding(claim: claims.Claim) -> list[criteria.Criterion]:
     return [test for test in (claim.test, claim.weaker_test) if test]
 
 
@@ -298,7 +299,7 @@ def test_a_soft_word_has_one_threshold_throughout() -> None:
             continue
         read = {test.word for test in deciding(claim) if test.word}
         # Who says the word uses its threshold, and who uses it says the word.
-        for word in claims.soft_words().values():
+        for word in criteria.soft_words().values():
             said = re.search(word.forms, claim.statement) is not None
             assert said is (claim.test.word == word), (claim.statement, word.word)
         assert bool(read) == bool(claim.reading)
@@ -319,7 +320,7 @@ def test_there_is_no_threshold_but_those_of_the_words() -> None:
 
 def test_every_soft_word_is_used() -> None:
     used = {test.word for claim in claims.claims() for test in deciding(claim)}
-    assert used - {None} == set(claims.soft_words().values())
+    assert used - {None} == set(criteria.soft_words().values())
 
 
 def test_a_weaker_test_is_another_one_and_says_why() -> None:
@@ -356,11 +357,11 @@ def test_numbers_are_in_order():
 )
 def test_a_wrong_test_is_refused(text, message):
     with pytest.raises(ValueError, match=message):
-        claims.Criterion(text).holds()
+        criteria.Criterion(text).holds()
 
 
 def test_parts_of_a_test() -> None:
-    test = claims.Criterion("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
+    test = criteria.Criterion("share DDS SPDP 7 2 10 ≈ 0.5 ± 0.1")
     assert (test.quantity, test.paper) == ("share DDS SPDP 7 2 10", "≈ 0.5 ± 0.1")
     assert test.word is None
     for text, shown in {
@@ -368,8 +369,8 @@ def test_parts_of_a_test() -> None:
         "gap_limit is not marginal": "not marginal: > 0.1",
         "header UDP ≈ 64": "≈ 64",
     }.items():
-        assert claims.Criterion(text).paper == shown
-        assert claims.Criterion(text).word is not None
+        assert criteria.Criterion(text).paper == shown
+        assert criteria.Criterion(text).word is not None
 
 
 def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
@@ -413,7 +414,7 @@ def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
     ],
 )
 def test_tests_in_words(test: str, said: str) -> None:
-    assert said in claims.Criterion(test).in_words()
+    assert said in criteria.Criterion(test).in_words()
 
 
 def test_every_quantity_has_words_and_says_how_it_is_known() -> None:
@@ -458,4 +459,4 @@ def test_an_unknown_section_is_refused():
     ],
 )
 def test_relations(text, holds):
-    assert claims.Criterion(text).holds() is holds
+    assert criteria.Criterion(text).holds() is holds

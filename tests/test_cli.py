@@ -19,8 +19,9 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import cli, figures, notebook
-from discostorm.cli import LINK_OPTIONS, main
+from discostorm import figures, notebook
+from discostorm.cli import main, output
+from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
 from discostorm.paper.claims import ledger
 from discostorm.words import RECORD
@@ -98,7 +99,7 @@ def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
         {"short": "a", "count": 1234.0, "long_text": "x"},
         {"short": "bcd", "count": 5.0, "long_text": words},
     ]
-    assert cli._aligned(table, {}, {"short": "id"}).splitlines() == [
+    assert output.aligned(table, {}, {"short": "id"}).splitlines() == [
         "id   count  long text",
         "-" * 74,
         "a    1,234  x",
@@ -106,11 +107,11 @@ def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
         "            claims claims claims",
     ]
     fitting = [{"text": "x" * 39 + " " + "y" * 39}]
-    assert len(cli._aligned(fitting, {}, {}).splitlines()) == 3
+    assert len(output.aligned(fitting, {}, {}).splitlines()) == 3
     wide = [{"wide": "w" * 70, "text": "0123456789 123456789"}]
-    assert len(cli._aligned(wide, {}, {}).splitlines()) == 3
+    assert len(output.aligned(wide, {}, {}).splitlines()) == 3
     wider = [{"wide": "w" * 70, "text": "0123456789 1234567890"}]
-    assert len(cli._aligned(wider, {}, {}).splitlines()) == 4
+    assert len(output.aligned(wider, {}, {}).splitlines()) == 4
 
 
 def test_json_is_indented_and_csv_ends_with_its_last_line(folder: Path) -> None:
@@ -244,7 +245,7 @@ def test_what_takes_its_time_is_said_on_a_terminal_and_wiped_out(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    with cli._working("planning"):
+    with output.working("planning"):
         assert capsys.readouterr() == ("", "planning ...")
     assert capsys.readouterr() == ("", "\r            \r")
 
@@ -513,16 +514,16 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
 @pytest.mark.parametrize(
     ("shown", "value", "text"),
     [
-        (cli._plain, 9_999_999_999.0, "9,999,999,999"),
-        (cli._plain, 1e10, "1e+10"),
-        (cli._percent, 0.9994, "99.9%"),
-        (cli._percent, 0.9995, "<100.0%"),
-        (cli._percent, 1.0, "100.0%"),
-        (cli._percent, 999_999.5, "99,999,950.0%"),
-        (cli._percent, 1e6, "1e+08%"),
-        (cli._percent, 1.5e6, "1.5e+08%"),
-        (cli._seconds, 999_999.5, "999999.500000"),
-        (cli._seconds, 1e6, "1e+06"),
+        (output.plain, 9_999_999_999.0, "9,999,999,999"),
+        (output.plain, 1e10, "1e+10"),
+        (output.percent, 0.9994, "99.9%"),
+        (output.percent, 0.9995, "<100.0%"),
+        (output.percent, 1.0, "100.0%"),
+        (output.percent, 999_999.5, "99,999,950.0%"),
+        (output.percent, 1e6, "1e+08%"),
+        (output.percent, 1.5e6, "1.5e+08%"),
+        (output.seconds, 999_999.5, "999999.500000"),
+        (output.seconds, 1e6, "1e+06"),
     ],
 )
 def test_numbers_for_people(shown: Callable[[float], str], value: float, text: str) -> None:

@@ -14,8 +14,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import cli, figures
-from discostorm.cli import main
+from discostorm import figures
+from discostorm.cli import main, output
 from discostorm.wifi.radio import radio_named
 
 NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
@@ -184,7 +184,7 @@ def test_a_table_fits_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = [{"id": 1, "statement": "words " * 30}]
     for columns in (60, 120):
         monkeypatch.setenv("COLUMNS", str(columns))
-        lines = cli._aligned(rows, {}, {}).splitlines()
+        lines = output.aligned(rows, {}, {}).splitlines()
         assert columns - 12 < max(map(len, lines)) < columns
 
 
@@ -193,7 +193,7 @@ def test_a_dumb_terminal_gets_no_progress(
 ) -> None:
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setenv("TERM", "dumb")
-    with cli._working("planning"):
+    with output.working("planning"):
         pass
     assert capsys.readouterr().err == ""
 
@@ -245,7 +245,7 @@ def test_ctrl_c_while_it_loads_leaves_no_traceback() -> None:
 
 
 def test_times_that_did_not_come_are_empty_in_csv(capsys: pytest.CaptureFixture[str]) -> None:
-    cli._print([{"run": 0, "convergence_time_s": math.inf}], cli.Output(False, True))
+    output.print_rows([{"run": 0, "convergence_time_s": math.inf}], output.Output(False, True))
     assert capsys.readouterr().out == "run,convergence_time_s\n0,\n"
 
 

@@ -1,0 +1,160 @@
+"""The command ``discostorm capture``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+import discostorm as ds
+from discostorm import words
+from discostorm.cli.fleets import called, read, standard_input
+from discostorm.cli.options import output_options, protocol_option_of
+from discostorm.cli.output import (
+    BadInput,
+    Output,
+    Rows,
+    as_text,
+    bad_input,
+    plain,
+    print_rows,
+    visible,
+    working,
+)
+from discostorm.fleet import COUNTS
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from discostorm.capture import Capture
+
+
+def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
+    """Return the name of a picture if it says in which of the formats it is to be."""
+    if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {value!r}")
+    return value
+
+
+@click.command(short_help="What a capture holds, against the model.")
+@click.argument("file", metavar="FILE")
+@protocol_option_of(
+    "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
+)
+@click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
+@click.option(
+    "--picture",
+    metavar="FILE",
+    callback=_drawable,
+    help="Draw it, too: a file .svg, .pdf or .png.",
+)
+@output_options
+def capture(
+    file: str, against: str | None, fleet: str | None, picture: str | None, output: Output
+) -> None:
+    """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
+
+    FILE is pcap or pcapng, also as .gz or .xz, or - for standard input, which is read to its
+    end. Per unit is what was captured for each
+    process, pair of processes or endpoint of the fleet that the capture itself tells of;
+    airtime is that on the paper's channel. Record with:
+
+    \b
+      {record_file}
+
+    \b
+    Examples:
+      discostorm capture discovery.pcap
+      discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
+      timeout 60 {record_out} |
+        discostorm capture -
+    """
+    with bad_input(), working("reading"):
+        if file == fleet == "-":
+            raise click.UsageError("either FILE or --fleet may be -, for standard input")
+        found = ds.read_capture(standard_input() if file == "-" else file)
+        members = None if fleet is None else read(fleet)
+        spoken = set(found.processes()["protocol"])
+        papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
+        rows = [
+            {"protocol": protocol.name} | row
+            for protocol in (papers if against is None else [ds.PROTOCOLS[against]])
+            for row in _whole_rows(found.compare(protocol, members).reset_index())
+        ]
+        groups = found.fleet().groups if members is None and spoken else ()
+        if picture is not None:
+            try:
+                found.picture().savefig(picture)
+            except OSError as error:
+                raise BadInput(f"--picture: {picture}: {error.strerror}") from error
+    if output.as_csv and rows:
+        print_rows(rows, output)
+    elif output.as_json:
+        answer = {
+            "file": called(file),
+            "packets": found.packets,
+            "duration_s": found.duration,
+            "hosts": [dict(zip(COUNTS, group.counts(), strict=True)) for group in groups],
+            "messages": rows,
+            "notes": list(found.notes),
+        }
+        click.echo(as_text(answer))
+    elif output.for_people:
+        _show_capture(found, groups, rows, output)
+        if against is None and rows:
+            _name_own_tables(found)
+
+
+assert capture.help
+capture.help = capture.help.format(
+    record_file=words.RECORD.format(file="discovery.pcap"), record_out=words.RECORD.format(file="-")
+)
+
+
+def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table, with None where it has no number."""
+    return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+def _show_capture(
+    found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+) -> None:
+    packets = words.many(found.packets, "packet")
+    click.echo(visible(f"{found.path}: {packets} in {found.duration:.3f} s"))
+    for group in groups:
+        hosts, processes, endpoints = group.counts()
+        each = words.many(processes, "process", "es")
+        click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each")
+    if rows:
+        print_rows(
+            [{key: row[key] for key in row if key != "protocol"} for row in rows],
+            output,
+            formats={
+                **dict.fromkeys(("units", "expected"), _count),
+                "per_unit": _ratio,
+                "airtime_s": "{:.4f}".format,
+            },
+            headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
+        )
+    else:
+        click.echo("There is no message of RTPS or Zenoh in it.")
+    for note in found.notes:
+        click.echo(visible(f"Note: {note}."))
+
+
+def _name_own_tables(found: Capture) -> None:
+    """Say how to hold the capture against the tables of the products that sent it."""
+    own = sorted(set(found.processes()["product"]) & set(ds.PROTOCOLS))
+    if own:
+        options = " or ".join(f'--against "{name}"' for name in own)
+        click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
+
+
+def _count(value: float | None) -> str:
+    return "" if value is None else f"{value:,.6g}"
+
+
+def _ratio(value: float | None) -> str:
+    return "" if value is None else f"{value:,.3g}"

@@ -1,0 +1,43 @@
+"""The command ``discostorm claims``."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+
+import click
+
+from discostorm.cli.options import output_options
+from discostorm.cli.output import Output, live, print_rows, working
+
+
+@click.command(short_help="The paper's claims and their verdicts.")
+@click.option(
+    "--verdict",
+    type=click.Choice(["reproduced", "qualified", "contradicted", "not checkable"]),
+    help="Only claims with this verdict.",
+)
+@output_options
+def claims(verdict: str | None, output: Output) -> None:
+    """List the paper's claims, what we computed, and what became of them.
+
+    \b
+    Examples:
+      discostorm claims --verdict contradicted
+      discostorm claims --csv > claims.csv
+    """
+    with working("loading"):
+        from discostorm.paper import claims as ledger
+    with click.progressbar(
+        ledger.claims(), label="computing", file=sys.stderr, hidden=not live()
+    ) as bar:
+        rows = [row | {"ours": ledger.exact(row["ours"])} for row in map(ledger.row, bar)]
+    counts = Counter(row["verdict"] for row in rows)
+    chosen = [row for row in rows if verdict in (None, row["verdict"])]
+    if output.for_people:
+        shown = ("id", "where", "verdict", "statement")
+        chosen = [{name: row[name] for name in shown} for row in chosen]
+    print_rows(chosen, output)
+    if output.for_people:
+        found = ", ".join(f"{counts[known]} {known}" for known in ledger.VERDICTS)
+        click.echo(f"\n{len(rows)} claims: {found}.")

@@ -1,0 +1,49 @@
+"""The command ``discostorm figures``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from discostorm.cli.options import output_options
+from discostorm.cli.output import BadInput, Output, print_rows, visible, working
+
+
+@click.command(short_help="Write the paper's figures and their data.")
+@click.option("--out", required=True, metavar="DIR", help="Folder to write to, made if missing.")
+@output_options
+def figures(out: str, output: Output) -> None:
+    """Write Figs. 2 to 4 of the paper as SVG, PDF and PNG, and their data as CSV.
+
+    \b
+    Example:
+      discostorm figures --out figures
+    """
+    if not out:
+        raise click.UsageError("--out must name a folder; got ''")
+    with working("loading"):
+        from discostorm import figures as drawing
+    paths: list[str] = []
+    count = drawing.files_of_all()
+    files = drawing.save_all(Path(out))
+    while True:
+        try:
+            path = next(files, None)
+        except OSError as error:
+            _not_written(out, error)
+        if path is None:
+            break
+        paths.append(str(path))
+        click.echo(
+            visible(f"[{len(paths):{len(str(count))}}/{count}] {path}"), err=not output.for_people
+        )
+    if not output.for_people:
+        print_rows([{"path": path} for path in paths], output)
+
+
+def _not_written(out: str, error: OSError) -> NoReturn:
+    raise BadInput(
+        visible(f"--out must be a folder to write to; got {out!r}: {error.strerror}")
+    ) from error

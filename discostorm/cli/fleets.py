@@ -1,0 +1,107 @@
+"""Who is on the channel: a fleet file, or hosts, processes and endpoints."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, BinaryIO
+
+import click
+
+import discostorm as ds
+from discostorm.cli.options import numbers, packed
+
+hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
+several_hosts_option = click.option(
+    "--hosts", callback=numbers, metavar="N[,N...]", help="Hosts; several give a row each."
+)
+
+
+@dataclass(frozen=True)
+class Members:
+    """Who is on the channel: columns that name them, and arguments of the package."""
+
+    columns: dict[str, Any]
+    arguments: dict[str, Any]
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is a single host."""
+        hosts: Any = self.arguments["hosts"]
+        if isinstance(hosts, ds.Fleet):
+            hosts = sum(group.hosts for group in hosts.groups)
+        return bool(hosts == 1)
+
+
+def read(file: str) -> ds.Fleet:
+    """Return the fleet of a file, or of standard input for ``-``."""
+    if file == "-":
+        return ds.Fleet.from_bytes(standard_input().read(), called(file))
+    return ds.Fleet.from_toml(file)
+
+
+def standard_input() -> BinaryIO:
+    """Return the bytes of standard input."""
+    if sys.stdin is None:
+        raise click.UsageError("- is standard input, which is closed")
+    return sys.stdin.buffer
+
+
+def called(file: str) -> str:
+    """Return what messages call a file."""
+    return "standard input" if file == "-" else file
+
+
+def _one_file(fleet: str | None, file: str | None) -> str | None:
+    if fleet is not None and file is not None:
+        raise click.UsageError(f"one fleet at a time; got {file!r} and --fleet {fleet!r}")
+    return file if fleet is None else fleet
+
+
+def _members(
+    hosts: Any,
+    processes: float | None,
+    endpoints: float | None,
+    fleet: str | None,
+    file: str | None,
+) -> Members:
+    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    chosen = file_or_counts(fleet, file, counts)
+    if chosen is None:
+        return Members(counts, counts)
+    return Members({"fleet": called(chosen)}, {"hosts": read(chosen)})
+
+
+def file_or_counts(fleet: str | None, file: str | None, counts: Mapping[str, Any]) -> str | None:
+    """Return the fleet file; None if all the counts are given instead."""
+    chosen = _one_file(fleet, file)
+    names = [f"--{name}" for name in counts]
+    if chosen is None:
+        if missing := [f"--{name}" for name, value in counts.items() if value is None]:
+            raise click.UsageError(f"{', '.join(missing)} must be given, or --fleet FILE")
+    elif any(value is not None for value in counts.values()):
+        raise click.UsageError(f"--fleet goes without {', '.join(names[:-1])} and {names[-1]}")
+    return chosen
+
+
+def _the_file(fleet: str | None, file: str | None) -> str:
+    found = _one_file(fleet, file)
+    if found is None:
+        raise click.UsageError("Missing argument 'FLEET'.")
+    return found
+
+
+file_options = (
+    click.option("--fleet", metavar="FILE", help="The same as FLEET."),
+    click.argument("file", metavar="[FLEET]", required=False),
+)
+file_option = packed("file", _the_file, *file_options)
+count_options = (
+    click.option("--processes", type=float, metavar="N", help="Processes on each host."),
+    click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
+)
+swarm_options = packed("members", _members, hosts_option, *count_options, *file_options)
+several_swarms_options = packed(
+    "members", _members, several_hosts_option, *count_options, *file_options
+)

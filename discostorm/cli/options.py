@@ -1,0 +1,210 @@
+"""Options that several commands have: the form of the answer, the channel, the protocol."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import Any, TypeVar
+
+import click
+
+import discostorm as ds
+from discostorm.cli.output import Output, bad_input
+from discostorm.wifi import Wifi
+from discostorm.wifi.radio import radio_named
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: What ``--protocol both`` stands for: the paper's.
+BOTH = (ds.DDS, ds.ZENOH)
+
+#: What an option replaces of a channel, and in which unit.
+LINK_OPTIONS = {
+    "unicast_rate": ("unicast", "rate", "Mbit/s"),
+    "unicast_overhead": ("unicast", "overhead", "µs"),
+    "multicast_rate": ("multicast", "rate", "Mbit/s"),
+    "multicast_overhead": ("multicast", "overhead", "µs"),
+}
+#: Units in SI.
+UNITS = {"Mbit/s": 1e6, "µs": 1e-6}
+
+
+def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
+    """Return the numbers of a comma-separated list, a single one as a float."""
+    if value is None:
+        return None
+    try:
+        found = [float(part) for part in value.split(",")]
+    except ValueError:
+        raise click.BadParameter(
+            f"must be a number, or several with commas between; got {value!r}"
+        ) from None
+    return found[0] if len(found) == 1 else found
+
+
+def listing(
+    names: Iterable[str],
+) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
+    """Return what prints these names where ``list`` is given instead of one of them."""
+
+    def callback(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+        if value is not None and value.lower() == "list":
+            click.echo("\n".join(names))
+            context.exit()
+        return value
+
+    return callback
+
+
+def packed(
+    name: str, make: Callable[..., Any], *options: Callable[[Any], Any]
+) -> Callable[[Command], Command]:
+    """Return a decorator that adds options, of which a command gets one thing that is made."""
+
+    def decorate(command: Command) -> Command:
+        known: list[click.Parameter] = []
+
+        @functools.wraps(command)
+        def call(**given: Any) -> Any:
+            own = {str(option.name): given.pop(str(option.name)) for option in known}
+            with bad_input():
+                made = make(**own)
+            return command(**{name: made}, **given)
+
+        for option in reversed(options):
+            option(call)
+            known.append(vars(call)["__click_params__"][-1])
+        packed: Any = call
+        return packed  # type: ignore[no-any-return]
+
+    return decorate
+
+
+def _one_format(context: click.Context, _: click.Parameter, value: bool) -> bool:
+    if value and (context.params.get("as_json") or context.params.get("as_csv")):
+        raise click.UsageError("--json and --csv exclude each other")
+    return value
+
+
+output_options = packed(
+    "output",
+    Output,
+    click.option(
+        "--json",
+        "as_json",
+        is_flag=True,
+        callback=_one_format,
+        help="Print JSON instead of a table.",
+    ),
+    click.option(
+        "--csv", "as_csv", is_flag=True, callback=_one_format, help="Print CSV instead of a table."
+    ),
+)
+
+
+def _wifi(channel: str, **given: float | None) -> Wifi:
+    """Return the channel of a name, with other rates and overheads."""
+    changes = {option: value for option, value in given.items() if value is not None}
+    if channel.lower() == "paper":
+        return _own_channel(changes) if changes else ds.PAPER
+    try:
+        radio = radio_named(channel)
+    except ValueError as error:
+        known = ", ".join(repr(preset) for preset in ("paper", *ds.WIFI))
+        raise click.UsageError(
+            f"--wifi must be one of {known}, or made like them: {error}"
+        ) from None
+    rate = changes.pop("multicast_rate", None)
+    if changes:
+        option = next(iter(changes)).replace("_", "-")
+        raise click.UsageError(f"--{option} goes with --wifi paper alone; got --wifi {channel!r}")
+    return (radio if rate is None else replace(radio, multicast_rate=rate * 1e6)).wifi()
+
+
+def _own_channel(changes: Mapping[str, float]) -> Wifi:
+    links = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
+    for option, value in changes.items():
+        cast, quantity, unit = LINK_OPTIONS[option]
+        try:
+            change: dict[str, Any] = {quantity: value * UNITS[unit]}
+            links[cast] = replace(links[cast], **change)
+        except ValueError as error:
+            si = "bit/s" if quantity == "rate" else "s"
+            must, _, _ = str(error).rpartition("; got ")
+            raise ValueError(f"{cast} {must} {si}; got {value:g} {unit}") from error
+    return Wifi("own channel", links["unicast"], links["multicast"])
+
+
+def _radio(channel: str, **given: float | None) -> Wifi:
+    """Return the channel of a name with its radio, with another multicast rate."""
+    wifi = _wifi(channel, **given)
+    if wifi.radio is None:
+        raise click.UsageError(f"--multicast-rate goes with a radio here; got --wifi {channel!r}")
+    return wifi
+
+
+def _wifi_options(make: Callable[..., Wifi], *options: str) -> Callable[[Any], Any]:
+    return packed(
+        "wifi",
+        make,
+        click.option(
+            "--wifi",
+            "channel",
+            default="paper",
+            show_default=True,
+            metavar="NAME",
+            callback=listing(("paper", *ds.WIFI)),
+            help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
+            "'802.11n 20 MHz 2x2, A-MPDU 64', in any case of letters; 'list' lists some.",
+        ),
+        *(
+            click.option(
+                f"--{option.replace('_', '-')}",
+                type=float,
+                metavar=LINK_OPTIONS[option][2],
+                help="Instead of the channel's."
+                if option == "multicast_rate"
+                else "Instead of the paper's.",
+            )
+            for option in options
+        ),
+    )
+
+
+wifi_options = _wifi_options(_wifi, *LINK_OPTIONS)
+#: Of what needs more of a channel than rates and overheads.
+radio_options = _wifi_options(_radio, "multicast_rate")
+
+
+def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
+    return BOTH if protocol == "both" else (ds.PROTOCOLS[protocol],)
+
+
+def protocol_option_of(
+    flag: str, default: str | None, told: str, others: tuple[str, ...] = ()
+) -> Callable[[Any], Any]:
+    """Return an option that takes the name of a protocol, or one of ``others``."""
+    names = (*ds.PROTOCOLS, *others)
+    return click.option(
+        flag,
+        type=click.Choice([*names, "list"], case_sensitive=False),
+        metavar="NAME",
+        default=default,
+        show_default=True,
+        callback=listing(names),
+        help=f"{told}, in any case of letters; 'list' lists them.",
+    )
+
+
+protocol_option = packed(
+    "protocols",
+    _protocols,
+    protocol_option_of("--protocol", "both", "The middleware; both are the paper's two", ("both",)),
+)
+
+one_protocol_option = packed(
+    "protocol",
+    lambda protocol: ds.PROTOCOLS[protocol],
+    protocol_option_of("--protocol", ds.DDS.name, "The middleware"),
+)

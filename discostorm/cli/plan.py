@@ -1,0 +1,72 @@
+"""The command ``discostorm plan``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+import discostorm as ds
+from discostorm.cli.fleets import called, file_option, read
+from discostorm.cli.options import numbers, one_protocol_option, output_options, wifi_options
+from discostorm.cli.output import Output, as_text, bad_input, print_rows, visible, working
+from discostorm.wifi import Wifi
+
+
+@click.command(short_help="Advice for a fleet: what would help most.")
+@file_option
+@one_protocol_option
+@click.option(
+    "--nodes",
+    callback=numbers,
+    metavar="N[,N...]",
+    help="Nodes with parameter services in each process; with commas, one number for each "
+    "group.  [default: those of the file, else 1 where the endpoints are enough]",
+)
+@click.option(
+    "--shared",
+    type=float,
+    metavar="N",
+    help="Endpoints of each process that match one in every other, whatever its namespace; 0 "
+    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node]",
+)
+@wifi_options
+@output_options
+def plan(
+    file: str,
+    protocol: ds.Protocol,
+    nodes: Any,
+    shared: float | None,
+    wifi: Wifi,
+    output: Output,
+) -> None:
+    """Tell what dominates the discovery of a fleet, and what would help most.
+
+    FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
+
+    \b
+      [[groups]]
+      name = "robots"
+      hosts = 10
+      processes = 1       # of each host
+      endpoints = 678     # of each process
+      nodes = 13          # with parameter services; may be left out
+
+    \b
+    Examples:
+      discostorm plan fleet.toml
+      discostorm plan fleet.toml --protocol zenoh --wifi '802.11n 20 MHz 2x2'
+      discostorm plan fleet.toml --nodes 13,2 --json
+    """
+    with bad_input(), working("planning"):
+        members = read(file)
+        try:
+            answer = ds.plan(members, protocol, wifi, nodes=nodes, shared=shared)
+        except ValueError as error:
+            raise ValueError(f"{called(file)}: {error}") from error
+    if output.as_csv:
+        print_rows(answer.to_frame().reset_index().to_dict("records"), output)
+    elif output.as_json:
+        click.echo(as_text(answer.to_dict()))
+    else:
+        click.echo(visible(answer.advice()))

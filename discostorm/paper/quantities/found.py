@@ -1,0 +1,152 @@
+"""Quantities found beside the model: read in sources, counted, simulated and measured."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from statistics import median
+
+from discostorm import measured
+from discostorm.data import read_data
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.messages import Protocol
+from discostorm.paper import enumeration
+from discostorm.protocols import MEASURED, PROTOCOLS
+from discostorm.protocols.defaults import defaults, products
+from discostorm.scalability import message_costs, utilization
+from discostorm.wifi import Radio
+
+
+def default(product: str | Protocol, quantity: str) -> float:
+    """Return a product's default; its name has _ for a space."""
+    named = {name.replace(" ", "_"): name for name in products()}
+    asked = product if isinstance(product, str) else product.name
+    if asked not in named:
+        raise ValueError(f"product must be one of {', '.join(named)}; got {asked!r}")
+    return defaults(named[asked])[quantity]
+
+
+def payloads_measured(protocol: Protocol) -> float:
+    """Return which part of the messages had, in captures, a payload in the paper's range.
+
+    Of the products that speak the protocol, at least one; its median of all points of the lab.
+    """
+    within = set()
+    for name, table in PROTOCOLS.items():
+        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name:
+            for message in protocol.messages:
+                sizes = measured.payloads(name, message.name)
+                if sizes and message.payload.low <= median(sizes) <= message.payload.high:
+                    within.add(message.name)
+    return len(within) / len(protocol.messages)
+
+
+def start_saved(arrangement: str, hosts: float) -> float:
+    """Return which part of the start's airtime an arrangement saves, with any names the least.
+
+    Of that of the product without it, as both tables were measured, on the paper's channel: for
+    so many hosts of 2 processes with 10 endpoints, which match nobody or all. Names have _ for a
+    space.
+    """
+    name = arrangement.replace("_", " ")
+    (row,) = (r for r in read_data("vendors/arrangement_risks.csv") if r["protocol"] == name)
+    saved = []
+    for matching in (0.0, 1.0):
+        fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
+        with_it, without = (
+            utilization(PROTOCOLS[table], fleet) for table in (name, row["instead_of"])
+        )
+        saved.append(1 - float(with_it) / float(without))
+    return min(saved)
+
+
+def _death_times(arrangement: str, event: str, *what: str) -> list[float]:
+    """Return the times of the runs of a staging whose name has _ for a space [s]."""
+    names = (name.replace("_", " ") for name in (arrangement, event, *what))
+    return [float(time) for time in measured.death_times(*names)]
+
+
+def runs_found(arrangement: str, event: str) -> float:
+    """Return the part of the runs in which a newcomer found the living before the dead was back."""
+    times = _death_times(arrangement, event, "newcomer", "newcomer", "found")
+    return sum(map(math.isfinite, times)) / len(times)
+
+
+def runs_undisturbed(arrangement: str, event: str, who: str) -> float:
+    """Return the part of the runs in which these lost no match and heard each other all along."""
+    times = _death_times(arrangement, event, "death", who, "settled")
+    return times.count(0) / len(times)
+
+
+def _simulated(table: str, **wanted: object) -> list[dict[str, str]]:
+    """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
+    named = {
+        name: f"{value:g}" if isinstance(value, float) else value for name, value in wanted.items()
+    }
+    rows = [row for row in read_data(f"simulated/{table}.csv") if named.items() <= row.items()]
+    if not rows:
+        raise ValueError(f"simulated/{table}.csv has no row with {named}")
+    return rows
+
+
+def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how much longer a simulated burst takes than the closed form's airtime.
+
+    Without limits of the queues; the paper's small robots, on 802.11n as its channel has it.
+    """
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
+    counts = {name: float(row[name]) for name in ("hosts", "processes", "endpoints")}
+    closed = utilization(protocol, Fleet.swarm(**counts), wifi=wifi)
+    return float(row["drain_time_s"]) / float(closed) - 1
+
+
+def multicast_lost(protocol: Protocol, hosts: float) -> float:
+    """Return which part of the receptions of multicast a simulated burst loses to collisions."""
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1.0)
+    fleet = Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
+    receptions = {True: 0.0, False: 0.0}
+    for message in protocol.messages:
+        multicast = message.cast == "multicast"
+        receptions[multicast] += float(message.load(fleet)) * (hosts - 1 if multicast else 1)
+    return float(row["on_air"]) * sum(receptions.values()) / receptions[True]
+
+
+def runs_converged(hosts: float) -> float:
+    """Return the part of the simulated runs in which everybody knew everybody in two minutes.
+
+    The least of the paper's counts with the periods of products; no frame errors.
+    """
+    rows = _simulated("convergence", hosts=hosts, loss="0.0")
+    return min(
+        int(row["converged"]) / int(row["runs"]) for row in rows if "periods" in row["protocol"]
+    )
+
+
+def enumerated_down_for_up(
+    protocol: Protocol, phase: str, hosts: float, processes: float, endpoints: float
+) -> float:
+    """Return how many messages of a phase go down for each that goes up, by enumeration."""
+    hops = Counter(
+        sent.hop for sent in _walk(protocol, hosts, processes, endpoints) if sent.phase == phase
+    )
+    return hops["down"] / hops["up"]
+
+
+def enumeration_ratio(
+    protocol: Protocol, hosts: float, processes: float, endpoints: float
+) -> float:
+    """Return the airtime of all enumerated messages, one by one, relative to U."""
+    each = {
+        (row["message"], hop): row[f"{hop}link_s"] / row["uplink_messages"]
+        for row in message_costs(protocol, Fleet.swarm(hosts, processes, endpoints))
+        for hop in ("up", "down")
+    }
+    at = (hosts, processes, endpoints)
+    one_by_one = sum(each[sent.kind, sent.hop] for sent in _walk(protocol, *at))
+    return float(one_by_one / utilization(protocol, *at))
+
+
+def _walk(
+    protocol: Protocol, hosts: float, processes: float, endpoints: float
+) -> Iterator[enumeration.Sent]:
+    return enumeration.walk(protocol.name, [[int(endpoints)] * int(processes)] * int(hosts))
