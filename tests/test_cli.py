@@ -522,7 +522,8 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
         (output.percent, 999_999.5, "99,999,950.0%"),
         (output.percent, 1e6, "1e+08%"),
         (output.percent, 1.5e6, "1.5e+08%"),
-        (output.seconds, 999_999.5, "999999.500000"),
+        (output.seconds, 9.0, "9.000000"),
+        (output.seconds, 999_999.5, "999,999.5"),
         (output.seconds, 1e6, "1e+06"),
     ],
 )

@@ -85,8 +85,10 @@ def percent(value: float) -> str:
 
 
 def seconds(value: float) -> str:
-    """Return seconds to the microsecond."""
-    return f"{value:.6f}" if value < words.HUGE else f"{value:.3g}"
+    """Return seconds to the microsecond, from ten on to the tenth."""
+    if value < 10:
+        return f"{value:.6f}"
+    return f"{value:,.1f}" if value < words.HUGE else f"{value:.3g}"
 
 
 def print_rows(
