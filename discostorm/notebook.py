@@ -84,19 +84,19 @@ def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown
     """
     lines = [step if isinstance(step, str) else latex(step) for step in steps]
     start = left if isinstance(left, str) else latex(left)
-    body = " \\\\\n".join(f"&= {line}" for line in lines)
+    body = " \\\\[4pt]\n".join(f"&= {line}" for line in lines)
     return Markdown(f"$$\n\\begin{{aligned}}\n{start} {body}\n\\end{{aligned}}\n$$ ({label})")
 
 
 def say(*sentences: str) -> None:
     """Show sentences with computed numbers in the type of the page; several of them as a list."""
     start = "- " if len(sentences) > 1 else ""
-    display(Markdown("\n".join(start + with_minus(sentence) for sentence in sentences)))
+    display(Markdown("\n".join(start + typeset(sentence) for sentence in sentences)))
 
 
 def answer(*paragraphs: str) -> Markdown:
     """Show what a chapter answers to its question, set off from the text as the question is."""
-    first, *others = map(with_minus, paragraphs)
+    first, *others = map(typeset, paragraphs)
     return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
 
 
@@ -177,8 +177,9 @@ _NONE = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
 #: What stays as it is, code and formulas, or else a hyphen that stands for a minus.
 _HYPHEN = re.compile(r"(`[^`]*`|\$[^$]*\$)|(?<![\w.)/#-])-(?=\d)")
+_BREAKS = re.compile(r"(`[^`]*`|\$[^$]*\$)|(?<=\d) (?=(?:[µmn]?s|k?B|[MG]Hz|Mbit/s)(?![\w/]))")
 _NUMBER = re.compile(
-    rf"[-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?( ?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
+    rf"[-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
     rf"|{_NONE}|"
 )
 
@@ -202,14 +203,22 @@ def heading(name: str) -> str:
     return f"{words} [{_UNITS[unit]}]" if unit else words
 
 
-def with_minus(text: str) -> str:
-    """Return a text for people in which a minus is one, not a hyphen, but in code and formulas.
+def typeset(text: str) -> str:
+    """Return a text for people: a minus is no hyphen, and no line ends between number and unit.
+
+    Code and formulas stay as they are.
 
     Examples
     --------
-    >>> with_minus("by -6% in 2020-2024; `x = -1`") == "by \N{MINUS SIGN}6% in 2020-2024; `x = -1`"
+    >>> typeset("by -6% in 2020-2024; `x = -1`") == "by \N{MINUS SIGN}6% in 2020-2024; `x = -1`"
+    True
+    >>> typeset("3 s") == "3\N{NO-BREAK SPACE}s"
     True
     """
+    return _BREAKS.sub(lambda found: found[1] or "\N{NO-BREAK SPACE}", _minus(text))
+
+
+def _minus(text: str) -> str:
     return _HYPHEN.sub(lambda found: found[1] or _MINUS, text)
 
 
@@ -220,7 +229,7 @@ def _cell(value: object) -> str:
     text = f"{value:g}" if isinstance(value, float) else str(value)
     if infinite := re.fullmatch(r"([-+]?)inf\b.*", text):
         return f"{_MINUS if infinite[1] == '-' else ''}∞"
-    return _NONE if re.fullmatch(r"[-+]?nan\b.*", text) else with_minus(text)
+    return _NONE if re.fullmatch(r"[-+]?nan\b.*", text) else typeset(text)
 
 
 def table(

@@ -199,7 +199,11 @@ def _other_tables(protocol: Protocol) -> Iterator[Change | str]:
         other = built and product(before) != own
         if row["family"] != family(protocol) and not other:
             continue
-        by = "" if before == protocol or arranged else f"both as {before.name} was measured"
+        by = (
+            ""
+            if before == protocol or arranged
+            else f"both as {before.name.replace(', ', ' with ')} was measured"
+        )
         change = Change(
             row["kind"],
             f"{'switching to ' + str(product(before)) + ' with ' if other else ''}{row['title']}",

@@ -349,7 +349,7 @@
       fleet: { ...swarm, N_E, N_E1, N_S: Math.min(swarm.N_S, N_E), N_S1: Math.min(swarm.N_S1, N_E1) },
     });
     for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
-    for (const { kind, what, base, wifi } of channel.remedies) add(kind, what, { base, air: wifi });
+    for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
     found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
     return found
@@ -390,7 +390,7 @@
     const who = everybody(settings);
     const alone = settings.swarm.N_H + settings.swarm.N_H1 === 1;
     const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${duration(drain)}`;
-    const after = protocol.repeats ? ` From then on discovery takes ${percent(steady)} of it.` : "";
+    const after = protocol.repeats ? ` Once the start is over, discovery takes ${percent(steady)} of the channel.` : "";
     const lease = duration(protocol.lease);
     return [
       ["Starts within a second if nothing is lost.", `${takes}.${after}`],
@@ -889,7 +889,7 @@
     byId("robot-parts").hidden = !robot;
     if (robot) {
       const kinds = [...new Set(robot.parts.map((part) => part.kind))].join(" and ");
-      byId("robot-kind").textContent = `Where these numbers come from (${kinds})`;
+      byId("robot-kind").textContent = `Where these numbers come from (${kinds.replace("printed", "printed in the paper")})`;
       become(
         byId("robot-list"),
         ...robot.parts.map(({ what, processes, endpoints, kind, source }) =>

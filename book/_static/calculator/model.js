@@ -67,7 +67,7 @@ const DISCOSTORM = (() => {
   const shared57 = [shared56, shared56, shared56];
   const shared58 = {"count": "count3", "more": ["more6", "more7", "more8"]};
   const shared59 = [shared58, shared58, shared58];
-  const shared60 = "both as Zenoh peer, tokens was measured";
+  const shared60 = "both as Zenoh peer with tokens was measured";
   const shared61 = ["router", "a router behind the access point", shared60, "Zenoh router", "Zenoh peer, tokens"];
   const shared62 = ["router on each host", "a router on each host", shared60, "Zenoh router per host", "Zenoh peer, tokens"];
   const shared63 = [shared55, shared59, shared57];
