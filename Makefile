@@ -41,6 +41,7 @@ help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
+	@$(BIN)/python scripts/loopback.py
 	@rm -rf _build
 	@$(BIN)/python scripts/run_notebooks.py --report _build
 	@$(BUILD)

@@ -4,8 +4,9 @@ import os
 import re
 import shlex
 from base64 import b64encode
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from functools import partial
 from html import escape
 from importlib import import_module
 from textwrap import wrap
@@ -175,9 +176,10 @@ _UNITS = {
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
-#: What stays as it is, code and formulas, or else a hyphen that stands for a minus.
-_HYPHEN = re.compile(r"(`[^`]*`|\$[^$]*\$)|(?<![\w.)/#-])-(?=\d)")
-_BREAKS = re.compile(r"(`[^`]*`|\$[^$]*\$)|(?<=\d) (?=(?:[µmn]?s|k?B|[MG]Hz|Mbit/s)(?![\w/]))")
+#: What stays as it is: code and formulas.
+_AS_IT_IS = re.compile(r"(`[^`]*`|\$[^$]*\$)")
+#: A hyphen that stands for a minus.
+_HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
 _NUMBER = re.compile(
     rf"[-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
     rf"|{_NONE}|"
@@ -215,11 +217,16 @@ def typeset(text: str) -> str:
     >>> typeset("3 s") == "3\N{NO-BREAK SPACE}s"
     True
     """
-    return _BREAKS.sub(lambda found: found[1] or "\N{NO-BREAK SPACE}", _minus(text))
+    return _in_prose(words.unbroken, _minus(text))
 
 
 def _minus(text: str) -> str:
-    return _HYPHEN.sub(lambda found: found[1] or _MINUS, text)
+    return _in_prose(partial(_HYPHEN.sub, _MINUS), text)
+
+
+def _in_prose(change: Callable[[str], str], text: str) -> str:
+    parts = enumerate(_AS_IT_IS.split(text))
+    return "".join(part if place % 2 else change(part) for place, part in parts)
 
 
 def _cell(value: object) -> str:

@@ -122,11 +122,26 @@ def capitalized(sentence: str) -> str:
     return sentence[:1].upper() + sentence[1:]
 
 
+#: Units that stay with their number.
+_UNIT = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
+
+
+def unbroken(text: str) -> str:
+    """Return a text in which no line can end between a number and its unit.
+
+    Examples
+    --------
+    >>> unbroken("2 hosts, 3 s, 11 Mbit/s").count("\N{NO-BREAK SPACE}")
+    2
+    """
+    return re.sub(rf"(?<=\d) (?={_UNIT})", "\N{NO-BREAK SPACE}", text)
+
+
 def wrapped(line: str, width: int = 79) -> str:
     """Return a line broken at a width, but not between a number and its unit.
 
     What follows in an item of a list is indented.
     """
     indent = " " * 4 * bool(re.match(r"- | |\d+\. ", line))
-    glued = re.sub(r"(?<=\d) (?=m?s\b|µs\b|Mbit/s|minutes|hours|days|years)", "\u00a0", line)
-    return textwrap.fill(glued, width, subsequent_indent=indent).replace("\u00a0", " ")
+    lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent)
+    return lines.replace("\N{NO-BREAK SPACE}", " ")

@@ -1,6 +1,7 @@
 """Say at once if programs of this machine cannot talk to each other through 127.0.0.1.
 
-Notebooks reach their kernels that way, and browser tests the book: both would wait for minutes.
+Pages that hold code reach their kernels that way, and browser tests the book: both would wait for
+minutes.
 """
 
 import socket
@@ -14,7 +15,7 @@ def check() -> None:
             socket.create_connection(server.getsockname(), timeout=5).close()
     except OSError as error:
         sys.exit(
-            "discostorm: notebooks need the loopback interface, but 127.0.0.1 does not answer"
+            "discostorm: the book needs the loopback interface, but 127.0.0.1 does not answer"
             f" ({error}); on Linux: ip link set lo up"
         )
 

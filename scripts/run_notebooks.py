@@ -10,15 +10,16 @@ import copy
 import csv
 import os
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
-from loopback import check
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from traitlets.config import Config
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 
@@ -39,19 +40,22 @@ def run(path: Path) -> Run:
     for cell in notebook.cells:
         if cell.cell_type == "code":
             cell.update(execution_count=None, outputs=[])
-    client = NotebookClient(
-        notebook,
-        timeout=120,
-        kernel_name="python3",
-        record_timing=False,
-        # Under load, what one cell prints arrives in pieces: one output however it came.
-        coalesce_streams=True,
-        resources={"metadata": {"path": str(path.parent)}},
-        # Of the kernel's own log only errors: it warns on every start that it uses TCP.
-        extra_arguments=["--IPKernelApp.log_level=ERROR"],
-    )
     try:
-        client.execute()
+        # Sockets of its own instead of TCP, where another program may take a port meanwhile.
+        # Their paths have 107 bytes at most: TMPDIR may be too long.
+        folder = "/tmp" if os.access("/tmp", os.W_OK) else None
+        with tempfile.TemporaryDirectory(prefix="kernel-", dir=folder) as sockets:
+            file = f"{sockets}/kernel.json"
+            NotebookClient(
+                notebook,
+                config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
+                timeout=120,
+                kernel_name="python3",
+                record_timing=False,
+                # Under load, what one cell prints arrives in pieces: one output however it came.
+                coalesce_streams=True,
+                resources={"metadata": {"path": str(path.parent)}},
+            ).execute()
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
         # Cells run in order: the last one that was counted is the one that failed.
         counted = (n for n, cell in enumerate(notebook.cells, 1) if cell.get("execution_count"))
@@ -104,7 +108,6 @@ def main(arguments: list[str]) -> int:
     if missing or not paths:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
-    check()
     runs: dict[str, Run] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}

@@ -102,13 +102,22 @@ def test_a_home_that_cannot_be_written_changes_no_notebook(tmp_path: Path) -> No
     assert [len(cell.outputs) for cell in nbformat.read(path, as_version=4).cells[1:]] == [1]
 
 
-def test_without_loopback_it_says_so_at_once(tmp_path: Path) -> None:
-    path = tmp_path / "good.ipynb"
-    write(path, "1")
-    done = command(*unshare("--net"), "timeout", "20", sys.executable, SCRIPT, path)
+def test_without_loopback_it_is_said_at_once() -> None:
+    script = ROOT / "scripts" / "loopback.py"
+    done = command(*unshare("--net"), "timeout", "20", sys.executable, script)
     assert done.returncode == 1
     assert "127.0.0.1 does not answer ([Errno 101] Network is unreachable)" in done.stderr
     assert "ip link set lo up" in done.stderr
+
+
+def test_notebooks_need_no_network_not_even_loopback(tmp_path: Path) -> None:
+    path = tmp_path / "good.ipynb"
+    write(path, "1")
+    long = tmp_path / ("long" * 30)  # too long for a socket
+    long.mkdir()
+    words = [*unshare("--net"), "env", f"TMPDIR={long}", sys.executable, SCRIPT, path]
+    done = command(*words)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_a_full_disk_leaves_the_notebook_as_it_was(tmp_path: Path) -> None:

@@ -11,6 +11,8 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 
+from discostorm import words
+
 #: The page that is a document of its own, too.
 CHEAT_SHEET = "book/cheat_sheet"
 #: Points: the measure of an A4 page, and what a column adds to its text.
@@ -27,8 +29,6 @@ _SANS = 1.15
 _TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
-#: The space between a number and its unit.
-_UNIT = re.compile(r"(?<=\d) (?=(?:s|ms|µs|B|Hz|MHz|GHz|Mbit/s)(?!\w))")
 _SOLUTION = "Show the solution"
 #: Sections that the contents need not name; short pages that begin where the one before ends.
 _IN_EVERY_CHAPTER = ("Exercises", "The answer")
@@ -227,7 +227,7 @@ def _fit(table: nodes.table, sizes: tuple[tuple[float, str], ...] = _SIZES) -> N
             entry.children = []  # an empty paragraph would be a line of its own
     for text in list(table.findall(nodes.Text)):
         if not isinstance(text.parent, nodes.math):
-            kept = _UNIT.sub("\N{NO-BREAK SPACE}", text)
+            kept = words.unbroken(text)
             text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, kept)))
     small, _ = _SIZES[-1]
     unbroken = sum(

@@ -53,7 +53,8 @@ def start_saved(arrangement: str, hosts: float) -> float:
     for matching in (0.0, 1.0):
         fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
         with_it, without = (
-            utilization(PROTOCOLS[table], fleet) for table in (name, row["instead_of"])
+            sum(costs["uplink_s"] + costs["downlink_s"] for costs in message_costs(table, fleet))
+            for table in (PROTOCOLS[name], PROTOCOLS[row["instead_of"]])
         )
         saved.append(1 - float(with_it) / float(without))
     return min(saved)

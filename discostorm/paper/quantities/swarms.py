@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -121,11 +122,13 @@ def control_share(protocol: Protocol, hosts: float, processes: float, endpoints:
 
 def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return the share of the airtime that is fixed overhead, not bits."""
-    u = protocol.utilization()
-    values = {**protocol.values(), **PAPER.values()}
-    values |= {nt.N_H: hosts, nt.N_P: processes, nt.N_E: endpoints}
-    fixed = u.subs({nt.R_UNI: sp.oo, nt.R_MULTI: sp.oo})
-    return float(fixed.subs(values) / u.subs(values))
+    bits = replace(
+        PAPER,
+        unicast=replace(PAPER.unicast, overhead=0.0),
+        multicast=replace(PAPER.multicast, overhead=0.0),
+    )
+    at = (hosts, processes, endpoints)
+    return float(1 - utilization(protocol, *at, wifi=bits) / utilization(protocol, *at))
 
 
 def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int:
