@@ -14,8 +14,8 @@ import sympy as sp
 from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
-from discostorm import messages
 from discostorm.data import read_data
+from discostorm.messages import message
 from discostorm.paper import claims, criteria
 from discostorm.paper.quantities import swarms
 from discostorm.uncertainty import saturation_bounds
@@ -259,7 +259,7 @@ def test_a_changed_formula_changes_verdicts(monkeypatch):
 
 @pytest.mark.usefixtures("fresh_values")
 def test_a_changed_payload_changes_verdicts(monkeypatch):
-    monkeypatch.setattr(messages, "header_bytes", lambda: {"UDP": 66, "TCP": 78})
+    monkeypatch.setattr(message, "header_bytes", lambda: {"UDP": 66, "TCP": 78})
     rows = [c for c in claims.claims() if c.test and c.test.quantity.startswith("frame_bytes")]
     assert {c.verdict() for c in rows} == {"contradicted"}
 
