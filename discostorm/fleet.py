@@ -276,8 +276,9 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name``, ``nodes`` and ``shared``; see `HostGroup`. Above them it may have
-        ``matching``; see `Fleet`::
+        and optionally a ``name``, ``nodes`` and ``shared``; see `HostGroup`. A group that tells
+        ``nodes`` alone shares what ROS 2 does: `discostorm.robots.shared_endpoints`. Above the
+        groups it may have ``matching``; see `Fleet`::
 
             matching = 0
 
@@ -663,6 +664,35 @@ def parameter_service_endpoints() -> int:
     return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
+def shared_endpoints(nodes: float = 0.0) -> float:
+    """Return how many endpoints of a ROS 2 process match one in every other, whatever its names.
+
+    Those of topics whose names no ROS 2 namespace changes: a writer and a reader of
+    ``ros_discovery_info`` for each process, and of ``/parameter_events`` for each of its nodes
+    (``fleets/shared_topics.csv``, with sources). It is assumed that ``/tf`` and the like are
+    remapped into the namespace, and that nobody subscribes to ``/rosout``.
+
+    Parameters
+    ----------
+    nodes : float, optional
+        Nodes in the process [1]; 0 if left out, as of one that rclcpp did not make.
+
+    Returns
+    -------
+    float
+        How many [1].
+
+    Examples
+    --------
+    >>> from discostorm.robots import shared_endpoints
+    >>> shared_endpoints(), shared_endpoints(nodes=13)
+    (2.0, 28.0)
+    """
+    per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MOST)}
+    rows = read_data("fleets/shared_topics.csv")
+    return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
+
+
 def check_nodes(name: str, nodes: float, endpoints: float) -> None:
     """Raise a ValueError unless a process of so many endpoints can have so many nodes."""
     each = parameter_service_endpoints()
@@ -711,7 +741,10 @@ def _group(number: int, table: Any) -> HostGroup:
             if type(table.get(key, 0)) not in (int, float):
                 allowed = _checks.wanted(0, _checks.MOST)
                 raise TypeError(f"{key} must be {allowed}; got {_checks.short(table[key])}")
-        return replace(HostGroup(**table | {"name": ""}), name=table.get("name", ""))
+        group = HostGroup(**table | {"name": ""})
+        if group.nodes is not None and "shared" not in table:
+            group = replace(group, shared=min(shared_endpoints(group.nodes), group.endpoints))
+        return replace(group, name=table.get("name", ""))
     except (TypeError, ValueError) as error:
         name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""
         raise ValueError(f"group {number}{name}: {error}") from error

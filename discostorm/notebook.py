@@ -29,7 +29,7 @@ try:
     import_module("tabulate")  # by which pandas writes tables
 except ImportError as error:
     raise ImportError(
-        f"discostorm.notebook needs {error.name}; to get it: pip install discostorm[book]",
+        f"discostorm.notebook needs {error.name}; to get it: pip install 'discostorm[book]'",
         name=error.name,
     ) from error
 

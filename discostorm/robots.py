@@ -7,35 +7,8 @@ from discostorm.data import read_data
 from discostorm.fleet import (
     HostGroup,
     parameter_service_endpoints as parameter_service_endpoints,
+    shared_endpoints as shared_endpoints,
 )
-
-
-def shared_endpoints(nodes: float = 0.0) -> float:
-    """Return how many endpoints of a ROS 2 process match one in every other, whatever its names.
-
-    Those of topics whose names no ROS 2 namespace changes: a writer and a reader of
-    ``ros_discovery_info`` for each process, and of ``/parameter_events`` for each of its nodes
-    (``fleets/shared_topics.csv``, with sources). It is assumed that ``/tf`` and the like are
-    remapped into the namespace, and that nobody subscribes to ``/rosout``.
-
-    Parameters
-    ----------
-    nodes : float, optional
-        Nodes in the process [1]; 0 if left out, as of one that rclcpp did not make.
-
-    Returns
-    -------
-    float
-        How many [1].
-
-    Examples
-    --------
-    >>> shared_endpoints(), shared_endpoints(nodes=13)
-    (2.0, 28.0)
-    """
-    per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MOST)}
-    rows = read_data("fleets/shared_topics.csv")
-    return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
 
 
 def likely_nodes(endpoints: float) -> float:

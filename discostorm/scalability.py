@@ -167,6 +167,11 @@ def _of_names(unit: Unit) -> bool:
     return bool(unit.count(swarm) != unit.count(SWARM))
 
 
+def depends_on_names(protocol: Protocol) -> bool:
+    """Return whether what a protocol sends depends on which endpoints match."""
+    return any(map(_of_names, protocol.units()))
+
+
 def _of_swarms(
     costs: Costs, arguments: dict[str, Any], shape: tuple[int, ...], matching: float = 0.0
 ) -> Value:
@@ -564,18 +569,44 @@ def saturation_hosts(
             f"{' beside the fleet' if beside else ''} with {protocol.name}, {needed!r}; got {low!r}"
         )
     costs = _costs(protocol, None, wifi, seconds)
+    if beside is not None or _shared_counts(costs, host) or _steep(tuple(costs)):
+        found = _hosts(lambda: _beside(costs, fleet, most - single))
+    else:
+        found = _hosts(lambda: _alone(costs, host, most, shape))
+    return np.array(np.broadcast_to(found, shape)) if shape else float(found)
+
+
+def hosts_of_group(
+    protocol: Protocol, fleet: Fleet, index: int = 0, wifi: Wifi = PAPER, limit: float = 1.0
+) -> float | None:
+    """Return at how many hosts of one of its groups a fleet of numbers reaches a limit.
+
+    None if one host of them is too many. The group keeps its place, which matters where a server
+    is on a host of the first one, and the fleet what matches in it.
+    """
+    most = _checks.number("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
+    groups = list(fleet.groups)
+    groups[index] = replace(groups[index], hosts=1)
+    fleet = replace(fleet, groups=tuple(groups))
+    single = float(utilization(protocol, fleet, wifi=wifi))
+    if single > most:
+        return None
+    (host, *others), costs = groups, _costs(protocol, None, wifi, PAPER_WINDOW)
+    if others or fleet.matching or _shared_counts(costs, host):
+        return float(_hosts(lambda: _beside(costs, fleet, most - single, index)))
+    return float(saturation_hosts(protocol, host.processes, host.endpoints, wifi, limit=most))
+
+
+def _hosts(found: Callable[[], Value]) -> Any:
+    """Return how many hosts are found, at least one; infinity if they do not fill the channel."""
     try:
         with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
-            if beside is not None or _shared_counts(costs, host) or _steep(tuple(costs)):
-                found = _beside(costs, fleet, most - single)
-            else:
-                found = _alone(costs, host, most, shape)
+            hosts = found()
     except ZeroDivisionError:
-        found = math.inf
+        hosts = math.inf
     # At the least limit allowed, rounding could give a little less than one host, and a
     # channel that hosts do not fill would have any number.
-    found = np.where(np.isnan(found), math.inf, np.maximum(found, 1.0))
-    return np.array(np.broadcast_to(found, shape)) if shape else float(found)
+    return np.where(np.isnan(hosts), math.inf, np.maximum(hosts, 1.0))
 
 
 def _alone(costs: Costs, host: HostGroup, most: Value, shape: tuple[int, ...]) -> Value:
@@ -591,11 +622,11 @@ def _alone(costs: Costs, host: HostGroup, most: Value, shape: tuple[int, ...]) -
     return in_blocks(block, values, shape)
 
 
-def _beside(costs: Costs, fleet: Fleet, rest: Value) -> Value:
-    """Return how many hosts like the first beside the others take the rest; see `solve_hosts`."""
-    host, *others = fleet.groups
-    more = replace(host, hosts=Polynomial((1.0, 1.0)))
-    total = _added_up(costs, replace(fleet, groups=(more, *others)))
+def _beside(costs: Costs, fleet: Fleet, rest: Value, index: int = 0) -> Value:
+    """Return how many hosts like that of one group take the rest; see `solve_hosts`."""
+    groups = list(fleet.groups)
+    groups[index] = replace(groups[index], hosts=Polynomial((1.0, 1.0)))
+    total = _added_up(costs, replace(fleet, groups=tuple(groups)))
     _, b, a, third, *faster = (*coefficients(total), 0.0, 0.0, 0.0)
     if any(map(np.any, faster)):
         found: Value = _by_newton((b, a, third, *faster), rest)

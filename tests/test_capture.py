@@ -508,6 +508,23 @@ def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> 
     assert table.loc["SEDP", "per_unit"] == pytest.approx(whole.loc["SEDP", "per_unit"], rel=0.03)
 
 
+def test_one_robots_view_is_told_with_whole_messages(tmp_path: Path) -> None:
+    for name, content in (("mine", view_of(b"\x0a\x4d\0\1", packets("fast_dds"))), ("all", None)):
+        (tmp_path / name).write_bytes(pcap(packets("fast_dds") if content is None else content))
+    mine, everybody = (
+        CliRunner().invoke(main, ["capture", str(tmp_path / name), "--against", "Fast DDS"]).output
+        for name in ("mine", "all")
+    )
+    seen = "Note: seen from 10.77.0.1: of unicast only what it sends and receives"
+    assert seen in mine
+    assert "seen from" not in everybody
+    table = [line.split() for line in everybody.splitlines() if re.search(r"\d\.\d{4}$", line)]
+    assert table
+    lines = captured("fast_dds").compare(ds.PROTOCOLS["Fast DDS"]).dropna(subset="expected")
+    expected = {f"{count:,.0f}" for count in lines["expected"]}
+    assert expected <= {word for row in table for word in row}
+
+
 @pytest.mark.parametrize("writers", [0, 2, 5])
 def test_one_robots_view_tells_how_far_all_match(writers: int, read: Read) -> None:
     found = with_matches(packets("fast_dds"), writers)

@@ -11,6 +11,7 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -179,6 +180,84 @@ def test_saturation_of_each_group_of_a_fleet() -> None:
         assert more["hosts"] < row["hosts"]
     human = run("saturation|fleet.toml").output
     assert max(map(len, human.splitlines())) <= 79
+
+
+ROBOTS = "[[groups]]\nhosts = 11\nprocesses = 1\nendpoints = 678\n"
+LAPTOP = "[[groups]]\nname = 'laptop'\nhosts = 2\nprocesses = 3\nendpoints = 90\n"
+
+
+@pytest.mark.parametrize("protocol", ["Fast DDS", "Fast DDS Discovery Server"])
+@pytest.mark.parametrize(
+    "content",
+    [
+        ROBOTS + "shared = 28",
+        "matching = 1\n" + ROBOTS,
+        "matching = 0.1\n" + ROBOTS + "shared = 28\n" + LAPTOP,
+        ROBOTS + "nodes = 13\n" + LAPTOP,
+    ],
+)
+def test_as_many_hosts_fit_as_utilization_says(content: str, protocol: str, folder: Path) -> None:
+    def utilization(fleet: ds.Fleet, index: int, hosts: int) -> float:
+        groups = list(fleet.groups)
+        groups[index] = replace(groups[index], hosts=hosts)
+        return float(ds.utilization(ds.PROTOCOLS[protocol], replace(fleet, groups=tuple(groups))))
+
+    (folder / "own.toml").write_text(content)
+    fleet = ds.Fleet.from_toml("own.toml")
+    # Of a limit above what a single host of each group takes.
+    limit = 3 * max(utilization(fleet, index, 1) for index in range(len(fleet.groups)))
+    limit = max(limit, 0.2)
+    arguments = ("saturation|own.toml|--json", f"--limit|{limit}", f"--protocol|{protocol}")
+    for index, row in enumerate(read_json(run(*arguments))):
+        assert row["fit"] >= 1
+        assert utilization(fleet, index, row["fit"]) < limit
+        assert utilization(fleet, index, row["fit"] + 1) >= limit
+
+
+def test_all_commands_count_what_ros_2_shares_in_a_fleet_file() -> None:
+    server = "--protocol|Fast DDS Discovery Server"
+    planned = read_json(run("plan|fleet.toml|--json", server))["utilization"]
+    (row,) = read_json(run("utilization|fleet.toml|--json", server))
+    assert row["utilization"] == pytest.approx(planned, rel=1e-12)
+    messages = read_json(run("breakdown|fleet.toml|--json", server))
+    told = math.fsum(message["uplink_s"] + message["downlink_s"] for message in messages)
+    assert told == pytest.approx(planned, rel=1e-12)
+    robots, _ = read_json(run("saturation|fleet.toml|--json", server))
+    assert (robots["fit"] >= 10) == (planned < 1)
+    # What a file says of its nodes gives way to an option.
+    fewer = read_json(run("plan|fleet.toml|--json|--nodes|1,1", server))["utilization"]
+    assert fewer < planned
+
+
+@pytest.mark.parametrize("command", ["utilization", "saturation", "breakdown"])
+def test_a_line_says_that_what_ros_2_shares_is_not_counted(command: str, folder: Path) -> None:
+    line, server = "what ROS 2 shares between all", "--protocol|Fast DDS Discovery Server"
+    (folder / "own.toml").write_text(ROBOTS)
+    assert f"\nNo names match: {line}" in run(command, "own.toml", server).output
+    assert line not in run(command, "own.toml").output  # the paper's tables count no names
+    assert line not in run(command, "own.toml|--csv", server).output
+    assert line not in run(command, "fleet.toml", server).output
+    counts = "--processes|1|--endpoints|30" + "|--hosts|3" * (command != "saturation")
+    assert line in run(command, counts, server).output
+    (folder / "own.toml").write_text("matching = 0.5\n" + ROBOTS)
+    assert f"\nWhat{line[4:]}" in run(command, "own.toml", server).output
+    (folder / "own.toml").write_text("matching = 1\n" + ROBOTS)
+    assert line not in run(command, "own.toml", server).output
+    (folder / "own.toml").write_text(ROBOTS + "nodes = 13\n" + LAPTOP)
+    assert f"\nOf laptop, {line}" in run(command, "own.toml", server).output
+
+
+def test_matching_is_one_number_for_all_on_the_channel(folder: Path) -> None:
+    (folder / "own.toml").write_text("matching = 1\n" + ROBOTS)
+    refused = run("saturation|own.toml|--beside|fleet.toml")
+    assert refused.exit_code == 2
+    assert "matching must be the same in FLEET and --beside; got 1 and 0" in refused.stderr
+
+
+def test_simulate_names_its_option_where_nothing_recovers() -> None:
+    refused = run("simulate|fleet.toml|--protocol|Fast DDS Discovery Server")
+    assert refused.exit_code == 2
+    assert "Error: --no-recovery must be given for the protocol 'Fast DDS D" in refused.stderr
 
 
 def test_saturation_of_less_than_one_host() -> None:

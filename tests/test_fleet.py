@@ -259,8 +259,8 @@ def test_the_fleet_of_the_example_has_the_parts_that_its_sources_add_up_to() -> 
     (nodes,) = (int(part["how_many"]) for part in parts if "parameter services" in part["part"])
     nav2 = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
     assert fleet.groups == (
-        ds.HostGroup(10, 1, 678, name="robots", nodes=nav2),
-        ds.HostGroup(1, 1, endpoints, name="laptop", nodes=nodes),
+        ds.HostGroup(10, 1, 678, name="robots", nodes=nav2, shared=2 + 2 * nav2),
+        ds.HostGroup(1, 1, endpoints, name="laptop", nodes=nodes, shared=2 + 2 * nodes),
     )
 
 
@@ -309,9 +309,16 @@ def test_nodes_may_stand_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "fleet.toml"
     path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nnodes = 3\n")
     (group,) = ds.Fleet.from_toml(path).groups
-    assert group == ds.HostGroup(2, 1, 50, nodes=3) != ds.HostGroup(2, 1, 50)
+    of_ros2 = ds.HostGroup(2, 1, 50, nodes=3, shared=8)
+    assert group == of_ros2 != ds.HostGroup(2, 1, 50)
+    for told, shared in [("shared = 0", 0), ("shared = 20", 20)]:
+        path.write_text(f"[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nnodes = 3\n{told}")
+        assert ds.Fleet.from_toml(path).groups == (replace(of_ros2, shared=shared),)
+    path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 1\nnodes = 0\n")
+    assert ds.Fleet.from_toml(path).groups[0].shared == 1  # never more than there are
+    path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nnodes = 3\n")
     assert pickle.loads(pickle.dumps(group)) == group
-    assert repr(group) == "HostGroup(hosts=2, processes=1, endpoints=50, nodes=3)"
+    assert repr(group) == "HostGroup(hosts=2, processes=1, endpoints=50, nodes=3, shared=8)"
     path.write_text(path.read_text().replace("nodes = 3", "nodes = true"))
     with pytest.raises(ValueError, match=r"group 1: nodes must be a finite number .*; got True"):
         ds.Fleet.from_toml(path)

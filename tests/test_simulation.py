@@ -824,7 +824,7 @@ def test_package_does_not_load_what_only_the_simulator_needs() -> None:
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("discostorm.simulation.find_spec", lambda _: None)
-    with pytest.raises(ImportError, match=r"pip install discostorm\[simulation\]"):
+    with pytest.raises(ImportError, match=r"pip install 'discostorm\[simulation\]'"):
         small()
 
 

@@ -86,7 +86,7 @@ def test_a_module_without_its_extra_says_which(tmp_path: Path, wheel: Path) -> N
     assert "discostorm.notebook" in errors
     for module, error in errors.items():
         extra = "book" if module == "discostorm.notebook" else "simulation"
-        assert re.search(rf"pip install discostorm\[{extra}\]", error), f"{module}: {error}"
+        assert re.search(rf"pip install 'discostorm\[{extra}\]'", error), f"{module}: {error}"
 
 
 def test_with_its_extras_every_module_works(tmp_path: Path, wheel: Path) -> None:

@@ -263,6 +263,11 @@ def test_overheads_by_hand_in_microseconds() -> None:
         ),
         ({"standard": "802.11ac", "band": 2.4e9}, "band must be 5 GHz for 802.11ac; got 2.4 GHz"),
         ({"standard": "802.11n", "width": 80e6}, "width must be 20 or 40 MHz for 802.11n; got 80"),
+        (
+            {"standard": "802.11ac", "width": 80},
+            "width must be 20, 40, 80 or 160 MHz for 802.11ac; got 80 Hz; width is in Hz, "
+            "such as 20e6$",
+        ),
         ({"standard": "802.11n", "streams": 5}, "streams must be 1, 2, 3 or 4 for 802.11n; got 5"),
         ({"standard": "802.11a", "streams": 2}, "streams must be 1 for 802.11a; got 2"),
         ({"standard": "802.11n", "mcs": 15}, "mcs must be 0, 1, 2, 3, 4, 5, 6 or 7 for 802.11n at"),

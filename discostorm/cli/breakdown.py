@@ -9,7 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, swarm_options
+from discostorm.cli.fleets import Members, swarm_options, tell_unshared
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, seconds, working
 from discostorm.scalability import message_costs
@@ -26,18 +26,20 @@ def breakdown(
 ) -> None:
     """Show what each message of the discovery costs, up to the access point and down.
 
+    Tables of what products send depend on what matches. A group of a fleet file that tells
+    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
+    a line says so.
+
     \b
     Examples:
       discostorm breakdown --hosts 7 --processes 2 --endpoints 10 --protocol dds
       discostorm breakdown fleet.toml --csv
     """
-    counts = members.arguments
-    if isinstance(counts["hosts"], list):
+    if isinstance(members.arguments["hosts"], list):
         raise click.UsageError("--hosts must be one number here")
     rows: list[dict[str, Any]] = []
     with bad_input(), working("computing"):
-        hosts = counts["hosts"]
-        fleet = hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**counts)
+        fleet = members.fleet
         for chosen in protocols:
             costs = message_costs(chosen, fleet, wifi)
             whole = math.fsum(row["uplink_s"] + row["downlink_s"] for row in costs)
@@ -60,5 +62,7 @@ def breakdown(
             "downlink_s": "down [s]",
         },
     )
-    if output.for_people and members.alone:
-        click.echo(f"\n{words.ALONE}")
+    if output.for_people:
+        if members.alone:
+            click.echo(f"\n{words.ALONE}")
+        tell_unshared(members.fleet, protocols)

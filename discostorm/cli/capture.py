@@ -140,6 +140,13 @@ def _show_capture(
         )
     else:
         click.echo("There is no message of RTPS or Zenoh in it.")
+    if (view := found.view()) is not None:
+        click.echo(
+            visible(
+                f"Note: seen from {view}: of unicast only what it sends and receives; airtime, "
+                "too, is that of this part."
+            )
+        )
     for note in found.notes:
         click.echo(visible(f"Note: {note}."))
 
@@ -153,7 +160,7 @@ def _name_own_tables(found: Capture) -> None:
 
 
 def _count(value: float | None) -> str:
-    return "" if value is None else f"{value:,.6g}"
+    return "" if value is None else f"{value:,.0f}"
 
 
 def _ratio(value: float | None) -> str:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, BinaryIO
 
 import click
 
 import discostorm as ds
+from discostorm import words
 from discostorm.cli.options import numbers, packed
+from discostorm.cli.output import visible
+from discostorm.scalability import depends_on_names
 
 hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
 several_hosts_option = click.option(
@@ -28,10 +31,14 @@ class Members:
     @property
     def alone(self) -> bool:
         """Whether it is a single host."""
-        hosts: Any = self.arguments["hosts"]
-        if isinstance(hosts, ds.Fleet):
-            hosts = sum(group.hosts for group in hosts.groups)
-        return bool(hosts == 1)
+        hosts = self.fleet.hosts()
+        return isinstance(hosts, float) and hosts == 1
+
+    @property
+    def fleet(self) -> ds.Fleet:
+        """They as a fleet."""
+        hosts = self.arguments["hosts"]
+        return hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**self.arguments)
 
 
 def read(file: str) -> ds.Fleet:
@@ -39,6 +46,21 @@ def read(file: str) -> ds.Fleet:
     if file == "-":
         return ds.Fleet.from_bytes(standard_input().read(), called(file))
     return ds.Fleet.from_toml(file)
+
+
+def tell_unshared(fleet: ds.Fleet, protocols: Iterable[ds.Protocol]) -> None:
+    """Say that nobody says what ROS 2 shares, if it matters to a protocol."""
+    unknown = [
+        name
+        for name, group in zip(fleet.names, fleet.groups, strict=True)
+        if group.nodes is None and not group.shared
+    ]
+    if not unknown or fleet.matching == 1 or not any(map(depends_on_names, protocols)):
+        return
+    start = f"Of {words.listed(unknown)}, "
+    if len(unknown) == len(fleet.groups):
+        start = "" if fleet.matching else "No names match: "
+    click.echo("\n" + visible(words.wrapped(words.capitalized(start + words.UNSHARED))))
 
 
 def standard_input() -> BinaryIO:

@@ -28,7 +28,8 @@ from discostorm.wifi import Wifi
     type=float,
     metavar="N",
     help="Endpoints of each process that match one in every other, whatever its namespace; 0 "
-    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node]",
+    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node; where nobody says "
+    "how many nodes, as many as ready-made robots have for so many endpoints]",
 )
 @wifi_options
 @output_options
@@ -51,6 +52,10 @@ def plan(
       processes = 1       # of each host
       endpoints = 678     # of each process
       nodes = 13          # with parameter services; may be left out
+      shared = 28         # match in every other process; may be left out
+
+    What to paste for a remedy is in the JSON; it is easiest copied from the page of the book
+    with the calculator.
 
     \b
     Examples:

@@ -10,9 +10,16 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import count_options, file_options, file_or_counts, read
+from discostorm.cli.fleets import (
+    count_options,
+    file_options,
+    file_or_counts,
+    read,
+    tell_unshared,
+)
 from discostorm.cli.options import output_options, packed, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, working
+from discostorm.scalability import hosts_of_group
 from discostorm.wifi import Wifi
 
 
@@ -21,9 +28,8 @@ class Kind:
     """A kind of host of which there may be more: columns that name it, and who else is there."""
 
     columns: dict[str, Any]
-    processes: float
-    endpoints: float
-    others: tuple[ds.HostGroup, ...]
+    fleet: ds.Fleet
+    index: int = 0
 
 
 def _kinds(
@@ -35,23 +41,29 @@ def _kinds(
 ) -> list[Kind]:
     counts: dict[str, Any] = {"processes": processes, "endpoints": endpoints}
     chosen = file_or_counts(fleet, file, counts)
-    others: tuple[ds.HostGroup, ...] = ()
     if chosen == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
-    if beside is not None:  # without their names, which may be those of FLEET
-        others = tuple(replace(group, name="") for group in read(beside).groups)
+    others = None if beside is None else read(beside)
     if chosen is None:
-        return [Kind({}, **counts, others=others)]
+        members = ds.Fleet.swarm(1, processes, endpoints)
+        return [Kind({}, members if others is None else _joined(members, others, others.matching))]
     members = read(chosen)
-    return [
-        Kind(
-            {"group": name},
-            float(group.processes),
-            float(group.endpoints),
-            (*members.groups[:index], *members.groups[index + 1 :], *others),
+    if others is None:
+        together = members
+    elif others.matching != members.matching:
+        raise click.UsageError(
+            f"matching must be the same in FLEET and --beside; got {members.matching:g} and "
+            f"{others.matching:g}"
         )
-        for index, (name, group) in enumerate(zip(members.names, members.groups, strict=True))
-    ]
+    else:
+        together = _joined(members, others, members.matching)
+    return [Kind({"group": name}, together, index) for index, name in enumerate(members.names)]
+
+
+def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
+    """Return both in one, the others without their names, which may be those of the members."""
+    unnamed = (replace(group, name="") for group in others.groups)
+    return ds.Fleet((*members.groups, *unnamed), matching)
 
 
 @click.command(short_help="Hosts at which the channel is full.")
@@ -84,6 +96,10 @@ def saturation(
     Of a fleet file, FLEET, each group is asked for in turn: how many of its hosts there are
     then, beside the other groups as they are.
 
+    Tables of what products send depend on what matches. A group of a fleet file that tells
+    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
+    a line says so.
+
     \b
     Examples:
       discostorm saturation --processes 2 --endpoints 10
@@ -104,22 +120,20 @@ def saturation(
         {"limit": percent, "hosts": _hosts},
         {"hosts": "saturated at hosts", "fit": "hosts that fit"},
     )
+    if output.for_people:
+        tell_unshared(kinds[0].fleet, protocols)
 
 
 def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
     """Return at how many hosts of a kind the channel is full; None if one is too many."""
-    counts = (kind.processes, kind.endpoints)
-    others = ds.Fleet(kind.others) if kind.others else None
-    least = ds.Fleet((ds.HostGroup(1, *counts), *kind.others))
-    hosts = None
-    if not ds.utilization(protocol, least, wifi=wifi) > limit > 0:
-        hosts = ds.saturation_hosts(protocol, *counts, wifi, limit=limit, beside=others)
+    group = kind.fleet.groups[kind.index]
+    hosts = hosts_of_group(protocol, kind.fleet, kind.index, wifi, limit)
     return kind.columns | {
-        "processes": kind.processes,
-        "endpoints": kind.endpoints,
+        "processes": float(group.processes),
+        "endpoints": float(group.endpoints),
         "limit": limit,
         "hosts": hosts,
-        "fit": 0 if hosts is None else words.whole_below(float(hosts)),
+        "fit": 0 if hosts is None else words.whole_below(hosts),
     }
 
 

@@ -9,7 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, staggered
-from discostorm.cli.fleets import file_option, read
+from discostorm.cli.fleets import file_option, read, tell_unshared
 from discostorm.cli.options import one_protocol_option, output_options, packed, radio_options
 from discostorm.cli.output import Output, as_text, bad_input, percent, print_rows, seconds
 from discostorm.wifi import Wifi
@@ -92,6 +92,13 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     messages answer messages and the middleware repairs what is lost. A time that did not come
     is null in JSON, and empty in CSV.
 
+    Drained is when the air falls silent, lost the part of the receptions that did not arrive,
+    converged when every process knows all that it should.
+
+    Tables of what products send depend on what matches. A group of a fleet file that tells
+    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
+    a line says so.
+
     \b
     Examples:
       discostorm simulate fleet.toml --until 5
@@ -99,10 +106,14 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
       discostorm simulate fleet.toml --no-recovery --wifi '802.11ac 80 MHz 2x2'
     """
     with bad_input():
+        fleet = read(file)
         try:
-            found = ds.simulate(read(file), protocol, wifi, **how.arguments())
+            found = ds.simulate(fleet, protocol, wifi, **how.arguments())
         except ImportError as error:
             raise click.ClickException(str(error)) from error
+        except ValueError as error:
+            option = str(error).replace("recovery must be False", "--no-recovery must be given", 1)
+            raise ValueError(option) from error
     if output.as_json:
         click.echo(as_text(found.to_dict()))
         return
@@ -115,3 +126,5 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
         {"drain_time_s": how.time, "lost": percent, "convergence_time_s": how.time},
         {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},
     )
+    if output.for_people:
+        tell_unshared(fleet, [protocol])

@@ -8,7 +8,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, several_swarms_options
+from discostorm.cli.fleets import Members, several_swarms_options, tell_unshared
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, working
 from discostorm.wifi import Wifi
@@ -23,6 +23,10 @@ def utilization(
     members: Members, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Compute the airtime of discovery in one second, of a swarm or of a fleet file.
+
+    Tables of what products send depend on what matches. A group of a fleet file that tells
+    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
+    a line says so.
 
     \b
     Examples:
@@ -47,8 +51,10 @@ def utilization(
                     | {"utilization": taken, "fits": words.fits(taken)}
                 )
     print_rows(rows, output, {"utilization": percent, "fits": _yes})
-    if output.for_people and members.alone:
-        click.echo(f"\n{words.ALONE}")
+    if output.for_people:
+        if members.alone:
+            click.echo(f"\n{words.ALONE}")
+        tell_unshared(members.fleet, protocols)
 
 
 def _yes(value: bool) -> str:

@@ -113,7 +113,10 @@ def of_ros2(
     for group, told in zip(fleet.groups, own, strict=True):
         unknown = nodes is None and group.nodes is None
         least = shared_endpoints(likely_nodes(group.endpoints) if unknown else told)
-        groups.append(_with(group, shared=max(group.shared, least) if shared is None else shared))
+        # What a group shares because of its own nodes is that of other nodes if these are told.
+        usual = _with(group, shared=shared_endpoints(group.nodes or 0)).shared
+        known = 0.0 if group.nodes is not None and group.shared == usual else group.shared
+        groups.append(_with(group, shared=max(known, least) if shared is None else shared))
     return replace(fleet, groups=tuple(groups))
 
 

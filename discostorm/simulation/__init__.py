@@ -1,7 +1,7 @@
 """The burst on the air, frame by frame: contention, queues, losses, recovery.
 
 A second opinion of the closed form: one 802.11 cell whose hosts contend for the channel, see
-`simulate`. The inner loops are compiled by numba, an extra: `pip install discostorm[simulation]`.
+`simulate`. The inner loops are compiled by numba, an extra: `pip install 'discostorm[simulation]'`.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ def simulate(
     for name in ("numba", "joblib", "tqdm"):
         if find_spec(name) is None:
             raise ImportError(
-                f"the simulator needs {name}: pip install discostorm[simulation]", name=name
+                f"the simulator needs {name}: pip install 'discostorm[simulation]'", name=name
             )
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)

@@ -12,7 +12,7 @@ try:
     from numba.core import event
 except ImportError as error:
     raise ImportError(
-        "discostorm.simulation needs numba; to get it: pip install discostorm[simulation]",
+        "discostorm.simulation needs numba; to get it: pip install 'discostorm[simulation]'",
         name="numba",
     ) from error
 
