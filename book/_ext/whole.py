@@ -1,4 +1,5 @@
-"""Say where lines of a page may end: not in names such as Wi-Fi; in a table, between parts of code.
+"""Say where lines of a page may end: not in names such as Wi-Fi or Fig. 2; in a table, between
+parts of code.
 
 A hyphen or a space that lines do not end at would be another character, which neither a search
 nor a reader who copies the name would expect. So these are marks around the text, not in it.
@@ -9,7 +10,9 @@ import re
 from docutils import nodes
 from sphinx.application import Sphinx
 
-_WHOLE = re.compile(r"\b((?:Wi-Fi|ns-3|[A-Z]{1,3}-[A-Z]+s?)\b)")
+_WHOLE = re.compile(r"\b((?:Wi-Fi|ns-3|[A-Z]{1,3}-[A-Z]+s?|(?:Fig|Sec)\. [\dIV][\w.-]*)\b)")
+#: Letters of code up to which it is not parted.
+_SHORT = 12
 _PARTS = re.compile(r"(?<=\w[_/])(?=\w)|(?<=\w)(?=\.\w)")
 _NO_TEXT = (nodes.literal, nodes.literal_block, nodes.raw, nodes.math, nodes.math_block)
 
@@ -39,7 +42,8 @@ def _mark(app: Sphinx, tree: nodes.document, page: str) -> None:
             _keep(text)
     for cell in tree.findall(nodes.entry):
         for code in cell.findall(nodes.literal):
-            _part(code)
+            if len(code.astext()) > _SHORT:
+                _part(code)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -48,11 +48,12 @@ window.addEventListener("load", async () => {
     const what = Object.keys(HINTED).find((kind) => box.matches(HINTED[kind]));
     if (!what || box.classList.contains("ds-wider") === wider) return;
     box.classList.toggle("ds-wider", wider);
-    if (!wider) return box.previousElementSibling.remove();
+    const outside = box.closest("[class*='highlight-']") ?? box;
+    if (!wider) return outside.previousElementSibling.remove();
     const line = document.createElement("p");
     line.className = "ds-scroll-hint";
     line.textContent = `\u2190 the ${what} scrolls sideways \u2192`;
-    box.before(line);
+    outside.before(line);
     box.addEventListener("scroll", () => atEnd(box), { passive: true });
     atEnd(box);
   };
