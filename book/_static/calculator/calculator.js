@@ -523,7 +523,7 @@
           "tr",
           {},
           make("th", { scope: "row" }, message.name, message.name.includes(message.cast) ? "" : make("span", { class: "calc-hint" }, ` ${message.cast}`)),
-          make("td", {}, exact(message.load, message.load < 10 ? count(message.load) : whole.format(message.load), of("messages"))),
+          make("td", {}, exact(message.load, count(message.load < 10 ? message.load : Math.round(message.load)), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
           make("td", {}, make("span", { class: "calc-part" }, share > 0 && share < 1e-5 ? "<0.001%" : percent(share)), bar),
         );
