@@ -404,6 +404,7 @@ def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
         ),
         ("utilization DDS 3 1 40 is low", "DDS with 3 hosts of 1 process with 40 endpoints: 11%"),
         ("ht_rate 7 ≈ 144.4e6 ± 0.05e6", "about 144.4 Mbit/s ± 0.05 Mbit/s for MCS 7"),
+        ("enumeration_ratio DDS 4 2 6 ≈ 1 ± 1e-12", "1 but for rounding as the ratio to the air"),
         ("utilization DDS 100 1 0 ≥ 1", "at least 100% of a second, DDS with 100 hosts of 1 pro"),
         ("utilization DDS 100 1 0 ≥ 1", ": 14.8 s"),
         ("start_saved Zenoh_router_per_host 100 > 0", "hosts: none, it takes 8 times as much"),
