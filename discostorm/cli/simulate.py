@@ -92,8 +92,8 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     messages answer messages and the middleware repairs what is lost. A time that did not come
     is null in JSON, and empty in CSV.
 
-    Drained is when the air falls silent, lost the part of the receptions that did not arrive,
-    converged when every process knows all that it should.
+    Drained is the end of the last transmission of the start, lost the part of the frames that
+    never arrived, converged when every process first knew each other one and its endpoints.
 
     Tables of what products send depend on what matches. A group of a fleet file that tells
     `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
