@@ -129,8 +129,8 @@ class Advice:
 
 
 def _prose(text: str) -> str:
-    """Return a sentence as HTML, with the apostrophes of the book's type."""
-    return escape(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
+    """Return a sentence as HTML, with the book's apostrophes, and units that stay with numbers."""
+    return escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
 
 
 def _card(remedy: Remedy) -> str:

@@ -95,6 +95,13 @@ def duration(time: float) -> str:
     return f"{value:.1f} {unit}" if abs(value) < 10 else f"{float(f'{value:.3g}'):,.0f} {unit}"
 
 
+def airtime(utilization: float, window: float) -> str:
+    """Return the airtime of the window in seconds, in the steady state the share of the time."""
+    if math.isinf(window):
+        return percent(utilization) + " of the time"
+    return duration(utilization * window)
+
+
 def many(count: float, noun: str, plural: str = "s") -> str:
     """Return a count with its noun.
 

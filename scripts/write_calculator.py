@@ -20,7 +20,6 @@ from discostorm import (
     figures,
     measured,
     notation as nt,
-    remedies as changed,
     timeline,
     words,
 )
@@ -28,6 +27,10 @@ from discostorm._numeric import share
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.planner.changes import Change, Setting
+from discostorm.planner.known import family, known, product, row_of
+from discostorm.planner.search import changes_of
+from discostorm.planner.snippets import snippets
 from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import (
     endpoints_of_a_node,
@@ -37,7 +40,6 @@ from discostorm.robots import (
     shared_endpoints,
 )
 from discostorm.scalability import solve_hosts
-from discostorm.snippets import snippets
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
@@ -170,7 +172,7 @@ def channel(wifi: Wifi) -> dict[str, Code]:
 
 def radio_remedies(wifi: Wifi) -> Code:
     """Return what the planner would change of a channel: the channel before and after."""
-    base = changed.Setting(SMALL, ds.DDS, wifi)
+    base = Setting(SMALL, ds.DDS, wifi)
     return [
         {
             "kind": data(change.kind),
@@ -179,27 +181,27 @@ def radio_remedies(wifi: Wifi) -> Code:
             "base": channel(base.before([change]).wifi),
             "wifi": channel(base.after([change]).wifi),
         }
-        for change in changed.changes_of(base, (0.0,), "")
+        for change in changes_of(base, (0.0,), "")
         if not isinstance(change, str) and change.kind in RADIO
     ]
 
 
-def table_changes(protocol: Protocol) -> list[changed.Change]:
+def table_changes(protocol: Protocol) -> list[Change]:
     """Return the changes of the planner that put another table in its place.
 
     But for what nobody can have yet.
     """
     return [
         change
-        for change in changed.changes_of(changed.Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
+        for change in changes_of(Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
         if not isinstance(change, str)
         and change.table is not None
         and change.steps == (change.kind,)
-        and changed.known(change.kind, change.table)["effort"] != "research"
+        and known(change.kind, change.table)["effort"] != "research"
     ]
 
 
-def key(protocol: Protocol, change: changed.Change) -> str:
+def key(protocol: Protocol, change: Change) -> str:
     """Return the name of the table of a change; one that is not of `PROTOCOLS` has none yet."""
     assert change.table is not None
     of_its_own = change.table != ds.PROTOCOLS[change.table.name]
@@ -473,8 +475,8 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     return {
         # What only a change can have is not on offer.
         "group": data(group(protocol) if protocol in ds.PROTOCOLS.values() else None),
-        "family": data(changed.family(protocol)),
-        "product": data(changed.product(protocol)),
+        "family": data(family(protocol)),
+        "product": data(product(protocol)),
         "tables": table_remedies(protocol),
         "about": data(ABOUT.get(protocol.name, "")),
         "measured": [number(most) for most in measured_up_to(protocol)],
@@ -493,11 +495,11 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
 
 def remedies(kinds: Iterable[str]) -> Code:
     """Return of each kind of remedy what it takes, what to mind, by family, and what to paste."""
-    families = [*dict.fromkeys(map(changed.family, ds.PROTOCOLS.values())), None]
+    families = [*dict.fromkeys(map(family, ds.PROTOCOLS.values())), None]
     efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv")}
 
     def told(kind: str, family: str | None) -> Code:
-        found = changed.row_of(kind, family)
+        found = row_of(kind, family)
         if found is None or not found["effort"]:
             return "null"
         return {

@@ -14,8 +14,8 @@ import sympy as sp
 from paper import O_MULTI, O_UNI, R_MULTI, R_UNI, multicast, unicast
 
 import discostorm as ds
-from discostorm import messages
 from discostorm.data import read_data
+from discostorm.messages import message
 from discostorm.paper import claims, criteria
 from discostorm.paper.quantities import swarms
 from discostorm.uncertainty import saturation_bounds
@@ -259,7 +259,7 @@ def test_a_changed_formula_changes_verdicts(monkeypatch):
 
 @pytest.mark.usefixtures("fresh_values")
 def test_a_changed_payload_changes_verdicts(monkeypatch):
-    monkeypatch.setattr(messages, "header_bytes", lambda: {"UDP": 66, "TCP": 78})
+    monkeypatch.setattr(message, "header_bytes", lambda: {"UDP": 66, "TCP": 78})
     rows = [c for c in claims.claims() if c.test and c.test.quantity.startswith("frame_bytes")]
     assert {c.verdict() for c in rows} == {"contradicted"}
 
@@ -404,6 +404,7 @@ def test_a_report_says_of_each_claim_how_it_was_decided() -> None:
         ),
         ("utilization DDS 3 1 40 is low", "DDS with 3 hosts of 1 process with 40 endpoints: 11%"),
         ("ht_rate 7 ≈ 144.4e6 ± 0.05e6", "about 144.4 Mbit/s ± 0.05 Mbit/s for MCS 7"),
+        ("enumeration_ratio DDS 4 2 6 ≈ 1 ± 1e-12", "1 but for rounding as the ratio to the air"),
         ("utilization DDS 100 1 0 ≥ 1", "at least 100% of a second, DDS with 100 hosts of 1 pro"),
         ("utilization DDS 100 1 0 ≥ 1", ": 14.8 s"),
         ("start_saved Zenoh_router_per_host 100 > 0", "hosts: none, it takes 8 times as much"),

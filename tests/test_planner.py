@@ -14,11 +14,13 @@ from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
-from discostorm import measured, remedies, staggered, words
+from discostorm import measured, staggered, words
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
+from discostorm.planner import known, tables
+from discostorm.planner.fleets import split
+from discostorm.planner.radios import MPDUS, MULTICAST_RATE
 from discostorm.protocols import ARRANGED, MEASURED
-from discostorm.remedies import MPDUS, MULTICAST_RATE, split
 from discostorm.robots import likely_nodes, parameter_service_endpoints, robots as ready_made
 
 #: Hosts, each a list with the endpoints of each of its processes.
@@ -417,10 +419,10 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
 def test_domains_are_no_remedy_for_zenoh() -> None:
     for name, protocol in ds.PROTOCOLS.items():
         plan = ds.plan(NAV2, protocol)
-        if remedies.family(protocol) is None:
+        if known.family(protocol) is None:
             continue
         zenoh = name.startswith("Zenoh")
-        assert remedies.family(protocol) == ("Zenoh" if zenoh else "DDS")
+        assert known.family(protocol) == ("Zenoh" if zenoh else "DDS")
         assert any(r.kind == "domains" for r in plan.remedies) != zenoh
         assert any(r.startswith("splitting into domains: with Zenoh") for r in plan.left_out) == (
             zenoh
@@ -430,7 +432,7 @@ def test_domains_are_no_remedy_for_zenoh() -> None:
 
 def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     own = ds.Protocol("own", (replace(ds.DDS.messages[0], name="Hi"), *ds.DDS.messages[1:]))
-    assert remedies.family(own) is None
+    assert known.family(own) is None
     plan = ds.plan(NAV2, own)
     assert "domains" not in {found.kind for found in plan.remedies}
     (said,) = (reason for reason in plan.left_out if "not known for own" in reason)
@@ -442,7 +444,7 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     assert "with Zenoh in" in simulated
 
 
-@pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if remedies.family(p)])
+@pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if known.family(p)])
 def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) -> None:
     table = ds.PROTOCOLS[name]
     plan = ds.plan(ds.Fleet.swarm(6, 3, 50), table)
@@ -451,7 +453,7 @@ def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) ->
     rows = read_data("vendors/remedies.csv")
     for kind in {row["kind"] for row in rows}:
         of_kind = [row for row in rows if row["kind"] == kind]
-        own = [row for row in of_kind if row["family"] in ("any", remedies.family(table))]
+        own = [row for row in of_kind if row["family"] in ("any", known.family(table))]
         if own and own[0]["table"] and own[0]["table"] not in set(ds.PROTOCOLS) - {name}:
             continue  # not measured yet, or in use already
         told = any(f"{row['title']}: " in reasons for row in own or of_kind)
@@ -522,7 +524,7 @@ def test_nobody_opens_a_session_alone_or_for_ever() -> None:
 
 def test_tables_are_compared_with_those_that_count_alike() -> None:
     paper = {"DDS", "Zenoh"}
-    products = {name for name, table in ds.PROTOCOLS.items() if remedies.product(table)}
+    products = {name for name, table in ds.PROTOCOLS.items() if known.product(table)}
     assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
     products -= ARRANGED
     for name, table in ds.PROTOCOLS.items():
@@ -573,7 +575,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     assert seconds == (None if window == float("inf") else window)
     assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
     measured = name in MEASURED | ARRANGED
-    of_paper = remedies.family(table) is not None
+    of_paper = known.family(table) is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The table of {name} is what was measured" in text) == measured
     if window == 20:
@@ -1063,10 +1065,12 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     name = "Fast DDS Discovery Server"
     fast_dds, others = ds.PROTOCOLS["Fast DDS"], dict(ds.PROTOCOLS)
     others.pop(name, None)
-    monkeypatch.setattr(remedies, "PROTOCOLS", others)
+    for module in (known, tables):
+        monkeypatch.setattr(module, "PROTOCOLS", others)
     assert "discovery server" not in {r.kind for r in ds.plan(NAV2, fast_dds).remedies}
     server = replace(fast_dds, name=name, messages=fast_dds.messages[:3])
-    monkeypatch.setattr(remedies, "PROTOCOLS", others | {name: server})
+    for module in (known, tables):
+        monkeypatch.setattr(module, "PROTOCOLS", others | {name: server})
     of_ros2 = ds.plan(NAV2, fast_dds).fleet
     found = remedy(ds.plan(NAV2, fast_dds), "discovery server")
     assert (found.protocol, found.note) == (server, "")
@@ -1087,8 +1091,8 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     assert all({"middleware", "discovery server"} <= set(r.steps) for r in both)
     # And with it, its product's own table is no arrangement of servers.
     served = ds.plan(NAV2, server)
-    assert remedies.family(server) == "DDS"
-    assert remedies.product(server) == "Fast DDS"
+    assert known.family(server) == "DDS"
+    assert known.product(server) == "Fast DDS"
     assert "Fast DDS" in {r.protocol.name for r in served.remedies if r.kind == "middleware"}
 
 

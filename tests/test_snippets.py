@@ -15,8 +15,8 @@ from conftest import missing
 from test_lab import lab, ready
 
 from discostorm.data import data_path, read_data
+from discostorm.planner.snippets import Snippet, snippets
 from discostorm.protocols import PROTOCOLS
-from discostorm.snippets import Snippet, snippets
 
 pytestmark = pytest.mark.book
 

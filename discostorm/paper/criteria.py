@@ -43,6 +43,8 @@ _IN_WORDS = {
     ">": "more than ",
     "≥": "at least ",
 }
+#: A tolerance no larger than this is for the rounding of floating point alone.
+_ROUNDING = 1e-9
 
 
 def _argument(word: str) -> Any:
@@ -215,7 +217,11 @@ class Criterion:
         paper = self._part("paper") or (f"{word.threshold:g}" if word else "")
         limit = _told(sp.sympify(paper, locals=_SYMBOLS), row["unit"])
         if tolerance := self._part("tolerance"):
-            limit += f" ± {_told(sp.sympify(tolerance), row['unit'])}"
+            within = sp.sympify(tolerance)
+            if within > _ROUNDING:
+                limit += f" ± {_told(within, row['unit'])}"
+            else:
+                relation, limit = "=", f"{limit} but for rounding"
         said = row["words"].format(
             *map(_named, arguments),
             limit=_IN_WORDS[relation] + limit,

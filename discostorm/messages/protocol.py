@@ -1,0 +1,226 @@
+"""A protocol: its table of messages, and the load and utilization that follow from it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from discostorm import _checks
+from discostorm._numeric import plain
+from discostorm.fleet import SWARM, Fleet
+from discostorm.messages.message import HEADER_SYMBOLS, Message, header_bytes
+from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
+from discostorm.messages.units import Unit
+from discostorm.wifi import Model
+
+
+@dataclass(frozen=True)
+class Protocol:
+    """A discovery protocol: a name, its table of messages and its lease.
+
+    Parameters
+    ----------
+    name : str
+        What to call it in tables and figures.
+    messages : tuple of Message
+        At least one; their names differ.
+    lease : float, optional
+        How long a silent peer counts as alive [s], above 0; for ever if left out.
+    wired : Protocol, optional
+        The table of the same product on a network that it takes for wired, if it sends otherwise
+        there. A capture is held against that one if it shows so.
+
+    Raises
+    ------
+    ValueError
+        If there is no message, two have the same name, or the lease is out of range.
+    TypeError
+        If the name is not text, one is not a Message, or the lease not a number.
+    """
+
+    name: str
+    messages: tuple[Message, ...]
+    lease: float = np.inf
+    wired: "Protocol | None" = None
+
+    def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        if not self.name.strip():
+            raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
+        if self.wired is not None:
+            _checks.instance("wired", self.wired, Protocol)
+        _checks.plain_numbers(self)
+        _checks.number("lease", self.lease, 0, above=True, endless=True)
+        object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
+        names = [message.name for message in self.messages]
+        if len(set(names)) < len(names):
+            raise ValueError(f"messages must have names that differ; got {', '.join(names)}")
+
+    @property
+    def phases(self) -> tuple[str, ...]:
+        """The names of its phases, in order."""
+        return tuple(dict.fromkeys(message.phase for message in self.messages))
+
+    def of_phase(self, phase: str | None = None) -> tuple[Message, ...]:
+        """Return the messages of a phase, or all of them.
+
+        Raises
+        ------
+        ValueError
+            If the protocol has no such phase.
+        """
+        if phase is not None:
+            _checks.choice("phase", phase, self.phases, f" for {self.name}, or None")
+        return tuple(message for message in self.messages if phase in (None, message.phase))
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it sends anything with a period."""
+        return any(message.schedule.per_second for message in self.messages)
+
+    def message(self, name: str) -> Message:
+        """Return the message of that name.
+
+        Raises
+        ------
+        ValueError
+            If the protocol has no such message.
+        """
+        _checks.choice("name", name, [message.name for message in self.messages])
+        return next(message for message in self.messages if message.name == name)
+
+    def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
+        r"""Return the number of messages of an average second of the first ones.
+
+        Each goes up and down again, unless its row says otherwise.
+
+        Parameters
+        ----------
+        phase : str, optional
+            One of `phases`; all of them if left out.
+        window : float or sympy.Expr, optional
+            How many seconds are averaged [s], at least 1e-9; the paper's one if left out.
+
+        Returns
+        -------
+        sympy.Expr
+            In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
+
+        Raises
+        ------
+        ValueError
+            If the protocol has no such phase, or the window is out of range.
+
+        Examples
+        --------
+        >>> import discostorm as ds
+        >>> ds.DDS.load("SPDP")
+        N_H*N_P
+        """
+        span = checked_window(window)
+        return sp.factor(
+            sum(message.schedule.mean(span) * message.load() for message in self.of_phase(phase))
+        )
+
+    def cost(
+        self,
+        unit: Unit,
+        phase: str | None = None,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> sp.Expr:
+        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
+        span = checked_window(window)
+        return self._cost(unit, phase, model, lambda schedule: schedule.mean(span))
+
+    def _cost(
+        self, unit: Unit, phase: str | None, model: Model, times: Callable[[Schedule], Any]
+    ) -> sp.Expr:
+        _checks.instance("unit", unit, Unit)
+        return sp.Add(
+            *(
+                message.per_unit * times(message.schedule) * message.airtime(model)
+                for message in self.of_phase(phase)
+                if message.unit == unit
+            )
+        )
+
+    def units(self, phase: str | None = None) -> tuple[Unit, ...]:
+        """Return what the messages of a phase, or all, are counted by."""
+        return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
+
+    def utilization(
+        self,
+        phase: str | None = None,
+        fleet: Fleet = SWARM,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> sp.Expr:
+        r"""Return the fraction of channel time that discovery takes of the first seconds.
+
+        .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
+            L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
+
+        A message that is sent K times at the start, the last time at :math:`t_K`, and then
+        with period P counts :math:`x = K - t_K / P` times besides its period. The paper's
+        messages are sent once, in a window W of one second: :math:`x / W + 1 / P = 1`.
+
+        Parameters
+        ----------
+        phase : str, optional
+            One of `phases`; all of them if left out.
+        fleet : Fleet, optional
+            The paper's swarm if left out.
+        model : {"linear", "padded", "aggregated"}, optional
+            How a frame becomes airtime; the `model` of a `Wifi`.
+        window : float or sympy.Expr, optional
+            The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
+            for the steady state.
+
+        Returns
+        -------
+        sympy.Expr
+            In all symbols of the notation; paper, equation (12).
+
+        Raises
+        ------
+        ValueError
+            If the protocol has no such phase, the window is out of range, or there is no
+            such model.
+        TypeError
+            If `fleet` is not a Fleet, or the window not a number.
+        """
+        span = checked_window(window)
+        return self._utilization(phase, fleet, model, lambda schedule: schedule.mean(span))
+
+    def burst(
+        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
+    ) -> sp.Expr:
+        """Return the airtime [s] of what the start sends beyond the steady state.
+
+        Messages that are only sent with their period are not in it. The parameters are
+        those of `utilization`.
+        """
+        return self._utilization(phase, fleet, model, lambda schedule: plain(schedule.extra))
+
+    def _utilization(
+        self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]
+    ) -> sp.Expr:
+        _checks.instance("fleet", fleet, Fleet)
+        return sp.Add(
+            *(
+                unit.count(fleet) * self._cost(unit, phase, model, times)
+                for unit in self.units(phase)
+            )
+        )
+
+    def values(self) -> dict[sp.Symbol, float]:
+        """Return the nominal value of each payload and header symbol [B]."""
+        payloads = {message.payload_symbol: message.payload.nominal for message in self.messages}
+        headers = header_bytes()
+        return payloads | {
+            HEADER_SYMBOLS[message.transport]: float(headers[message.transport])
+            for message in self.messages
+        }

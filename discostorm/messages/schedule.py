@@ -1,0 +1,156 @@
+"""When a message is sent: once, at some times, or with a period."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+
+from discostorm import _checks
+from discostorm._numeric import Value, plain
+
+#: The window that the paper divides by [s] (Sec. IV-B).
+PAPER_WINDOW = 1.0
+
+#: A message counts as sent at a time that misses its instant by rounding alone [periods].
+_ROUNDING = 1e-9
+
+#: Most periods that `Schedule.times` goes through.
+_MOST_ROUNDS = 1e8
+
+
+def checked_window(window: sp.Expr | float) -> Any:
+    """Return a window [s] in symbols, or as a number above zero."""
+    if isinstance(window, sp.Expr) and window.free_symbols:
+        return window
+    span = np.inf if window is sp.oo else window
+    return _checks.number("window", span, _checks.LEAST_SECONDS, endless=True)
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """When a message is sent: at some times after the start, and then with a period.
+
+    Parameters
+    ----------
+    starts : tuple of float
+        Times after the start [s], at least 0 and in order; the first no later than the
+        period, and no two further apart.
+    period : float
+        Time between two later ones [s], at least 1e-9; infinity if none comes later.
+
+    Raises
+    ------
+    ValueError
+        If a time or the period is out of range, or the times are not in order.
+    TypeError
+        If the starts are not several times, or one is not a number.
+
+    Examples
+    --------
+    >>> Schedule((0, 1, 3, 7), period=8).sent([0, 6.9, 15, 24])
+    array([1., 3., 5., 6.])
+    """
+
+    starts: tuple[float, ...]
+    period: float = np.inf
+
+    def __post_init__(self) -> None:
+        if not np.iterable(self.starts):
+            raise TypeError(
+                f"starts must be a tuple of times in seconds; got {_checks.short(self.starts)}"
+            )
+        given = tuple(self.starts)
+        starts = tuple(_checks.number("starts", time, 0, _checks.MOST_SECONDS) for time in given)
+        if not starts:
+            raise ValueError("starts must hold at least one time in seconds; got none")
+        object.__setattr__(self, "starts", starts)
+        period = _checks.number("period", self.period, _checks.LEAST_SECONDS, endless=True)
+        object.__setattr__(self, "period", period)
+        gaps = np.diff((0.0, *self.starts))
+        if np.any(gaps < 0) or np.any(gaps > self.period):
+            raise ValueError(
+                "starts must be times in order, from zero on no further apart than the period "
+                f"of {self.period:g} s; got {given}"
+            )
+
+    def __str__(self) -> str:
+        """Return the schedule in words.
+
+        Examples
+        --------
+        >>> print(Schedule((0, 0.1), 8))
+        at 0 and 0.1 s, then every 8 s
+        """
+        times = [f"{time:g}" for time in self.starts]
+        before = ", ".join(times[:-1]) + " and " if len(times) > 1 else ""
+        if self.period == np.inf:
+            return f"at {before}{times[-1]} s" if len(times) > 1 else f"once, at {times[-1]} s"
+        return f"at {before}{times[-1]} s, then every {self.period:g} s"
+
+    @property
+    def per_second(self) -> float:
+        """How many are sent a second in the long run [1/s]."""
+        return 1 / self.period
+
+    @property
+    def extra(self) -> float:
+        r"""How many the start sends beyond those of the period [1].
+
+        With K times at the start, the last at :math:`t_K`, and period P, the number sent
+        until t is at most :math:`K - t_K / P + t / P`. The part that does not grow is
+        the extra; the bound is met each time the message has just been sent with its period.
+        """
+        return len(self.starts) - self.starts[-1] / self.period
+
+    def mean(self, window: Any) -> Any:
+        """Return how many are sent in an average second of the first `window` seconds [1/s].
+
+        As an upper bound, see `extra`. The window may be a sympy expression [s].
+        """
+        span = checked_window(window)
+        if isinstance(span, sp.Expr):
+            return plain(self.extra) / span + plain(self.per_second)
+        return plain(self.extra / span + self.per_second)
+
+    def sent(self, time: ArrayLike) -> Value:
+        """Return how many are sent from 0 up to and including a time.
+
+        Parameters
+        ----------
+        time : array_like
+            Time after the start [s], at least 0.
+
+        Returns
+        -------
+        float or ndarray
+            How many [1].
+
+        Raises
+        ------
+        ValueError
+            If a time is NaN, infinite or negative.
+        TypeError
+            If it is not made of real numbers.
+        """
+        now = np.asarray(_checks.numbers("time", time, 0))
+        with np.errstate(under="ignore"):
+            later = now * (1 + _ROUNDING)
+            rounds = np.floor((now - self.starts[-1]) / self.period + _ROUNDING)
+        count = np.searchsorted(self.starts, later, side="right").astype(float)
+        count += np.maximum(rounds, 0)
+        return count if count.ndim else count.item()
+
+    def times(self, until: float) -> NDArray[np.float64]:
+        """Return the times up to `until` at which the message is sent [s]."""
+        last = self.starts[-1]
+        until = _checks.number("until", until, 0, last + _MOST_ROUNDS * self.period)
+        rounds = max(0, int((until - last) / self.period + _ROUNDING))
+        later = last + self.period * np.arange(1, rounds + 1) if rounds else np.empty(0)
+        times = np.concatenate([np.array(self.starts, dtype=float), later])
+        return times[times <= until * (1 + _ROUNDING)]
+
+
+#: Sent at the start and never again.
+ONCE = Schedule((0.0,))

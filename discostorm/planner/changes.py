@@ -1,0 +1,75 @@
+"""A fleet with its middleware and channel, and changes of it that can be combined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol
+from discostorm.wifi import Radio, Wifi
+
+#: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
+#: and aggregation are those that were asked for.
+SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
+AIR = ("radio", "multicast rate", "aggregation")
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A fleet, its middleware and its channel."""
+
+    fleet: Fleet
+    protocol: Protocol
+    wifi: Wifi
+    #: The fleet with some changes, made once.
+    fleets: dict[tuple[Change, ...], Fleet] = field(default_factory=dict, compare=False)
+
+    def after(self, steps: Sequence[Change]) -> Setting:
+        """Return it with all of these changes."""
+        protocol, radio = self.protocol, self.wifi.radio
+        changing = tuple(step for step in steps if step.fleet)
+        if changing not in self.fleets:
+            fleet = self.fleet
+            for step in changing:
+                assert step.fleet is not None
+                fleet = step.fleet(fleet)
+            self.fleets[changing] = fleet
+        for step in steps:
+            protocol = step.table or protocol
+            if step.radio:
+                assert radio is not None
+                radio = step.radio(radio)
+        wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
+        return Setting(self.fleets[changing], protocol, wifi)
+
+    def before(self, steps: Sequence[Change]) -> Setting:
+        """Return what these changes are compared with: tables and channels of the same kind."""
+        protocol = next((step.base for step in steps if step.base), self.protocol)
+        wifi = self.wifi
+        if any(step.radio for step in steps):
+            assert wifi.radio is not None
+            wifi = replace(wifi.radio.wifi(), name=wifi.name)
+        return Setting(self.fleet, protocol, wifi)
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """A change to compute; of one ``slot`` a combination has one at most."""
+
+    kind: str
+    what: str
+    slot: str
+    fleet: Callable[[Fleet], Fleet] | None = None
+    parts: tuple[Fleet, ...] = ()
+    table: Protocol | None = None
+    #: The table without the change, if another than the plan's.
+    base: Protocol | None = None
+    radio: Callable[[Radio], Radio] | None = None
+    #: What is to be said of the change alone, and what in a combination, too.
+    note: str = ""
+    by: str = ""
+    steps: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "steps", self.steps or (self.kind,))

@@ -1,0 +1,143 @@
+"""What is known of remedies: for which tables they work, and what was simulated of them."""
+
+from collections.abc import Iterator
+from functools import cache
+
+from discostorm import words
+from discostorm.data import read_data
+from discostorm.messages import Message, Protocol
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+
+
+def family(protocol: Protocol) -> str | None:
+    """Return of which family of ``data/vendors/families.csv`` a table is.
+
+    That is told by its first message, of an arrangement of servers, routers or peers by the
+    product. None if it is of none, as a table of your own may be.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> family(ds.DDS), family(ds.PROTOCOLS["Zenoh peer"])
+    ('DDS', 'Zenoh')
+    """
+    for row in arrangements():
+        if row["table"] == protocol.name:
+            return row["family"]
+    first = PROTOCOLS.get(protocol.name, protocol).messages[0].name
+    for row in read_data("vendors/families.csv"):
+        if row["first_message"] == first:
+            return row["family"]
+    return None
+
+
+@cache
+def arrangements() -> tuple[dict[str, str], ...]:
+    """Return the remedies that put the table of another arrangement in place of a product's."""
+    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
+
+
+def product(protocol: Protocol) -> str | None:
+    """Return of which product a table as built is, as ``data/vendors/products.csv`` says."""
+    name = next((row["base"] for row in arrangements() if row["table"] == protocol.name), None)
+    for row in read_data("vendors/products.csv"):
+        if row["protocol"] == (name or protocol.name):
+            return row["defaults"]
+    return None
+
+
+def row_of(kind: str, of: str | None) -> dict[str, str] | None:
+    """Return what the data say of a kind of remedy for a family, None if they do not."""
+    rows = [row for row in read_data("vendors/remedies.csv") if row["kind"] == kind]
+    found = [row for row in rows if row["family"] == of]
+    return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
+
+
+def known(kind: str, protocol: Protocol) -> dict[str, str]:
+    """Return what the data say of a kind of remedy for a protocol.
+
+    Of switching to an arrangement what holds for any: what a family counts is of its peers.
+    """
+    arranged = kind == "middleware" and any(r["table"] == protocol.name for r in arrangements())
+    row = row_of(kind, None if arranged else family(protocol))
+    assert row is not None, kind
+    return row
+
+
+@cache
+def _simulated() -> dict[tuple[str, int], dict[tuple[str, str], float]]:
+    """Return how long small robots take to all know each other, as simulated on 802.11n [s].
+
+    By table of the paper and number of hosts, then by how they start and frames in an A-MPDU.
+    """
+    found: dict[tuple[str, int], dict[tuple[str, str], float]] = {}
+    for row in read_data("simulated/staggered.csv"):
+        if row["radio"] == "n":
+            starts = found.setdefault((row["protocol"], int(row["hosts"])), {})
+            starts[row["start"], row["mpdus"]] = float(row["convergence_time_s"])
+    return dict(sorted(found.items()))
+
+
+def _small_robots() -> str:
+    """Return what was simulated: each run has robots of one kind."""
+    kinds = {(r["processes"], r["endpoints"]) for r in read_data("simulated/staggered.csv")}
+    ((processes, endpoints),) = kinds
+    return f"robots of {processes} processes with {endpoints} endpoints all know each other"
+
+
+def simulated_stagger(protocol: Protocol) -> str:
+    """Return what the simulator says of small robots that start one after the other."""
+    own = family(protocol)
+    gains = []
+    for name in [own] if own else ["DDS", "Zenoh"]:
+        for (_, hosts), times in [row for row in _simulated().items() if row[0][0] == name][-2:]:
+            rule, together = (times[start, "1"] for start in ("rule", "together"))
+            gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
+    return (
+        f"but queues lose less of it: simulated by the paper's tables, {_small_robots()}, "
+        f"{words.listed(gains)} (medians)"
+    )
+
+
+def simulated_aggregation(mpdus: int) -> str:
+    """Return what the simulator says of aggregation, if small robots start together."""
+    most = max(hosts for _, hosts in _simulated())
+    gains = []
+    for name in ("DDS", "Zenoh"):
+        one, many = (_simulated()[name, most]["together", n] for n in ("1", str(mpdus)))
+        gains.append(f"in {many:.0f} s instead of {one:.0f} s with {name}")
+    return (
+        f"simulated by the paper's tables, {most} {_small_robots()} {words.listed(gains)} (medians)"
+    )
+
+
+def inapplicable(protocol: Protocol) -> Iterator[str]:
+    """Yield what does not work with a protocol, and what is not known to."""
+    own, built = family(protocol), product(protocol)
+    rows = read_data("vendors/remedies.csv")
+    unknown = []
+    for kind in dict.fromkeys(row["kind"] for row in rows):
+        row = row_of(kind, own)
+        of_kind = [found for found in rows if found["kind"] == kind]
+        if row is None and own is None:
+            unknown.append(of_kind[0]["title"])
+        elif row is None:
+            others = words.listed([found["family"] for found in of_kind])
+            yield f"{of_kind[0]['title']}: for {others} alone"
+        elif row["works"] == "no":
+            yield f"{row['title']}: {row['why']}"
+        elif built and row["table"] in PROTOCOLS and row["base"]:
+            of = product(PROTOCOLS[row["base"]])
+            if of != built:
+                yield f"{row['title']}: measured with {of} alone"
+    if unknown:
+        known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
+        yield (
+            f"{words.listed(unknown)}: not known for {protocol.name}, as the first message of its "
+            f"table is neither {' nor '.join(known)}"
+        )
+
+
+def of_paper(message: Message) -> bool:
+    """Return whether a message is one of the paper's tables."""
+    return any(message in table.messages for table in (DDS, ZENOH))

@@ -1,0 +1,186 @@
+"""A remedy: what is changed, what it brings and what it takes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from discostorm import words
+from discostorm.data import read_data
+from discostorm.fleet import Fleet
+from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.planner.known import family, product
+from discostorm.planner.snippets import Snippet, snippets
+from discostorm.wifi import Wifi
+
+#: Changes of less than this are not told apart [1].
+NOTHING = 0.005
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """Something that would change what discovery costs, and by how much.
+
+    Parameters
+    ----------
+    kind : str
+        What is changed: a kind of ``data/vendors/remedies.csv``, or "combination".
+    what : str
+        The change, in words that a sentence can start with.
+    price : str
+        What to mind.
+    whole : bool
+        Whether all hosts still find each other.
+    fleets : tuple of Fleet
+        The changed fleet; when it is split, its parts.
+    protocol : Protocol
+        The middleware.
+    wifi : Wifi
+        The channel.
+    before : float
+        The utilization without it [1], by a table and on a channel of the same kind.
+    utilization : float
+        What it leads to [1]: of all parts on one channel; on several, of the fullest.
+    window : float
+        The seconds that are averaged [s]; infinity for the steady state.
+    note : str
+        What is compared, or left out of the number; empty if there is nothing to say.
+    efforts : tuple of str
+        How hard its changes are, by names of ``data/vendors/efforts.csv``.
+    fails : str
+        What fails when.
+    steps : tuple of str
+        The kinds of its changes: one, but for a combination.
+    spread : float
+        Within how long hosts should start so that the channel can carry what is left [s]:
+        `discostorm.staggered.window`; infinity where what is repeated fills the channel.
+    steady : float
+        What is repeated then takes of the channel [1].
+    best_case : bool
+        Whether a part of the gain is that of the best case, as that of exchanges that are all full.
+    """
+
+    kind: str
+    what: str
+    price: str
+    whole: bool
+    fleets: tuple[Fleet, ...]
+    protocol: Protocol
+    wifi: Wifi
+    before: float
+    utilization: float
+    window: float = PAPER_WINDOW
+    note: str = ""
+    efforts: tuple[str, ...] = ()
+    fails: str = ""
+    steps: tuple[str, ...] = ()
+    spread: float = 0.0
+    steady: float = 0.0
+    best_case: bool = False
+
+    @property
+    def saved(self) -> float:
+        """What it saves as a part of what there was before [1]; negative if it costs more.
+
+        Where nothing was sent before it is 0, whatever is sent then.
+        """
+        return 1 - self.utilization / self.before if self.before else 0.0
+
+    @property
+    def now_fits(self) -> bool:
+        """Whether it fits with it and did not without."""
+        return words.fits(self.utilization) and not words.fits(self.before)
+
+    @property
+    def rank(self) -> int:
+        """How hard the hardest of its changes is, from 1 on [1]."""
+        return max((int(_efforts()[name]["rank"]) for name in self.efforts), default=0)
+
+    @property
+    def snippets(self) -> tuple[Snippet, ...]:
+        """What to paste."""
+        standard = " ".join(self.wifi.name.split()[:3])
+        names = (self.protocol.name, product(self.protocol), family(self.protocol), standard)
+        known = [name for name in names if name]
+        return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
+
+    def sentence(self) -> str:
+        """Return what it brings, in words."""
+        before, after = (
+            words.airtime(value, self.window) for value in (self.before, self.utilization)
+        )
+        s = "" if self._plural else "s"
+        if self.kind == "staggered start":
+            brings = (
+                f"takes the same {before} of airtime, over {words.duration(self.spread)} at least"
+            )
+        elif self.utilization and not self.before:
+            brings = f"add{s} {after}, where nothing was sent before"
+        elif abs(self.saved) < NOTHING:
+            brings = f"change{s} less than {NOTHING:.1%}"
+        elif self.saved < 0:
+            brings = f"add{s} {words.percent(-self.saved)}: {before} becomes {after}"
+        else:
+            # What is left may be less than what numbers tell apart from all.
+            most = math.nextafter(1, 0) if self.utilization else 1.0
+            brings = f"cut{s} {before} to {after} ({words.percent(min(self.saved, most))})"
+            brings += " at best" * self.best_case
+        return f"{self.what} {brings}{'; ' * bool(self.note)}{self.note}"
+
+    @property
+    def _plural(self) -> bool:
+        """Whether the change is told in the plural: several of them, or things without article."""
+        first = self.what.split()[0]
+        one = first in ("a", "another", "the") or is_doing(self.what)
+        return self.kind == "combination" or not one
+
+    def caution(self) -> str:
+        """Return what it takes, what to mind and what fails when, in words."""
+        efforts = list(dict.fromkeys(_efforts()[name]["what"] for name in self.efforts))
+        fails = f"; {self.fails}" * bool(self.fails)
+        later = ""
+        if not words.fits(self.steady):
+            later = f" What is repeated still takes {words.percent(self.steady)}: no start fits."
+        elif self.kind == "combination" and not words.fits(self.utilization):
+            later = f" It still does not fit: start within {words.duration(self.spread)}."
+        return f"It takes {words.listed(efforts)}. Mind: {self.price}{fails}.{later}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all of it as what JSON can hold."""
+        return {
+            "kind": self.kind,
+            "steps": list(self.steps),
+            "what": self.what,
+            "effort": self.rank,
+            "efforts": [_efforts()[name]["what"] for name in self.efforts],
+            "price": self.price,
+            "fails": self.fails,
+            "note": self.note,
+            "all_find_each_other": self.whole,
+            "fleets": [fleet.described() for fleet in self.fleets],
+            "protocol": self.protocol.name,
+            "wifi": self.wifi.name,
+            "before": self.before,
+            "utilization": self.utilization,
+            "saved": self.saved,
+            "best_case": self.best_case,
+            "fits": words.fits(self.utilization),
+            "steady": self.steady,
+            "start_within_s": self.spread if math.isfinite(self.spread) else None,
+            "paste": [
+                {"where": piece.where, "version": piece.version, "text": piece.text}
+                for piece in self.snippets
+            ],
+        }
+
+
+def is_doing(what: str) -> bool:
+    """Return whether a change is told as what is done, not as a thing."""
+    return what.split()[0].endswith("ing")
+
+
+@cache
+def _efforts() -> dict[str, dict[str, str]]:
+    return {row["effort"]: row for row in read_data("vendors/efforts.csv")}
