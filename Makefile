@@ -100,7 +100,7 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/deaths.py $(ARGS)
 
-published: build/lab/.ready ## stage what others published of discovery traffic (Debian, root; half an hour)
+published: build/lab/.ready ## stage the set-ups of which others published numbers (Debian, root; half an hour)
 	@$(BIN)/python lab/published.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)

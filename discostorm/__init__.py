@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from discostorm.simulation import Simulation, simulate
     from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "DDS",

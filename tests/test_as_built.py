@@ -10,7 +10,7 @@ import pytest
 import discostorm as ds
 from discostorm import measured
 from discostorm.capture import rtps, zenoh
-from discostorm.capture.reader import TCP_KINDS
+from discostorm.capture.zenoh_reader import TCP_KINDS
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED

@@ -41,16 +41,19 @@ window.addEventListener("load", async () => {
   await window.MathJax?.startup?.promise;
   // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
   const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, .bd-article pre:not(.calc pre)`);
-  // A wide table fades where it goes on; a line above it, or above a figure, says so.
+  // A wide table or output fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
+  const HINTED = { table: TABLE, figure: FIGURE, output: ".cell_output pre" };
   const hint = (box, wider) => {
-    if (!box.matches(`${TABLE}, ${FIGURE}`) || box.classList.contains("ds-wider") === wider) return;
+    const what = Object.keys(HINTED).find((kind) => box.matches(HINTED[kind]));
+    if (!what || box.classList.contains("ds-wider") === wider) return;
     box.classList.toggle("ds-wider", wider);
-    if (!wider) return box.previousElementSibling.remove();
+    const outside = box.closest("[class*='highlight-']") ?? box;
+    if (!wider) return outside.previousElementSibling.remove();
     const line = document.createElement("p");
     line.className = "ds-scroll-hint";
-    line.textContent = `\u2190 the ${box.matches(TABLE) ? "table" : "figure"} scrolls sideways \u2192`;
-    box.before(line);
+    line.textContent = `\u2190 the ${what} scrolls sideways \u2192`;
+    outside.before(line);
     box.addEventListener("scroll", () => atEnd(box), { passive: true });
     atEnd(box);
   };
@@ -96,6 +99,14 @@ window.addEventListener("load", async () => {
     window.addEventListener("beforeprint", unfold, { once: true });
     box.after(button);
   };
+  const isWider = (box) => box.scrollWidth > box.clientWidth + 1;
+  // A table that is only a little too wide for a phone is set tighter.
+  const tighten = (box) => {
+    box.classList.remove("ds-tight");
+    if (!isWider(box)) return;
+    box.classList.add("ds-tight");
+    if (isWider(box)) box.classList.remove("ds-tight");
+  };
   const widths = new Map();
   const observer = new ResizeObserver((changes) => {
     for (const { target: box } of changes) {
@@ -105,12 +116,12 @@ window.addEventListener("load", async () => {
         if (box.matches(FIGURE)) widen(box);
         if (ofWords.has(box)) {
           box.classList.remove("ds-cards");
-          box.classList.toggle("ds-cards", narrow.matches && box.scrollWidth > box.clientWidth + 1);
+          box.classList.toggle("ds-cards", narrow.matches && isWider(box));
           shorten(box);
-        }
+        } else if (box.matches(TABLE)) tighten(box);
       }
       // Boxes that scroll sideways can be reached, and so scrolled, with the keyboard.
-      const wider = box.scrollWidth > box.clientWidth + 1;
+      const wider = isWider(box);
       if (wider) box.tabIndex = 0;
       else box.removeAttribute("tabindex");
       hint(box, wider);

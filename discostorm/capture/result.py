@@ -14,8 +14,9 @@ import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import evaluate
-from discostorm.capture import ip, reader, rtps, zenoh
+from discostorm.capture import gathered, ip, reader, rtps, zenoh
 from discostorm.capture.files import CaptureError
+from discostorm.capture.zenoh_reader import TCP_KINDS
 from discostorm.fleet import COUNTS, Count, Fleet, HostGroup, reject_symbols
 from discostorm.messages import (
     ENDPOINT_PAIR,
@@ -122,7 +123,7 @@ class Capture:
             If no process was found.
         """
         if protocol is not None:
-            _checks.choice("protocol", protocol, reader.PROTOCOLS[:2])
+            _checks.choice("protocol", protocol, gathered.PROTOCOLS[:2])
         found = self._processes
         if protocol is not None:
             found = found[found["protocol"] == protocol]
@@ -476,13 +477,13 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     addresses = ip.names(found.addresses)
     multicast = ip.multicast(found.addresses)
     processes = [process.name for process in found.processes]
-    is_rtps = rows["protocol"] == reader.RTPS
-    is_tcp = rows["protocol"] == reader.TCP
+    is_rtps = rows["protocol"] == gathered.RTPS
+    is_tcp = rows["protocol"] == gathered.TCP
     # One list of names for all protocols; those of RTPS come first.
-    kinds = [*rtps.kind_names(), *zenoh.KINDS, *reader.TCP_KINDS]
-    zenohs, tcps = len(kinds) - len(zenoh.KINDS) - len(reader.TCP_KINDS), len(reader.TCP_KINDS)
+    kinds = [*rtps.kind_names(), *zenoh.KINDS, *TCP_KINDS]
+    zenohs, tcps = len(kinds) - len(zenoh.KINDS) - len(TCP_KINDS), len(TCP_KINDS)
     kind = rows["kind"] + np.where(is_rtps, 0, np.where(is_tcp, len(kinds) - tcps, zenohs))
-    submessages = [*rtps.submessage_names(), *zenoh.NAMES, *reader.TCP_KINDS]
+    submessages = [*rtps.submessage_names(), *zenoh.NAMES, *TCP_KINDS]
     submessage = rows["submessage"].astype(np.int64) + np.where(
         is_rtps, 0, np.where(is_tcp, 256 + len(zenoh.NAMES), 256)
     )
@@ -495,7 +496,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         {
             "time": since[rows["frame"]],
             "frame": rows["frame"].astype(np.int64) + 1,
-            "protocol": _words(rows["protocol"], reader.PROTOCOLS),
+            "protocol": _words(rows["protocol"], gathered.PROTOCOLS),
             "kind": _words(kind, kinds),
             "multicast": multicast[rows["target"]] if len(multicast) else rows["copy"],
             "bytes": rows["bytes"],
@@ -517,7 +518,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     )
     table = pd.DataFrame(
         {
-            "protocol": [reader.PROTOCOLS[process.protocol] for process in found.processes],
+            "protocol": [gathered.PROTOCOLS[process.protocol] for process in found.processes],
             "product": [process.product for process in found.processes],
             "host": [
                 addresses[process.host] if process.host >= 0 else "" for process in found.processes
@@ -569,9 +570,9 @@ def _numbered(names: tuple[str, ...]) -> tuple[tuple[str, ...], np.ndarray]:
     return tuple(known), np.array([known[name] for name in names], np.int64)
 
 
-def _endpoints(process: reader.Process) -> int:
+def _endpoints(process: gathered.Process) -> int:
     """Return how many endpoints a process announced, without those of discovery itself."""
-    if process.protocol == reader.ZENOH:
+    if process.protocol == gathered.ZENOH:
         return process.tokens or len(process.endpoints)
     return sum(1 for id_ in process.endpoints if not id_ & 0xC0)
 
@@ -593,7 +594,7 @@ def _notes(found: reader.Reading, messages: pd.DataFrame) -> tuple[str, ...]:
             f"{len(silent)} of {len(found.processes)} processes of which no announcement was "
             "captured: their endpoints are not known"
         )
-    if any(p.protocol == reader.ZENOH and p.endpoints and not p.tokens for p in found.processes):
+    if any(p.protocol == gathered.ZENOH and p.endpoints and not p.tokens for p in found.processes):
         notes.append(
             "Zenoh does not announce publishers: its endpoints are subscribers and queryables alone"
         )

@@ -118,9 +118,9 @@ QUEUES = Switch(
 )
 STAGGERED = Switch(
     "staggered",
-    "A staggered start",
-    "one host after the other, with the gaps of the rule for staggered starts, instead of all at "
-    "once",
+    "Starts in turn",
+    "one host after the other in an agreed order, each when the airtime of the bursts before it "
+    "has passed, instead of all at once",
     kind="simulated",
     needs=("queues",),
 )

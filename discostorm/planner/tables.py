@@ -1,4 +1,4 @@
-"""Which other tables could be used: other arrangements, calmer announcements, other middleware."""
+"""What could be changed of a table: its arrangement, its announcements, the middleware."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -13,35 +13,8 @@ from discostorm.protocols.defaults import defaults
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
-    """Yield other tables: of another arrangement, with calmer announcements, of other middleware.
-
-    What has the paper's counts is compared with tables as built by the product's table as built.
-    """
-    own, built = product(protocol), product(protocol) is not None
-    arranged = protocol.name in {row["table"] for row in arrangements()}
-    for row in arrangements():
-        table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or table == protocol:
-            continue
-        other = built and product(before) != own
-        if row["family"] != family(protocol) and not other:
-            continue
-        by = (
-            ""
-            if before == protocol or arranged
-            else f"both as {before.name.replace(', ', ' with ')} was measured"
-        )
-        change = Change(
-            row["kind"],
-            f"{'switching to ' + str(product(before)) + ' with ' if other else ''}{row['title']}",
-            "table",
-            table=table,
-            base=None if arranged or other else before,
-            note=by if not other else "",
-            by=by if not other else "",
-            steps=("middleware", row["kind"]) if other else (row["kind"],),
-        )
-        yield change
+    """Yield other tables: arranged otherwise, with calmer announcements, of other middleware."""
+    yield from _arranged(protocol)
     calm = _calmer(protocol)
     if calm is not None:
         yield Change("announcements", "calmer announcements", "table", table=calm)
@@ -59,9 +32,9 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
         yield Change("hybrid", "the hybrid discovery", "table", table=hybrid)
     # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
     wired = [table.wired for table in PROTOCOLS.values()]
-    not_alone = ARRANGED | {row["table"] for row in arrangements()}
+    arranged = ARRANGED | {row["table"] for row in arrangements()}
     for table in PROTOCOLS.values():
-        if table == protocol or table in wired or table.name in not_alone:
+        if table == protocol or table in wired or table.name in arranged:
             continue
         # What ROS 2 makes of a product may be another of its tables.
         row = row_of("middleware", family(table))
@@ -69,6 +42,34 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
             continue
         if family(table) is not None and _alike(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
+
+
+def _arranged(protocol: Protocol) -> Iterator[Change]:
+    """Yield tables of servers, routers and peers in place of a product's.
+
+    What has the paper's counts is compared with them by the product's table as built.
+    """
+    own, built = product(protocol), product(protocol) is not None
+    arranged = protocol.name in {row["table"] for row in arrangements()}
+    for row in arrangements():
+        table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
+        if table is None or table == protocol:
+            continue
+        other = built and product(before) != own
+        if row["family"] != family(protocol) and not other:
+            continue
+        what, base, by = row["title"], None, ""
+        steps: tuple[str, ...] = (row["kind"],)
+        if other:
+            what = f"switching to {product(before)} with {what}"
+            steps = ("middleware", *steps)
+        elif not arranged:
+            base = before
+            if before != protocol:
+                by = f"both as {before.name.replace(', ', ' with ')} was measured"
+        yield Change(
+            row["kind"], what, "table", table=table, base=base, note=by, by=by, steps=steps
+        )
 
 
 def _listed(table: Protocol) -> Protocol | None:

@@ -14,6 +14,8 @@
   // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
   const CURVE_POINTS = 120;
+  // There are no half robots.
+  const WHOLE_STEPS = Array.from({ length: 30 }, (_, i) => [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3));
   // From a change of less than this on, remedies are not told apart, as in the planner.
   const NOTHING = 0.005;
 
@@ -524,8 +526,8 @@
         return make(
           "tr",
           {},
-          make("th", { scope: "row" }, message.name, make("span", { class: "calc-hint" }, ` ${message.cast}`)),
-          make("td", {}, exact(message.load, count(message.load), of("messages"))),
+          make("th", { scope: "row" }, message.name, message.name.includes(message.cast) ? "" : make("span", { class: "calc-hint" }, ` ${message.cast}`)),
+          make("td", {}, exact(message.load, count(message.load < 10 ? message.load : Math.round(message.load)), of("messages"))),
           make("td", {}, exact(message.both, duration(message.both), of("airtime"))),
           make("td", {}, make("span", { class: "calc-part" }, share > 0 && share < 1e-5 ? "<0.001%" : percent(share)), bar),
         );
@@ -571,11 +573,12 @@
     const far = Math.max(...points) > 4 * MODEL.limit || answer.hosts > 4 * Math.max(1, ...full);
     if (far) {
       const singles = answer.drawn.map((one) => one.single).filter(Boolean);
+      const end = 1.5 * Math.max(2, answer.hosts, ...full);
       return {
         log: true,
-        hosts: 1.5 * Math.max(2, answer.hosts, ...full),
+        hosts: end,
         low: Math.min(0.5 * MODEL.limit, ...singles) / 1.5,
-        high: 2 * Math.max(MODEL.limit, ...points),
+        high: Math.max(2 * Math.max(MODEL.limit, ...points), Math.min(1e300, answer.front.at(end))),
       };
     }
     return {
@@ -725,7 +728,7 @@
     const { log, hosts, low, high } = view(answer);
     const { x, lines } = curve(answer);
     const { text, border } = theme;
-    const axis = (label, size, splits, values) => ({
+    const axis = (label, size, splits, values, steps) => ({
       label,
       size,
       labelSize: 24,
@@ -735,7 +738,7 @@
       grid: { stroke: border, width: 1 },
       ticks: { stroke: border, width: 1 },
       // uPlot's own steps end at 1e32, beyond which it would draw no axis.
-      ...(log ? { incrs: [1e300], splits: (u, index, least, most) => splits(least, most), filter: (u, all) => all } : {}),
+      ...(log ? { incrs: [1e300], splits: (u, index, least, most) => splits(least, most), filter: (u, all) => all } : steps ? { incrs: steps } : {}),
       values: (u, all) => all.map(values),
     });
     const { init, setCursor } = pointed(answer);
@@ -754,7 +757,7 @@
           y: { distr: log ? 3 : 1, range: [low, high] },
         },
         axes: [
-          axis(`robots${log ? ", logarithmic" : ""}`, 36, powers, shortCount),
+          axis(`robots${log ? ", logarithmic" : ""}`, 36, powers, shortCount, WHOLE_STEPS),
           axis(`airtime of the first second${log ? ", logarithmic" : ""}`, 66, times, short),
         ],
         series: [

@@ -191,7 +191,7 @@
     byId("sum").textContent =
       `${whole.format(now.start.length)} messages, ${now.used.toFixed(2)} s of airtime: ` +
       (now.used < 1 ? "it fits into one second, and leaves " + (1 - now.used).toFixed(2) + " s for everything else." : "more than the second that the paper allows.") +
-      ` Shown ${slowed >= 1.5 ? `${Math.round(slowed)} times slower` : slowed > 0.67 ? "as fast" : `${Math.round(1 / slowed)} times faster`} than it is.`;
+      ` Shown ${slowed >= 1.5 ? `${Math.round(slowed)} times slower than` : slowed > 0.67 ? "as fast as" : `${Math.round(1 / slowed)} times faster than`} it happens.`;
     if (before === null) draw();
   }
 

@@ -1,0 +1,354 @@
+"""Messages of Zenoh and of its TCP, from datagrams and connections that were gathered."""
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+
+from discostorm.capture import ip, tcp, zenoh
+from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, buffer, codes, stack, take
+from discostorm.capture.gathered import TCP, ZENOH, Gathered, Process
+
+#: Segments of Zenoh's connections that carry no message of their own.
+TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
+_ACK, _CONTROL, _AGAIN = range(3)
+HTTPS = 443
+
+
+def read_zenoh(gathered: Gathered, copies: Array) -> None:
+    """Read the datagrams and streams of Zenoh."""
+    known: dict[bytes, int] = {}
+    for data, found in gathered.datagrams:
+        _read_datagrams(gathered, data, found, known)
+    gathered.datagrams = []
+    if gathered.segments:
+        parts, gathered.segments = gathered.segments, []
+        streams = tcp.streams([take(part, ~copies[part["frame"]]) for part in parts])
+        del parts
+        _read_streams(gathered, streams, known)
+
+
+def _process(gathered: Gathered, known: dict[bytes, int], zid: bytes, role: int) -> int:
+    """Return the number of a process of Zenoh; numbers of both protocols differ."""
+    which = known.setdefault(zid, -2 - len(known))
+    role_name = ("router", "peer", "client", "")[role & 3]
+    # As Zenoh writes it.
+    name = f"{int.from_bytes(zid, 'little'):x}"
+    gathered.processes.setdefault(which, Process(ZENOH, name, f"Zenoh {role_name}".strip()))
+    return which
+
+
+def _zenoh_saw(gathered: Gathered, which: int, source: int, frame: int) -> None:
+    process = gathered.processes[which]
+    if process.since < 0 or frame < process.since:
+        process.since = frame
+    if process.host < 0 or gathered.is_loopback(process.host):
+        process.host = source
+
+
+def _read_datagrams(
+    gathered: Gathered, data: Bytes, found: Columns, known: dict[bytes, int]
+) -> None:
+    """Read scouting, and sessions over UDP."""
+    group = ip.multicast(gathered.addresses)[found["target"]]
+    to_all = group | (found["to_port"] == zenoh.SCOUTING_PORT)
+    code, identity = zenoh.scouting(data, found["at"], found["size"], to_all)
+    is_scouting = code != zenoh.UNREADABLE
+    rows = np.flatnonzero(is_scouting)
+    process = np.full(len(rows), -1, np.int64)
+    told = np.flatnonzero(identity["length"][rows] > 0)
+    if len(told):
+        place, length = (identity[key][rows[told]] for key in ("at", "length"))
+        # In sixteen bytes each, with zeros behind those that are shorter.
+        zids = buffer(16 * len(told))
+        matrix = zids[: 16 * len(told)].reshape(-1, 16)
+        octet = np.arange(16)
+        matrix[:] = data[place[:, None] + octet] * (octet < length[:, None])
+        numbers = Numbers()
+        which = numbers.of(zids, 16 * np.arange(len(told)), 16)
+        _, first = codes(which, found["source"][rows[told]])
+        role = data[identity["at"][rows[told]] - 1] & 3
+        ours = np.zeros(len(numbers.known), np.int64)
+        for index in first.tolist():
+            row = rows[told[index]]
+            zid = matrix[index, : length[index]].tobytes()
+            # A Scout does not say what sends it.
+            is_hello = zenoh.NAMES[code[row]] == "Hello"
+            ours[which[index]] = _process(gathered, known, zid, int(role[index]) if is_hello else 3)
+            _zenoh_saw(
+                gathered,
+                int(ours[which[index]]),
+                int(found["source"][row]),
+                int(found["frame"][row]),
+            )
+        process[told] = ours[which]
+    gathered.rows.append(
+        {
+            "frame": found["frame"][rows],
+            "protocol": np.full(len(rows), ZENOH, np.uint8),
+            "kind": code[rows],
+            "submessage": code[rows],
+            "bytes": found["wire"][rows],
+            "process": process,
+            "source": found["source"][rows],
+            "target": found["target"][rows],
+            "way": found["way"][rows],
+            "udp": np.ones(len(rows), bool),
+            "frames": found["parts"][rows],
+        }
+    )
+    _read_udp_sessions(gathered, data, take(found, ~is_scouting))
+
+
+def _read_udp_sessions(gathered: Gathered, data: Bytes, found: Columns) -> None:
+    opening = np.flatnonzero(zenoh.may_open(data, found["at"], found["size"]))
+    if not len(opening):
+        return
+    at = found["at"]
+    end = at + found["size"]
+    first = zenoh.parse(data, at[opening], end[opening])
+    whole = np.zeros(len(opening), bool)
+    whole[first["batch"][first["end"] == end[opening][first["batch"]]]] = True
+    whole[first["batch"][first["code"] == zenoh.UNREADABLE]] = False
+    ends = [found[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")]
+    there, back = ends[0] << 32 | ends[2], ends[1] << 32 | ends[3]
+    flows = set(zip(there[opening[whole]].tolist(), back[opening[whole]].tolist(), strict=True))
+    flows |= {(b, a) for a, b in flows}
+    mine = np.array(
+        [pair in flows for pair in zip(there.tolist(), back.tolist(), strict=True)], bool
+    )
+    # A group that is joined is spoken to by all.
+    groups = {b for _, b in flows}
+    is_group = ip.multicast(gathered.addresses)[found["target"]]
+    mine |= is_group & np.isin(back, list(groups))
+    found = take(found, mine)
+    at = found["at"]
+    messages = zenoh.parse(data, at, at + found["size"])
+    batch = messages["batch"]
+    size = messages["end"] - messages["at"]
+    gathered.rows.append(
+        {
+            "frame": found["frame"][batch],
+            "protocol": np.full(len(batch), ZENOH, np.uint8),
+            "kind": messages["code"],
+            "submessage": messages["code"],
+            "bytes": size,
+            "source": found["source"][batch],
+            "target": found["target"][batch],
+            "way": found["way"][batch],
+            "udp": np.ones(len(batch), bool),
+            "frames": found["parts"][batch] * size / np.maximum(found["wire"][batch], 1),
+        }
+    )
+
+
+def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, int]) -> None:
+    """Read sessions over TCP."""
+    data = gathered.packets.data
+    _note_tls(gathered, data, streams)
+    chosen = zenoh.chosen(data, streams)
+    if len(others := zenoh.undecided(streams, chosen)):
+        begun = list(zenoh.sessions(tcp.content(data, streams, others)))
+        chosen = np.union1d(chosen, [*begun, *streams.reverse[begun]]).astype(np.int64)
+    if not len(chosen):
+        return
+    content = tcp.content(data, streams, chosen)
+    opened = zenoh.sessions(content)
+    table = streams.table
+    process = np.full(len(streams.first), -1, np.int64)
+    for of, session in opened.items():
+        row = streams.first[of]
+        process[of] = _process(gathered, known, session.zid, session.role)
+        _zenoh_saw(gathered, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
+    batches = zenoh.batches(content, streams, opened, gathered.notes)
+    found = zenoh.parse(content.data, batches["at"], batches["end"])
+    if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):
+        gathered.notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    stream = batches["stream"][found["batch"]]
+    # The length in front of a batch goes with its first message.
+    first = np.diff(found["batch"], prepend=-1) != 0
+    begin = found["at"] - 2 * first
+    cost = _cost(content, table)
+    piece = np.searchsorted(content.pieces["at"], found["end"] - 1, side="right") - 1
+    done = content.pieces["done"][piece] if len(piece) else piece
+    rows: Columns = {
+        "frame": table["frame"][done],
+        "protocol": np.full(len(done), ZENOH, np.uint8),
+        "kind": found["code"],
+        "submessage": found["code"],
+        "bytes": found["end"] - begin,
+        "frames": cost(found["end"]) - cost(begin),
+        **_ends(table, streams.first[stream], process[stream], process[streams.reverse[stream]]),
+    }
+    rows["way"] = table["way"][done]
+    number_ = found["number"]
+    made, members = zenoh.put_together(content.data, found, stream, gathered.notes)
+    if made:
+        inner, extra, number_2, stream_2 = _from_fragments(
+            gathered, made, members, found, rows, stream
+        )
+        rows = stack([rows, inner])
+        number_ = np.append(number_, number_2)
+        stream = np.append(stream, stream_2)
+        texts = extra
+    else:
+        texts = {}
+    gathered.rows.append(rows)
+    _zenoh_endpoints(gathered, content, found, rows["submessage"], number_, stream, process, texts)
+    _other_segments(gathered, content, streams, chosen, process)
+
+
+def _ends(table: Columns, row: Array, process: Array, peer: Array) -> Columns:
+    """Return the columns that say who speaks to whom, by a segment's row."""
+    return {
+        "source": table["source"][row],
+        "target": table["target"][row],
+        "process": process,
+        "peer": peer,
+    }
+
+
+def _cost(content: tcp.Content, table: Columns) -> Any:
+    """Return the function that says how many segments it took up to a byte of the content."""
+    pieces = content.pieces
+    part = pieces["size"] / np.maximum(table["wire"][pieces["segment"]], 1)
+    places = np.append(pieces["at"], pieces["at"][-1:] + pieces["size"][-1:])
+    sums = np.append(0.0, np.cumsum(part))[: len(places)]
+
+    def cost(at: Array) -> Array:
+        return np.interp(at, places, sums) if len(places) else np.zeros(len(at))
+
+    return cost
+
+
+def _from_fragments(
+    gathered: Gathered,
+    made: list[bytes],
+    members: list[list[int]],
+    found: Columns,
+    rows: Columns,
+    stream: Array,
+) -> tuple[Columns, dict[int, bytes], Array, Array]:
+    """Return the messages that fragments make; the bytes of fragments go to them."""
+    length = np.array([len(part) for part in made], np.int64)
+    end = np.cumsum(length)
+    joined = np.frombuffer(b"".join(made) + bytes(64), np.uint8)
+    inner = zenoh.parse(joined, end - length, end)
+    batch = inner["batch"]
+    last = np.array([part[-1] for part in members], np.int64)[batch]
+    share = np.zeros(len(made))
+    for index, part in enumerate(members):
+        own = found["end"][part] - found["number"][part]  # without their heads
+        ratio = own / np.maximum(rows["bytes"][part], 1)
+        share[index] = float((rows["frames"][part] * ratio).sum())
+        rows["frames"][part] *= 1 - ratio
+        rows["bytes"][part] -= own
+    size = inner["end"] - inner["at"]
+    if unreadable := int(np.count_nonzero(inner["code"] == zenoh.UNREADABLE)):
+        gathered.notes["Zenoh messages in fragments that cannot be read"] += unreadable
+    new = take(rows, last) | {
+        "kind": inner["code"],
+        "submessage": inner["code"],
+        "bytes": size,
+        "frames": share[batch] * size / np.maximum(length[batch], 1),
+    }
+    texts = {
+        len(rows["frame"]) + index: joined[inner["at"][index] : inner["end"][index]].tobytes()
+        for index in range(len(batch))
+    }
+    return new, texts, inner["number"], stream[last]
+
+
+def _zenoh_endpoints(
+    gathered: Gathered,
+    content: tcp.Content,
+    found: Columns,
+    code: Array,
+    number_: Array,
+    stream: Array,
+    process: Array,
+    texts: dict[int, bytes],
+) -> None:
+    """Keep what each process declares: subscribers and queryables, or the tokens of rmw_zenoh.
+
+    A process declares to each other one; what it declares is the most that it does to one.
+    """
+    subscriber, queryable, token_code = map(
+        zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable", "DeclareToken")
+    )
+    plain = np.flatnonzero((code == subscriber) | (code == queryable))
+    _, first = codes(stream[plain], code[plain], number_[plain])
+    for index, count in Counter(stream[plain[first]].tolist()).items():
+        _declared(gathered, int(process[index]), count, tokens=False)
+    token = np.flatnonzero(code == token_code)
+    _, first = codes(stream[token], number_[token])
+    of_ros: Counter[int] = Counter()
+    for row in token[first].tolist():
+        text = texts.get(row)
+        if text is None:
+            text = content.data[found["at"][row] : found["end"][row]].tobytes()
+        of_ros[int(stream[row])] += _is_ros_endpoint(text)
+    for index, count in of_ros.items():
+        _declared(gathered, int(process[index]), count, tokens=True)
+
+
+def _is_ros_endpoint(text: bytes) -> bool:
+    """Return whether a token is of an endpoint: publisher, subscription, service or client."""
+    return b"@ros2_lv/" in text and any(
+        kind in text for kind in (b"/MP/", b"/MS/", b"/SS/", b"/SC/")
+    )
+
+
+def _declared(gathered: Gathered, which: int, count: int, tokens: bool) -> None:
+    process = gathered.processes.get(which)
+    if process is None or process.product == "Zenoh router":
+        return  # a router passes on what others declare
+    process.announced = True
+    if tokens:
+        process.tokens = max(process.tokens, count)
+    elif count > len(process.endpoints):
+        process.endpoints = set(range(count))
+
+
+def _other_segments(
+    gathered: Gathered, content: tcp.Content, streams: tcp.Streams, chosen: Array, process: Array
+) -> None:
+    """Add the segments that TCP itself sends in the sessions of Zenoh."""
+    table = streams.table
+    zenohs = np.zeros(len(streams.first), bool)
+    zenohs[chosen] = True
+    empty = zenohs[table["stream"]] & (table["wire"] == 0)
+    control = table["flags"] & (tcp.SYN | tcp.FIN | tcp.RST) > 0
+    rows = np.append(np.flatnonzero(empty), content.old)
+    kind = np.where(control[rows], _CONTROL, _ACK)
+    kind[len(rows) - len(content.old) :] = _AGAIN
+    stream = table["stream"][rows]
+    gathered.rows.append(
+        {
+            "frame": table["frame"][rows],
+            "protocol": np.full(len(rows), TCP, np.uint8),
+            "kind": kind,
+            "submessage": kind,
+            "bytes": table["wire"][rows],
+            "way": table["way"][rows],
+            "frames": np.ones(len(rows)),
+            "ends": table["flags"][rows] & (tcp.FIN | tcp.RST) > 0,
+            **_ends(table, rows, process[stream], process[streams.reverse[stream]]),
+        }
+    )
+
+
+def _note_tls(gathered: Gathered, data: Bytes, streams: tcp.Streams) -> None:
+    """Count the connections that start with TLS, but for those of the web."""
+    table = streams.table
+    at = table["at"]
+    hello = (
+        (table["size"] > 5)
+        & (data[at] == 22)
+        & (data[at + 1] == 3)
+        & (data[at + 2] <= 4)
+        & (data[at + 5] == 1)
+        & (table["to_port"] != HTTPS)
+    )
+    if count := len(np.unique(table["stream"][hello])):
+        gathered.notes["TCP connections with TLS, which is encrypted"] += count
