@@ -37,8 +37,8 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
         if table == protocol or table in wired or table.name in arranged:
             continue
         # What ROS 2 makes of a product may be another of its tables.
-        row = row_of("middleware", family(table))
-        if product(table) and row and row["table"] not in ("", table.name):
+        of_ros2 = row_of("middleware", family(table))
+        if product(table) and of_ros2 and of_ros2["table"] not in ("", table.name):
             continue
         if family(table) is not None and _alike(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
