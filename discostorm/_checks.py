@@ -60,18 +60,24 @@ def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDA
         If the rows differ in length, or a number is beyond all floats.
     """
     any_of = allowed if one else f"{allowed}, or an array of them"
-    if np.ma.is_masked(value):
-        raise TypeError(f"{name} must be {any_of} without masked elements")
-    if hasattr(value, "to_numpy"):
-        # As in pandas and xarray: by position, values of different labels would meet.
-        raise TypeError(
-            f"{name} must be {any_of}; got a value of type {type(value).__name__}, whose labels, "
-            "if it has any, would be lost: give its .to_numpy()"
-        )
+    parts = [value]
+    if isinstance(value, (list, tuple)) and not set(map(type, value)) <= {int, float}:
+        parts += value
+    for part in parts:
+        if np.ma.is_masked(part):
+            raise TypeError(f"{name} must be {any_of} without masked elements")
+        if hasattr(part, "to_numpy"):
+            # As in pandas and xarray: by position, values of different labels would meet.
+            raise TypeError(
+                f"{name} must be {any_of}; got a value of type {type(part).__name__}, whose "
+                "labels, if it has any, would be lost: give its .to_numpy()"
+            )
     try:
         given = np.asarray(value)
     except ValueError as error:
         raise ValueError(f"{name} must be {any_of}; got {short(value)}") from error
+    except Exception as error:  # whatever a type of others raises, such as xarray.Dataset
+        raise TypeError(f"{name} must be {any_of}; got {short(value)}") from error
     if given.dtype.kind in "iuf":
         return given
     if given.dtype.kind != "O" or not all(
@@ -212,6 +218,8 @@ def _lengths(name: str, value: Any) -> tuple[int, ...]:
     except ValueError as error:
         allowed = "a number, or an array whose rows are of one length"
         raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
+    except Exception as error:  # as in `real`
+        raise TypeError(f"{name} must be a number, or an array; got {short(value)}") from error
 
 
 def plain_numbers(owner: Any) -> None:

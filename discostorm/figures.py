@@ -562,7 +562,7 @@ def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
             engine.execute(figure)
     for kind, metadata in _METADATA.items():
         path = folder / f"{name}.{kind}"
-        with style(), _replacing(path) as beside:
+        with style(), replacing(path) as beside:
             # With an engine, even "none", each file would first be drawn once more.
             mpl.rcParams["figure.constrained_layout.use"] = False
             figure.set_layout_engine(None)
@@ -571,7 +571,7 @@ def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
 
 
 @contextmanager
-def _replacing(path: Path) -> Iterator[Path]:
+def replacing(path: Path) -> Iterator[Path]:
     """Give a file to write beside a path, which takes its place only if all was written."""
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
@@ -593,6 +593,6 @@ def save_all(folder: Path) -> Iterator[Path]:
         figure = paper.draw()
         yield from save(figure, folder, name)
         path = folder / f"{name}.csv"
-        with _replacing(path) as beside:
+        with replacing(path) as beside:
             paper.data().to_csv(beside, index=False, lineterminator="\n")
         yield path

@@ -318,11 +318,11 @@ def test_a_figure_that_cannot_be_written_leaves_the_old_one(
         beside.write_text("ba")
         raise OSError(28, "No space left on device", str(beside))
 
-    with pytest.raises(OSError, match="No space left"), figures._replacing(path) as beside:
+    with pytest.raises(OSError, match="No space left"), figures.replacing(path) as beside:
         cut(beside)
     assert path.read_text() == "good"
     assert {file.name for file in folder.iterdir()} == {"fig2.csv", "fleet.toml"}
-    with figures._replacing(path) as beside:
+    with figures.replacing(path) as beside:
         beside.write_text("better")
     assert path.read_text() == "better"
     assert {file.name for file in folder.iterdir()} == {"fig2.csv", "fleet.toml"}
@@ -330,8 +330,18 @@ def test_a_figure_that_cannot_be_written_leaves_the_old_one(
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
+    def half(_: object, file: Path, **__: object) -> None:
+        cut(Path(file))
+
     monkeypatch.setattr("matplotlib.figure.Figure.savefig", full)
     result = run("figures", "--out", "out")
     assert result.exit_code == 2
     assert "--out must be a folder to write to; got 'out': No space left" in result.stderr
     assert not list((folder / "out").iterdir())
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", half)
+    old = folder / "old.svg"
+    old.write_text("good")
+    result = run("capture", str(ROOT / "tests/captures/fast_dds.pcap.xz"), "--picture", str(old))
+    assert result.exit_code == 2
+    assert "old.svg: No space left on device" in result.stderr
+    assert old.read_text() == "good"

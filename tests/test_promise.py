@@ -69,6 +69,40 @@ def test_what_has_labels_is_refused_and_the_way_to_pass_it_is_told(value: Any) -
     assert np.shape(ds.utilization(ds.DDS, value.to_numpy(), 2, 10)) == (2,)
 
 
+def test_what_has_labels_or_masks_is_refused_in_a_list_too() -> None:
+    one, other = pd.Series([7, 8], index=[5, 3]), pd.Series([7, 8], index=[3, 5])
+    for value in ([one, other], (7, Labelled())):
+        with pytest.raises(TypeError, match=r"hosts must be .*whose labels.*\.to_numpy\(\)"):
+            ds.utilization(ds.DDS, value, 2, 10)
+    for masked in ([np.ma.masked, 7], [np.ma.array([7, 8], mask=[0, 1]), np.array([7, 8])]):
+        with pytest.raises(TypeError, match=r"hosts must be .* without masked elements"):
+            ds.HostGroup(masked, 2, 10)
+
+
+class Refusing:
+    """As an xarray.Dataset, which is no array and says so; or as a type that fails."""
+
+    def __init__(self, error: type[Exception]) -> None:
+        self.error = error
+
+    def __array__(self, *_: object, **__: object) -> Any:
+        raise self.error("not to be converted")
+
+
+@pytest.mark.parametrize("error", [TypeError, RuntimeError])
+def test_what_refuses_to_be_an_array_is_refused_by_name(error: type[Exception]) -> None:
+    value: Any = Refusing(error)
+    for call in (
+        lambda: ds.utilization(ds.DDS, value, 2, 10),
+        lambda: ds.HostGroup(value, 2, 10),
+        lambda: ds.breakdown(ds.DDS, value, 2, 10),
+        lambda: timeline.first_idle(ds.DDS, value, 2, 10),
+        lambda: timeline.demand(ds.DDS, 1, value, 2, 10),
+    ):
+        with pytest.raises(TypeError, match=r"hosts must be .*; got <"):
+            call()
+
+
 @pytest.mark.parametrize(
     "value", [np.array(["UDP", "TCP"]), pd.Series(["UDP"]), pd.NA, ["UDP"], None], ids=repr
 )

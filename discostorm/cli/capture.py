@@ -85,8 +85,10 @@ def capture(
         ]
         groups = found.fleet().groups if members is None and spoken else ()
         if picture is not None:
+            path = Path(picture)
             try:
-                found.picture().savefig(picture)
+                with ds.figures.replacing(path) as beside:
+                    found.picture().savefig(beside, format=path.suffix[1:].lower())
             except OSError as error:
                 raise BadInput(f"--picture: {picture}: {error.strerror}") from error
     if output.as_csv and rows:
