@@ -1249,7 +1249,7 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
 
 
 def test_peers_of_zenoh_are_pasted_what_is_counted_and_routers_are_not() -> None:
-    plan = ds.plan(ds.Fleet.swarm(4, 2, 30), ds.PROTOCOLS["Fast DDS"])
+    plan = ds.plan(ds.Fleet.swarm(12, 2, 30), ds.PROTOCOLS["Fast DDS"])
     files = {
         r.protocol.name: {piece.file for piece in r.snippets}
         for r in (*plan.remedies, *plan.combinations)
