@@ -122,8 +122,8 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
 
 
 @cache
-def largest(name: str) -> tuple[int, int]:
-    """Return the most hosts, and the most processes of all of them, that a table was measured with.
+def largest(name: str) -> tuple[int, int, int]:
+    """Return the most hosts, processes of all and endpoints of one that a table was measured with.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def largest(name: str) -> tuple[int, int]:
     Returns
     -------
     tuple of int
-        Hosts and processes [1]; not always of the same run.
+        Hosts, processes and endpoints of a process [1]; not always of the same run.
 
     Raises
     ------
@@ -143,17 +143,20 @@ def largest(name: str) -> tuple[int, int]:
     Examples
     --------
     >>> largest("Fast DDS")
-    (8, 12)
+    (8, 12, 60)
     """
     known = products() | arrangements()
     _checks.choice("name", name, list(known))
     row, kind = known[name], "mitigation_" if name in arrangements() else ""
     runs = [
-        (int(run["hosts"]), int(run["processes"]))
+        (int(run["hosts"]), int(run["processes"]), int(run["endpoints"]))
         for run in read_data(f"measured/{kind}runs.csv")
         if (run["product"], run["variant"]) == (row["product"], row["variant"])
+        and int(run["hosts"]) * int(run["processes"]) >= int(row["least_processes"])
     ]
-    return max(hosts for hosts, _ in runs), max(hosts * each for hosts, each in runs)
+    totals = [(hosts, hosts * each, endpoints) for hosts, each, endpoints in runs]
+    most = [max(column) for column in zip(*totals, strict=True)]
+    return most[0], most[1], most[2]
 
 
 def points_of(

@@ -89,9 +89,12 @@ LENGTH = sp.Symbol("L", positive=True)
 
 #: What products' tables were fitted to.
 ABOUT = {
-    row["protocol"]: f"{row['what']} (version {row['versions']})"
+    row["protocol"]: f"{row['what']} (measured with {row['versions']})"
     for table in ("products", "arrangements")
     for row in read_data(f"vendors/{table}.csv")
+} | {
+    "hybrid": "this book's proposal, for hosts with unlike software",
+    "hybrid, alike": "this book's proposal, for hosts that are alike",
 }
 
 #: Further hosts than the first.
@@ -459,10 +462,7 @@ def measured_up_to(protocol: Protocol) -> list[float]:
     """
     if protocol.name not in MEASURED | ARRANGED:
         return []
-    endpoints = (
-        group.endpoints for point in measured.points(protocol.name) for group in point.fleet.groups
-    )
-    return [*measured.largest(protocol.name), max(map(float, endpoints))]
+    return [*map(float, measured.largest(protocol.name))]
 
 
 def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:

@@ -360,7 +360,7 @@ def test_says_where_a_products_table_is_extrapolated(
     tab: Page, entries: dict[str, str], beyond: bool
 ) -> None:
     put(tab, entries)
-    hosts, processes = measured.largest("Fast DDS")
+    hosts, processes, _ = measured.largest("Fast DDS")
     told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     assert (told in said) == beyond

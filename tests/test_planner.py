@@ -542,6 +542,7 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
         # Neither a wire nor a proposal is what one can switch to on Wi-Fi.
         never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ROWS_ARRANGED)}
         never |= {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
+        never.add("Zenoh peer")  # that of ROS 2 has tokens
         expected = set() if name.startswith("hybrid") else others - never
         assert {other.name for other in switched} == expected
         assert all(ds.PROTOCOLS[other.name] == other for other in switched)
@@ -1231,3 +1232,30 @@ def test_a_host_without_others_is_advised_nothing() -> None:
         assert advice.endswith("what it sends reaches no other host.")
         assert "would help" not in advice
         assert "would help" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
+
+
+def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
+    table = ds.PROTOCOLS["Fast DDS"]
+    hosts, processes, endpoints = measured.largest("Fast DDS")
+    within = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints), table).advice()
+    beyond = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints + 1), table).advice()
+    assert f"{processes} processes of up to {endpoints} endpoints" in " ".join(within.split())
+    assert "extrapolated" not in " ".join(within.split())
+    assert "this fleet is extrapolated" in " ".join(beyond.split())
+    aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
+    small = ds.Fleet.swarm(2, 1, 5)
+    assert "so at best it fits" in ds.plan(small, table, aggregated).advice()
+    assert "so it fits" in ds.plan(small, table).advice()
+
+
+def test_peers_of_zenoh_are_pasted_what_is_counted_and_routers_are_not() -> None:
+    plan = ds.plan(ds.Fleet.swarm(12, 2, 30), ds.PROTOCOLS["Fast DDS"])
+    files = {
+        r.protocol.name: {piece.file for piece in r.snippets}
+        for r in (*plan.remedies, *plan.combinations)
+        if "middleware" in r.steps
+    }
+    assert "zenoh_session.json5" in files["Zenoh peer, tokens"]
+    routed = [found for name, found in files.items() if name.startswith("Zenoh router")]
+    assert routed
+    assert all("zenoh_session.json5" not in found for found in routed)

@@ -147,6 +147,7 @@ COUNTED = {
     "zenoh_router_of_host.json5": ("Zenoh router per host", "zenohd"),
     "zenoh_session_of_host.json5": ("Zenoh router per host", "router_per_host"),
     "zenoh_peers.json5": ("Zenoh peer, tokens", None),
+    "zenoh_session.json5": ("Zenoh peer, tokens", None),
 }
 #: What must have come of it: as its product says, not as the file does.
 SIXTY = {"transport/link/tx/lease": "60000", "transport/link/tx/keep_alive": "2"}
@@ -160,6 +161,8 @@ EFFECTS = {
     | SIXTY,
     "zenoh_peers.json5": {"mode": '"peer"', "scouting/multicast/enabled": "false"}
     | {"transport/link/tx/lease": "10000", "transport/link/tx/keep_alive": "4"},
+    "zenoh_session.json5": {"mode": '"peer"', "scouting/multicast/enabled": "true"}
+    | {"connect/endpoints": "[]", "listen/endpoints": '["tcp/0.0.0.0:0"]'},
     "zenoh_router_of_host.json5": {"mode": '"router"', "scouting/multicast/enabled": "false"}
     | SIXTY,
     "zenoh_session_of_host.json5": {"mode": '"peer"', "listen/endpoints": '["tcp/localhost:0"]'}
@@ -295,10 +298,11 @@ time.sleep(60)
 """
 
 
-def test_static_peers_find_each_other_several_on_a_host(tmp_path: Path) -> None:
+@pytest.mark.parametrize("file", ["zenoh_peers.json5", "zenoh_session.json5"])
+def test_peers_find_each_other_several_on_a_host(file: str, tmp_path: Path) -> None:
     """Two processes on each of two hosts, all with the file that is pasted."""
     ready()
-    path = placed("zenoh_peers.json5", tmp_path)
+    path = placed(file, tmp_path)
     # As the comment says: the host of the lowest address, .21, is told of nobody.
     text = path.read_text()
     first = tmp_path / "first.json5"
@@ -325,6 +329,7 @@ NAMES = {
     "ROS_STATIC_PEERS",
     "ROS_DOMAIN_ID",
     "RMW_IMPLEMENTATION",
+    "ZENOH_SESSION_CONFIG_URI",
     "WINDOW",
 }
 
@@ -402,7 +407,7 @@ def test_every_file_is_for_a_remedy_and_every_piece_says_for_what() -> None:
     there = {path.name for path in data_path("vendors/snippets").iterdir()}
     assert there == set(FILES)
     families = {row["family"] for row in read_data("vendors/families.csv")}
-    products = {"any", *PROTOCOLS, *families}
+    products = {"any", *PROTOCOLS, *families, "Zenoh peers"}
     for row in ROWS:
         if row["kind"] != "radio":
             assert row["for"] in products, row

@@ -11,7 +11,7 @@ from discostorm import words
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.planner.known import family, product
+from discostorm.planner.known import arrangements, family, product
 from discostorm.planner.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 
@@ -102,7 +102,10 @@ class Remedy:
     def snippets(self) -> tuple[Snippet, ...]:
         """What to paste."""
         standard = " ".join(self.wifi.name.split()[:3])
-        names = (self.protocol.name, product(self.protocol), family(self.protocol), standard)
+        of, arranged = self.protocol, {row["table"] for row in arrangements()}
+        names = [of.name, product(of), family(of), standard]
+        if of.name not in arranged:
+            names.append(f"{family(of)} peers")
         known = [name for name in names if name]
         return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
 

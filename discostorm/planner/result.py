@@ -237,7 +237,8 @@ class Plan:
                 f"What is repeated does not fit: it takes {words.percent(self.steady)} of the "
                 "channel by itself, so that no start fits, however slow it is."
             )
-        fit = "so it fits" if words.fits(self.utilization) else "so it does not fit"
+        best = "at best " * (self.wifi.aggregation is not None)
+        fit = f"so {best}it fits" if words.fits(self.utilization) else "so it does not fit"
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
             f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}"
@@ -255,15 +256,20 @@ class Plan:
         exchanges = "an exchange of its own"
         if self.wifi.aggregation is not None:
             exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
-        yield (f"Counted with nothing lost, no collisions and each unicast message in {exchanges}.")
+        yield (
+            f"Counted with nothing lost, no collisions and each unicast message in {exchanges}. "
+            "Queues that overflow may make it many times longer: `discostorm simulate` tries it."
+        )
         if self.protocol.name in MEASURED | ARRANGED:
-            sizes = (hosts, self.fleet.processes())
+            endpoints = max(group.endpoints for group in self.fleet.groups)
+            sizes = (hosts, self.fleet.processes(), endpoints)
             most = measured.largest(self.protocol.name)
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
             yield (
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
                 f"in swarms of up to {words.many(most[0], 'host')} and "
-                f"{words.many(most[1], 'process', 'es')} that began all at once"
+                f"{words.many(most[1], 'process', 'es')} of up to "
+                f"{words.many(most[2], 'endpoint')} that began all at once"
                 f"{', so that this fleet is extrapolated' * beyond}; here "
                 f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} of the "
                 "endpoints match in every process."
@@ -307,6 +313,7 @@ class Plan:
     def _ranked(remedies: Sequence[Remedy]) -> Iterator[str]:
         """Yield remedies with their places, effort, price and what fails."""
         for place, remedy in enumerate(remedies, start=1):
-            fits = f"; that {'would fit' if remedy.best_case else 'fits'}" * remedy.now_fits
+            best_case = remedy.best_case or remedy.wifi.aggregation is not None
+            fits = f"; that {'would fit' if best_case else 'fits'}" * remedy.now_fits
             yield f"{place:2}. {words.capitalized(remedy.sentence())}{fits}."
             yield f"    {remedy.caution()}"

@@ -58,7 +58,8 @@ def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     >>> print(snippets("multicast rate")[0].text)
     # hostapd 2.10: hostapd.conf of the access point
     # Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in
-    # units of 100 kbit/s). Rates below it are gone: who is too far away for it cannot join.
+    # units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is
+    # too far away for it cannot join.
     supported_rates=240 360 480 540
     basic_rates=240
     <BLANKLINE>

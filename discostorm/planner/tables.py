@@ -7,7 +7,7 @@ from discostorm import words
 from discostorm.data import read_data
 from discostorm.messages import Protocol, Schedule
 from discostorm.planner.changes import Change
-from discostorm.planner.known import arrangements, family, of_paper, product
+from discostorm.planner.known import arrangements, family, of_paper, product, row_of
 from discostorm.protocols import ARRANGED, PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 
@@ -35,6 +35,10 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     arranged = ARRANGED | {row["table"] for row in arrangements()}
     for table in PROTOCOLS.values():
         if table == protocol or table in wired or table.name in arranged:
+            continue
+        # What ROS 2 makes of a product may be another of its tables.
+        of_ros2 = row_of("middleware", family(table))
+        if product(table) and of_ros2 and of_ros2["table"] not in ("", table.name):
             continue
         if family(table) is not None and _alike(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)

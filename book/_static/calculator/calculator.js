@@ -332,6 +332,8 @@
   function remediesOf({ middleware, channel, swarm, nodes }) {
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
     const found = [];
+    // One alone has nobody to find.
+    if (swarm.N_H + swarm.N_H1 === 1) return found;
     const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "" }) => {
       const [before, after] = [cost(from, base, swarm), cost(name, air, fleet)];
       const saved = before ? 1 - after / before : 0;
@@ -347,7 +349,7 @@
     }
     const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
     const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
-    add("endpoints", "leaving out the parameter services of its nodes", {
+    add("endpoints", "leaving out the parameter services of the robots' nodes", {
       fleet: { ...swarm, N_E, N_E1, N_S: Math.min(swarm.N_S, N_E), N_S1: Math.min(swarm.N_S1, N_E1) },
     });
     for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
@@ -364,7 +366,8 @@
   function pasted({ kind, name, air }) {
     const { paste } = MODEL.remedies[kind];
     const { family, product } = MODEL.protocols[name];
-    const named = (key) => [name, product, family, "any"].includes(key) || air.name.startsWith(key);
+    const peers = kind === "middleware" && `${family} peers`;
+    const named = (key) => [name, product, family, peers, "any"].includes(key) || air.name.startsWith(key);
     return Object.keys(paste).filter(named).flatMap((key) => paste[key]);
   }
 
@@ -380,6 +383,7 @@
   const SIGNS = ["✓", "◐", "!", "✕"];
   // What each assumes is said once, above.
   const outlookOf = ({ outlook }) => outlook.replace(" at best", "");
+  const ENDINGS = ["within a second", "slowly", "with leases at risk"].map((how) => `; it then starts ${how}`);
   const robotsWord = (value) => plural(value, "robot");
 
   function everybody({ swarm }) {
@@ -400,7 +404,7 @@
         ? [
             `Starts slowly: ${duration(drain)} if nothing is lost.`,
             `${takes}. Until then some do not see each other, and data waits in the same queues. ` +
-              `It is within the lease of ${lease}, so nobody need be taken for lost.${after}`,
+              `It is within the lease of ${lease}, so nobody need be taken for lost if no queue overflows.${after}`,
           ]
         : [
             `Does not fit into one second: ${duration(drain)} if nothing is lost.`,
@@ -467,7 +471,7 @@
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           best_case ? " at best" : "",
-          then.severity < answer.front.severity ? make("b", {}, `; then: ${outlookOf(then)}`) : "",
+          then.severity < answer.front.severity ? make("b", {}, ENDINGS[then.severity]) : "",
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
         for (const { where, version, text } of paste) {

@@ -49,9 +49,9 @@ const DISCOSTORM = (() => {
   const shared39 = {"name": "802.11be 320 MHz 2x2", "model": "padded", "values": shared38};
   const shared40 = "another radio (802.11ax 160 MHz 2x2, A-MPDU 64)";
   const shared41 = {"effort": 6, "takes": "work on the radios", "best_case": true, "mind": "every exchange must be full; a queue may hold fewer frames for one receiver"};
-  const shared42 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "parameters can no longer be read or set from outside; a service counts as the two endpoints of DDS"};
+  const shared42 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "parameters cannot be set from outside any more; nodes of others, as Nav2's, must be built anew; a service counts as in DDS"};
   const shared43 = {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together"};
-  const shared44 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; nothing is sent at lower ones"};
+  const shared44 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; no multicast or management frame is sent at lower ones"};
   const shared45 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "only what is built as components can be composed; one crash ends all nodes of its host"};
   const shared46 = {"effort": 6, "takes": "work on the radios", "best_case": false, "mind": "all hosts and the access point need it, and must be near enough for its rate"};
   const shared47 = ["discovery server", "a Discovery Server", "both as Fast DDS was measured", "Fast DDS Discovery Server", "Fast DDS"];
@@ -72,7 +72,7 @@ const DISCOSTORM = (() => {
   const shared62 = ["router on each host", "a router on each host", shared60, "Zenoh router per host", "Zenoh peer, tokens"];
   const shared63 = [shared55, shared59, shared57];
   const shared64 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", {"burst": 1, "second": 1, "ever": 0}];
-  const shared65 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (version 0.10.2)";
+  const shared65 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
   const shared66 = {"until": [[1, "within a second at best"], [10, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
   const shared67 = {"second": 1, "lease": 10, "ever": Infinity};
   const shared68 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
@@ -89,18 +89,18 @@ const DISCOSTORM = (() => {
   const shared79 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared78];
   const shared80 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared78];
   const shared81 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared78];
-  const shared82 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (version 0.10.2)";
+  const shared82 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
   const shared83 = [shared55, shared59, shared57, shared71, shared72];
   const shared84 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared74];
-  const shared85 = "as Cyclone DDS, with type information in SEDP (version 11.0.1)";
-  const shared86 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (version 0.10.2)";
+  const shared85 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
+  const shared86 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
   const shared87 = {"count": "count9", "more": ["more23", "more24", "more2"]};
   const shared88 = [shared87, shared87, shared87];
   const shared89 = {"count": "count10", "more": ["more25", "more26", "more27"]};
   const shared90 = [shared89, shared89, shared89];
   const shared91 = [shared88, shared90, shared59, shared57, shared69, shared71, shared72];
   const shared92 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-  const shared93 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (version 0.10.2)";
+  const shared93 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
   const shared94 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
   const shared95 = {"second": 1, "lease": 20, "ever": Infinity};
   const shared96 = {"count": "count11", "more": ["more28", "more29", "more30"]};
@@ -120,7 +120,7 @@ const DISCOSTORM = (() => {
   const shared110 = {"count": "count16", "more": ["more40", "more2"]};
   const shared111 = {"count": "count17", "more": ["more41", "more42", "more30"]};
   const shared112 = {"count": "count18", "more": ["more43", "more32"]};
-  const shared113 = "with UDP and shared memory, as shipped and as in ROS 2 (version 2.9.1)";
+  const shared113 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
   const shared114 = {"count": "count21", "more": ["more48", "more49", "more8"]};
   const shared115 = [shared114, shared114, shared114];
   const shared116 = [shared55, shared115, shared59, shared71, shared57, shared72];
@@ -146,12 +146,12 @@ const DISCOSTORM = (() => {
   const shared136 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
   const shared137 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
   const shared138 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", shared137];
-  const shared139 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (version 2.9.1)";
+  const shared139 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
   const shared140 = [shared99, shared99, shared99];
   const shared141 = {"count": "count24", "more": ["more51", "more52"]};
   const shared142 = {"count": "count25", "more": ["more53", "more54", "more55"]};
   const shared143 = [shared55, shared115, shared98, shared59, shared71, shared57, shared140, [shared141, shared141, shared141], shared69, [shared142, shared142, shared142], shared72];
-  const shared144 = "peers, each linked with each other (version 1.10.2)";
+  const shared144 = "peers, each linked with each other (measured with 1.10.2)";
   const shared145 = [shared56, {"count": "count26", "more": ["more56", "more57", "more58"]}, {"count": "count6", "more": []}];
   const shared146 = [shared55, shared59, shared71, shared57, shared145, shared72];
   const shared147 = ["Scout", "multicast", 67, 1, 0, 1, "up down", shared136];
@@ -161,7 +161,7 @@ const DISCOSTORM = (() => {
   const shared151 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", shared77];
   const shared152 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", shared137];
   const shared153 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared77];
-  const shared154 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (version 1.10.2)";
+  const shared154 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
   const shared155 = {"until": [[1, "within a second at best"], [60, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
   const shared156 = {"second": 1, "lease": 60, "ever": Infinity};
   const shared157 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
@@ -563,17 +563,20 @@ const DISCOSTORM = (() => {
     "endpoints_of_a_node": 28.40740740740741,
     "shared_endpoints": [2, 4],
     "remedies": {
-      "aggregation": {"of": {"DDS": shared41, "Zenoh": shared41, "None": shared41}, "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nieee80211n=1\nwmm_enabled=1\n"}]}},
+      "aggregation": {
+        "of": {"DDS": shared41, "Zenoh": shared41, "None": shared41},
+        "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Added to what is there: leave ieee80211ac, ieee80211ax and the width as they are.\nieee80211n=1\nwmm_enabled=1\n"}]},
+      },
       "announcements": {
         "of": {"DDS": {"effort": 2, "takes": "a configuration file", "best_case": false, "mind": "that a robot is gone is noticed later, and a lost announcement is made up for later"}, "Zenoh": null, "None": null},
         "paste": {"Fast DDS": [{"where": "for every process", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"calm\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <initialAnnouncements>\n              <count>1</count>\n              <period>\n                <sec>1</sec>\n              </period>\n            </initialAnnouncements>\n            <leaseAnnouncement>\n              <sec>15</sec>\n            </leaseAnnouncement>\n            <leaseDuration>\n              <sec>100</sec>\n            </leaseDuration>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}], "Cyclone DDS": [{"where": "for every process", "version": "Cyclone DDS 0.10.2 and 11.0.1", "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <Discovery>\n      <LeaseDuration>100 s</LeaseDuration>\n      <SPDPInterval>30 s</SPDPInterval>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n"}]},
       },
       "discovery server": {
-        "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "its address on each robot; ros2 tools as super clients; nobody new is found without a server, nor after 4 of 25 quick restarts"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "address on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found without it, nor after 4 of 25 quick restarts"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}, {"where": "for the server if it is a program of your own", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for the server if it is a program of your own -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}, {"where": "for a client that reads no environment", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for a client that reads no environment -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}]},
       },
       "discovery server on a robot": {
-        "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "its address on each robot; ros2 tools as super clients; nobody new is found while that robot is away"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "address on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found while that robot is away"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on one of the robots", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on one of the robots\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}]},
       },
       "endpoints": {
@@ -581,8 +584,8 @@ const DISCOSTORM = (() => {
         "paste": {"any": [{"where": "where a node of your own is made (C++)", "version": "ROS 2 Humble", "text": "// ROS 2 Humble: where a node of your own is made (C++)\nauto options = rclcpp::NodeOptions().start_parameter_services(false);\nauto node = std::make_shared<rclcpp::Node>(\"name\", options);\n"}]},
       },
       "middleware": {
-        "of": {"DDS": shared43, "Zenoh": {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together; counted as peers that scout by multicast, not with the routers of rmw_zenoh or its tokens"}, "None": shared43},
-        "paste": {"Fast DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n"}], "Cyclone DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}], "Zenoh": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\n# Hosts find each other only once their routers are told of each other: a router on each host.\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\nros2 run rmw_zenoh_cpp rmw_zenohd &\n"}]},
+        "of": {"DDS": shared43, "Zenoh": {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together; counted as peers that scout by multicast, by the paper without rmw_zenoh's tokens"}, "None": shared43},
+        "paste": {"Fast DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n"}], "Cyclone DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}], "Zenoh": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The file for every process that is pasted beside this. Peers need no router: they warn and go on.\n# A router, where there is one, starts first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n"}], "Zenoh peers": [{"where": "on every computer, as /etc/zenoh_session.json5", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on every computer, as /etc/zenoh_session.json5\n// Peers find each other by multicast, without a router, as Zenoh ships it.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:0\"] },\n  scouting: { multicast: { enabled: true } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // as Zenoh ships it: a KeepAlive every 2.5 s; rmw_zenoh has 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
       },
       "multicast endpoint data": {
         "of": {"DDS": {"effort": 2, "takes": "a configuration file", "best_case": false, "mind": "multicast is sent at the basic rate and not acknowledged, so that what is lost is asked for later"}, "Zenoh": null, "None": null},
@@ -590,7 +593,7 @@ const DISCOSTORM = (() => {
       },
       "multicast rate": {
         "of": {"DDS": shared44, "Zenoh": shared44, "None": shared44},
-        "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in\n# units of 100 kbit/s). Rates below it are gone: who is too far away for it cannot join.\nsupported_rates=240 360 480 540\nbasic_rates=240\n"}]},
+        "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in\n# units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is\n# too far away for it cannot join.\nsupported_rates=240 360 480 540\nbasic_rates=240\n"}]},
       },
       "peers": {
         "of": {
@@ -609,7 +612,7 @@ const DISCOSTORM = (() => {
         "paste": {"802.11n 40 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\n"}], "802.11ac 80 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\n"}], "802.11ax 160 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n"}]},
       },
       "router": {
-        "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "its address on each robot; data goes through it, too; without a router nobody hears anybody, until 2.2 s after it is back"}, "None": null},
+        "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "its address on each robot; data takes it, too; nobody hears anybody until 2.2 s after it is back (killed, lease of 10 s)"}, "None": null},
         "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on a computer that is wired to the access point\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}, {"where": "for every process", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: for every process\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
       },
       "router on each host": {
@@ -621,7 +624,7 @@ const DISCOSTORM = (() => {
         "paste": {"any": [{"where": "for every process", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: on every robot -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints; no two of them all have the same number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n"}]},
       },
       "two discovery servers": {
-        "of": {"DDS": {"effort": 4, "takes": "several more programs", "best_case": false, "mind": "both addresses on each robot; ros2 tools as super clients; nobody new is found while both servers are down"}, "Zenoh": null, "None": null},
+        "of": {"DDS": {"effort": 4, "takes": "several more programs", "best_case": false, "mind": "both addresses on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found while both servers are down"}, "Zenoh": null, "None": null},
         "paste": {"any": [{"where": "on two computers that are wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on two computers that are wired to the access point\n# The first line on one of them, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n"}, {"where": "on every robot; the servers stand in the order of their numbers", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot; the servers stand in the order of their numbers\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n"}]},
       },
     },
@@ -808,7 +811,6 @@ const DISCOSTORM = (() => {
           ["announcements", "calmer announcements", "", "Cyclone DDS, calmer announcements", "Cyclone DDS"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Cyclone DDS"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Cyclone DDS"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS"],
         ],
         "about": shared65,
@@ -856,7 +858,6 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS, wired"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Cyclone DDS, wired"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS, wired"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Cyclone DDS, wired"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS, wired"],
         ],
         "about": shared82,
@@ -905,7 +906,6 @@ const DISCOSTORM = (() => {
           ["announcements", "calmer announcements", "", "Cyclone DDS, version 11, calmer announcements", "Cyclone DDS, version 11"],
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS, version 11"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS, version 11"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Cyclone DDS, version 11"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS, version 11"],
         ],
         "about": shared85,
@@ -952,7 +952,6 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS peers"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Cyclone DDS peers"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS peers"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Cyclone DDS peers"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS peers"],
         ],
         "about": shared86,
@@ -999,7 +998,6 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS multicast SEDP"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Cyclone DDS multicast SEDP"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS multicast SEDP"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Cyclone DDS multicast SEDP"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS multicast SEDP"],
         ],
         "about": shared93,
@@ -1049,10 +1047,9 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Fast DDS Discovery Server"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Fast DDS Discovery Server"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Fast DDS Discovery Server"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Fast DDS Discovery Server"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Fast DDS Discovery Server"],
         ],
-        "about": "one server, wired to the access point (version 2.9.1)",
+        "about": "one server, wired to the access point (measured with 2.9.1)",
         "measured": [8, 8, 10],
         "variant": false,
         "lease": 20,
@@ -1103,10 +1100,9 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Fast DDS Discovery Server, two"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Fast DDS Discovery Server, two"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Fast DDS Discovery Server, two"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Fast DDS Discovery Server, two"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Fast DDS Discovery Server, two"],
         ],
-        "about": "two servers that know nothing of each other, both wired to the access point; clients of both (version 2.9.1)",
+        "about": "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)",
         "measured": [8, 8, 10],
         "variant": false,
         "lease": 20,
@@ -1157,10 +1153,9 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Fast DDS Discovery Server, on a robot"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Fast DDS Discovery Server, on a robot"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Fast DDS Discovery Server, on a robot"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Fast DDS Discovery Server, on a robot"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Fast DDS Discovery Server, on a robot"],
         ],
-        "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (version 2.9.1)",
+        "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
         "measured": [8, 8, 10],
         "variant": false,
         "lease": 20,
@@ -1219,7 +1214,6 @@ const DISCOSTORM = (() => {
           ["announcements", "calmer announcements", "", "Fast DDS, calmer announcements", "Fast DDS"],
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Fast DDS"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Fast DDS"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Fast DDS"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Fast DDS"],
         ],
         "about": shared113,
@@ -1254,7 +1248,7 @@ const DISCOSTORM = (() => {
         "family": null,
         "product": null,
         "tables": [],
-        "about": "",
+        "about": "this book's proposal, for hosts with unlike software",
         "measured": [],
         "variant": false,
         "lease": 23,
@@ -1270,7 +1264,7 @@ const DISCOSTORM = (() => {
         "family": null,
         "product": null,
         "tables": [],
-        "about": "",
+        "about": "this book's proposal, for hosts that are alike",
         "measured": [],
         "variant": false,
         "lease": 23,
@@ -1361,7 +1355,6 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "static endpoints"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "static endpoints"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "static endpoints"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "static endpoints"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "static endpoints"],
         ],
         "about": shared139,
@@ -1450,7 +1443,6 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Zenoh peer, tokens"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Zenoh peer, tokens"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Zenoh peer, tokens"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Zenoh peer, tokens"],
         ],
         "about": shared154,
         "measured": [8, 12, 60],
@@ -1496,10 +1488,9 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Zenoh router"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Zenoh router"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Zenoh router"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Zenoh router"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Zenoh router"],
         ],
-        "about": "one router, wired to the access point, and every process its client, with liveliness tokens, as rmw_zenoh has them (version 1.10.2)",
+        "about": "one router, wired to the access point, and every process its client, with liveliness tokens, as rmw_zenoh has them (measured with 1.10.2)",
         "measured": [8, 12, 10],
         "variant": false,
         "lease": 60,
@@ -1557,10 +1548,9 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Zenoh router per host"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Zenoh router per host"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Zenoh router per host"],
-          ["middleware", "switching to Zenoh peer", "", "Zenoh peer", "Zenoh router per host"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Zenoh router per host"],
         ],
-        "about": "a router on each host, as rmw_zenoh has it, linked with all others; processes meet their own host's on loopback (version 1.10.2)",
+        "about": "a router on each host, as rmw_zenoh has it, linked with all others; processes meet their own host's on loopback (measured with 1.10.2)",
         "measured": [16, 16, 10],
         "variant": false,
         "lease": 60,
