@@ -94,7 +94,11 @@ def test_utilization_of_a_fleet_file(folder: Path) -> None:
     assert row["utilization"] == ds.utilization(ds.ZENOH, fleet)
 
 
-def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end() -> None:
+def test_a_table_has_aligned_columns_and_breaks_long_words_at_the_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    monkeypatch.setattr(output, "_width", lambda: 79)
     words = "claims " * 12
     table = [
         {"short": "a", "count": 1234.0, "long_text": "x"},

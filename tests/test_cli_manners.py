@@ -188,6 +188,16 @@ def test_a_table_fits_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
         assert columns - 12 < max(map(len, lines)) < columns
 
 
+@pytest.mark.parametrize(("columns", "lines"), [(80, 3), (60, 6), (40, 6)])
+def test_a_table_too_wide_for_the_terminal_is_a_list(columns: int, lines: int) -> None:
+    words = ["saturation", "--processes", "2", "--endpoints", "10", "--protocol", "DDS"]
+    done = CliRunner(env={"COLUMNS": str(columns)}).invoke(main, words).stdout
+    table = done.split("\n\n")[0].splitlines()
+    assert len(table) == lines
+    assert max(map(len, table)) <= columns
+    assert ("saturated at hosts  7.16" in done) == (columns < 80)
+
+
 def test_a_dumb_terminal_gets_no_progress(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -128,7 +128,8 @@ def as_text(value: Any) -> str:
 def aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) -> str:
     """Return a table with aligned columns: numbers to the right, words to the left.
 
-    Long words in the last column are broken into lines.
+    Long words in the last column are broken into lines. A table that is too wide for a terminal all
+    the same comes as a list: a line for each cell of a row, and a blank line between rows.
     """
     columns = []
     for name in rows[0]:
@@ -149,8 +150,24 @@ def aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) ->
             parts = [last]  # a number, already in its place
         lines.append(("  ".join([*row, parts[0]])).rstrip())
         lines += [" " * start + part for part in parts[1:]]
+    if max(map(len, lines)) > shutil.get_terminal_size((10_000, 0)).columns:
+        return _listed([[cell.strip() for cell in row] for row in zip(*columns, strict=True)])
     lines.insert(1, "-" * max(map(len, lines)))
     return "\n".join(lines)
+
+
+def _listed(rows: list[list[str]]) -> str:
+    """Return rows, the headings first, as blocks of lines: a heading and a cell."""
+    headings, *others = rows
+    start = max(map(len, headings)) + 2
+    fill = functools.partial(
+        textwrap.fill, width=max(_width(), start + 20), subsequent_indent=" " * start
+    )
+    blocks = (
+        "\n".join(fill(f"{name:<{start}}{cell}") for name, cell in zip(headings, row, strict=True))
+        for row in others
+    )
+    return "\n\n".join(blocks)
 
 
 def live() -> bool:
