@@ -500,7 +500,8 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
         f"{one:.2f} s more if one side dials, {both:.2f} s if both do, beside a gap of "
         f"{gap:.2f} s, so that it is not settled which of the two takes less"
     )
-    assert "not with the routers of rmw_zenoh" in zenoh.price
+    assert "counted as peers that scout by multicast" in zenoh.price
+    assert "no tokens of rmw_zenoh" in zenoh.price
     # The other way round it is the same gap.
     assert remedy(ds.plan(FIG3, ds.ZENOH), "middleware").note == zenoh.note
     # Of large processes the openings are few.
@@ -1076,7 +1077,7 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     found = remedy(ds.plan(NAV2, fast_dds), "discovery server")
     assert (found.protocol, found.note) == (server, "")
     assert found.utilization == ds.utilization(server, of_ros2)
-    assert found.fails.startswith("nobody new is found without a server")
+    assert found.fails.startswith("nobody new is found without it")
     assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.xml"}
     # The paper's DDS is compared with it by the product's own table.
     papers = remedy(ds.plan(NAV2, ds.DDS), "discovery server")
