@@ -2,7 +2,7 @@
 
 import reprlib
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from numbers import Real
 from os import PathLike, fspath
 from typing import Any
@@ -47,6 +47,14 @@ def exactly(value: float) -> str:
     return text if float(text) == value else f"{value:.15g}"
 
 
+def _parts(value: Any, depth: int = 64) -> Iterator[Any]:
+    """Yield a value and, of lists, all in them that is no plain number, as deep as NumPy goes."""
+    yield value
+    if isinstance(value, (list, tuple)) and depth and not set(map(type, value)) <= {int, float}:
+        for part in value:
+            yield from _parts(part, depth - 1)
+
+
 def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDArray[Any]:
     """Return ``value`` as an array of real numbers; whoever calls it checks their range.
 
@@ -60,10 +68,7 @@ def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDA
         If the rows differ in length, or a number is beyond all floats.
     """
     any_of = allowed if one else f"{allowed}, or an array of them"
-    parts = [value]
-    if isinstance(value, (list, tuple)) and not set(map(type, value)) <= {int, float}:
-        parts += value
-    for part in parts:
+    for part in _parts(value):
         if np.ma.is_masked(part):
             raise TypeError(f"{name} must be {any_of} without masked elements")
         if hasattr(part, "to_numpy"):
@@ -228,7 +233,7 @@ def plain_numbers(owner: Any) -> None:
     They are as good as numbers but for being hashed.
     """
     for name, value in vars(owner).items():
-        if isinstance(value, np.ndarray) and not value.ndim:
+        if isinstance(value, np.ndarray) and not value.ndim and not np.ma.is_masked(value):
             object.__setattr__(owner, name, value.item())
 
 
