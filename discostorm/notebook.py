@@ -4,9 +4,8 @@ import os
 import re
 import shlex
 from base64 import b64encode
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from functools import partial
 from html import escape
 from importlib import import_module
 from textwrap import wrap
@@ -217,16 +216,10 @@ def typeset(text: str) -> str:
     >>> typeset("3 s") == "3\N{NO-BREAK SPACE}s"
     True
     """
-    return _in_prose(words.unbroken, _minus(text))
-
-
-def _minus(text: str) -> str:
-    return _in_prose(partial(_HYPHEN.sub, _MINUS), text)
-
-
-def _in_prose(change: Callable[[str], str], text: str) -> str:
     parts = enumerate(_AS_IT_IS.split(text))
-    return "".join(part if place % 2 else change(part) for place, part in parts)
+    return "".join(
+        part if place % 2 else words.unbroken(_HYPHEN.sub(_MINUS, part)) for place, part in parts
+    )
 
 
 def _cell(value: object) -> str:

@@ -8,14 +8,14 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import words
-from discostorm.cli.fleets import Members, swarm_options, tell_unshared
+from discostorm.cli.fleets import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, seconds, working
 from discostorm.scalability import message_costs
 from discostorm.wifi import Wifi
 
 
+@says_what_matches
 @click.command(short_help="What each message costs.")
 @swarm_options
 @protocol_option
@@ -26,9 +26,7 @@ def breakdown(
 ) -> None:
     """Show what each message of the discovery costs, up to the access point and down.
 
-    Tables of what products send depend on what matches. A group of a fleet file that tells
-    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
-    a line says so.
+    {matching}
 
     \b
     Examples:
@@ -63,6 +61,4 @@ def breakdown(
         },
     )
     if output.for_people:
-        if members.alone:
-            click.echo(f"\n{words.ALONE}")
-        tell_unshared(members.fleet, protocols)
+        members.tell_assumed(protocols)

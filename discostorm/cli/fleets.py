@@ -20,6 +20,12 @@ several_hosts_option = click.option(
     "--hosts", callback=numbers, metavar="N[,N...]", help="Hosts; several give a row each."
 )
 
+_MATCHING = (
+    "Tables of what products send depend on what matches. A group of a fleet file that tells "
+    "`nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and "
+    "a line says so."
+)
+
 
 @dataclass(frozen=True)
 class Members:
@@ -40,12 +46,25 @@ class Members:
         hosts = self.arguments["hosts"]
         return hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**self.arguments)
 
+    def tell_assumed(self, protocols: Iterable[ds.Protocol]) -> None:
+        """Say that one is alone, and what nobody says."""
+        if self.alone:
+            click.echo(f"\n{words.ALONE}")
+        tell_unshared(self.fleet, protocols)
+
 
 def read(file: str) -> ds.Fleet:
     """Return the fleet of a file, or of standard input for ``-``."""
     if file == "-":
         return ds.Fleet.from_bytes(standard_input().read(), called(file))
     return ds.Fleet.from_toml(file)
+
+
+def says_what_matches(command: click.Command) -> click.Command:
+    """Say in the help of a command, in the place of ``{matching}``, what matches in a fleet."""
+    assert command.help
+    command.help = command.help.replace("{matching}", _MATCHING)
+    return command
 
 
 def tell_unshared(fleet: ds.Fleet, protocols: Iterable[ds.Protocol]) -> None:

@@ -15,6 +15,7 @@ from discostorm.cli.fleets import (
     file_options,
     file_or_counts,
     read,
+    says_what_matches,
     tell_unshared,
 )
 from discostorm.cli.options import output_options, packed, protocol_option, wifi_options
@@ -66,6 +67,7 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
     return ds.Fleet((*members.groups, *unnamed), matching)
 
 
+@says_what_matches
 @click.command(short_help="Hosts at which the channel is full.")
 @packed(
     "kinds",
@@ -96,9 +98,7 @@ def saturation(
     Of a fleet file, FLEET, each group is asked for in turn: how many of its hosts there are
     then, beside the other groups as they are.
 
-    Tables of what products send depend on what matches. A group of a fleet file that tells
-    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
-    a line says so.
+    {matching}
 
     \b
     Examples:

@@ -9,7 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, staggered
-from discostorm.cli.fleets import file_option, read, tell_unshared
+from discostorm.cli.fleets import file_option, read, says_what_matches, tell_unshared
 from discostorm.cli.options import one_protocol_option, output_options, packed, radio_options
 from discostorm.cli.output import Output, as_text, bad_input, percent, print_rows, seconds
 from discostorm.wifi import Wifi
@@ -51,6 +51,7 @@ class Runs:
         return f"not within {_checks.exactly(self.until)} s{after}"
 
 
+@says_what_matches
 @click.command(short_help="The start of a fleet on the air, frame by frame.")
 @file_option
 @one_protocol_option
@@ -95,9 +96,7 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     Drained is the end of the last transmission of the start, lost the part of the frames that
     never arrived, converged when every process first knew each other one and its endpoints.
 
-    Tables of what products send depend on what matches. A group of a fleet file that tells
-    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
-    a line says so.
+    {matching}
 
     \b
     Examples:

@@ -8,12 +8,13 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, several_swarms_options, tell_unshared
+from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, working
 from discostorm.wifi import Wifi
 
 
+@says_what_matches
 @click.command(short_help="Airtime of discovery in one second.")
 @several_swarms_options
 @protocol_option
@@ -24,9 +25,7 @@ def utilization(
 ) -> None:
     """Compute the airtime of discovery in one second, of a swarm or of a fleet file.
 
-    Tables of what products send depend on what matches. A group of a fleet file that tells
-    `nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and
-    a line says so.
+    {matching}
 
     \b
     Examples:
@@ -52,9 +51,7 @@ def utilization(
                 )
     print_rows(rows, output, {"utilization": percent, "fits": _yes})
     if output.for_people:
-        if members.alone:
-            click.echo(f"\n{words.ALONE}")
-        tell_unshared(members.fleet, protocols)
+        members.tell_assumed(protocols)
 
 
 def _yes(value: bool) -> str:

@@ -19,10 +19,8 @@ from discostorm.wifi.channel import PAPER_LINKS, Link, Padding, Wifi, data_time
 _MICRO = 10**6
 _MEGA = 10**6
 _GIGA = 10**9
-#: Units in which people speak of a radio, in those in which it is given.
-_SHOWN = {"": 1.0, "GHz": 1e9, "MHz": 1e6, "Mbit/s": 1e6, "µs": 1e-6}
-#: The latter, and the power of ten between them.
-_SI = {"GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
+#: Units in which people speak of a radio: those in which it is given, and the power of ten between.
+_SHOWN = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
 _RESPONSE_RATES = (6, 12, 24)
 
 Row = dict[str, str]
@@ -439,12 +437,12 @@ def _choose(
     for allowed, row in rows:
         if isclose(given, allowed, rel_tol=1e-9):
             return allowed, row
-    one = _SHOWN[unit]
+    si, power = _SHOWN[unit]
+    one = 10.0**power
     known = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
     listed = " or ".join(filter(None, (", ".join(known[:-1]), known[-1])))
     got = f"{given / one:.12g} {unit}" if unit else repr(value)
     if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in rows):
-        si, power = _SI[unit]
         got = f"{value!r} {si}; {name} is in {si}, such as {known[0]}e{power}"
     raise ValueError(f"{name} must be {listed}{' ' * bool(unit)}{unit} for {where}; got {got}")
 
