@@ -7,8 +7,8 @@ otherwise, how hard it is, what fails when and whether all robots still find eac
 which `known` reads: ``data/vendors/remedies.csv`` and ``efforts.csv``. What to paste is `snippets`.
 """
 
+from discostorm.planner.plan import plan
 from discostorm.planner.remedy import Remedy
 from discostorm.planner.result import Plan, Share
-from discostorm.planner.search import plan
 
 __all__ = ["Plan", "Remedy", "Share", "plan"]

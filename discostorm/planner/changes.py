@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
@@ -12,7 +12,6 @@ from discostorm.wifi import Radio, Wifi
 #: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
 #: and aggregation are those that were asked for.
 SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
-AIR = ("radio", "multicast rate", "aggregation")
 
 
 @dataclass(frozen=True)
@@ -22,26 +21,18 @@ class Setting:
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
-    #: The fleet with some changes, made once.
-    fleets: dict[tuple[Change, ...], Fleet] = field(default_factory=dict, compare=False)
 
     def after(self, steps: Sequence[Change]) -> Setting:
         """Return it with all of these changes."""
-        protocol, radio = self.protocol, self.wifi.radio
-        changing = tuple(step for step in steps if step.fleet)
-        if changing not in self.fleets:
-            fleet = self.fleet
-            for step in changing:
-                assert step.fleet is not None
-                fleet = step.fleet(fleet)
-            self.fleets[changing] = fleet
+        fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
         for step in steps:
+            fleet = step.fleet(fleet) if step.fleet else fleet
             protocol = step.table or protocol
             if step.radio:
                 assert radio is not None
                 radio = step.radio(radio)
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
-        return Setting(self.fleets[changing], protocol, wifi)
+        return Setting(fleet, protocol, wifi)
 
     def before(self, steps: Sequence[Change]) -> Setting:
         """Return what these changes are compared with: tables and channels of the same kind."""

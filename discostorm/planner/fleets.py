@@ -1,21 +1,21 @@
 """What could be changed of a fleet: its processes, endpoints, channels and domains."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 from discostorm import _checks
-from discostorm.fleet import Fleet, HostGroup, check_nodes
+from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.planner.changes import Change
-from discostorm.planner.known import family, row_of
-from discostorm.robots import likely_nodes, parameter_service_endpoints, shared_endpoints
+from discostorm.planner.known import row_of
+from discostorm.robots import parameter_service_endpoints
 
 #: Parts that a fleet is split into.
 PARTS = (2, 3)
 
 
-def fleet_changes(fleet: Fleet, nodes: Sequence[float], assumed: str) -> Iterator[Change | str]:
+def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
     """Yield fewer processes and endpoints, or why there are none."""
     many = [group for group in fleet.groups if group.processes > 1]
     if many:
@@ -33,6 +33,12 @@ def fleet_changes(fleet: Fleet, nodes: Sequence[float], assumed: str) -> Iterato
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
+    # Where nobody says how many nodes a process has, one is assumed if it has the endpoints.
+    nodes = [
+        float(group.endpoints >= each) if group.nodes is None else group.nodes
+        for group in fleet.groups
+    ]
+    assumed = " (assumed)" if any(group.nodes is None for group in fleet.groups) else ""
     if not any(nodes):
         yield f"parameter services: no process has any (those of a node are {each} endpoints)"
         return
@@ -53,7 +59,7 @@ def fleet_changes(fleet: Fleet, nodes: Sequence[float], assumed: str) -> Iterato
 def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
     """Yield parts of it on channels of their own or in domains, or why there are none."""
     hosts = sum(group.hosts for group in fleet.groups)
-    row = row_of("domains", family(protocol))
+    row = row_of("domains", protocol.family)
     for parts in PARTS:
         # A host that is alone on its channel has nobody to find: no remedy but a surrender.
         if 2 * parts > hosts:
@@ -101,25 +107,6 @@ def split(fleet: Fleet, parts: int) -> tuple[Fleet, ...]:
     return tuple(Fleet(tuple(groups), fleet.matching) for groups in dealt)
 
 
-def of_ros2(
-    fleet: Fleet, nodes: float | Sequence[float] | None, shared: float | None = None
-) -> Fleet:
-    """Return a fleet whose processes have the endpoints that all of ROS 2 shares, or so many.
-
-    Where neither `nodes` nor a group says how many nodes a process has, they are the likely ones.
-    """
-    own = nodes_of(fleet, nodes)
-    groups = []
-    for group, told in zip(fleet.groups, own, strict=True):
-        unknown = nodes is None and group.nodes is None
-        least = shared_endpoints(likely_nodes(group.endpoints) if unknown else told)
-        # What a group shares because of its own nodes is that of other nodes if these are told.
-        usual = _with(group, shared=shared_endpoints(group.nodes or 0)).shared
-        known = 0.0 if group.nodes is not None and group.shared == usual else group.shared
-        groups.append(_with(group, shared=max(known, least) if shared is None else shared))
-    return replace(fleet, groups=tuple(groups))
-
-
 def _with(group: HostGroup, **counts: Any) -> HostGroup:
     """Return a group with other counts, of which no more endpoints are shared than it has."""
     counts = {"endpoints": group.endpoints, "shared": group.shared} | counts
@@ -129,25 +116,3 @@ def _with(group: HostGroup, **counts: Any) -> HostGroup:
 def of_group(group: HostGroup) -> str:
     """Return whose something is, if the group has a name."""
     return f" of {group.name}" if group.name else ""
-
-
-def nodes_of(fleet: Fleet, nodes: float | Sequence[float] | None) -> tuple[float, ...]:
-    """Return the nodes with parameter services in a process of each group."""
-    many = len(fleet.groups)
-    if nodes is None:
-        own = [
-            float(group.endpoints >= parameter_service_endpoints())
-            if group.nodes is None
-            else group.nodes
-            for group in fleet.groups
-        ]
-    else:
-        checked = _checks.numbers("nodes", nodes, 0)
-        if not isinstance(checked, float) and checked.shape != (many,):
-            raise ValueError(
-                f"nodes must be one number, or one for each of {many} groups; got {nodes}"
-            )
-        own = [checked] * many if isinstance(checked, float) else checked.tolist()
-    for group, count in zip(fleet.groups, own, strict=True):
-        check_nodes(f"nodes{of_group(group)}", count, group.endpoints)
-    return tuple(own)

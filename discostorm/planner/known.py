@@ -1,49 +1,45 @@
 """What is known of remedies: for which tables they work, and what was simulated of them."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
+from typing import get_args
 
 from discostorm import words
 from discostorm.data import read_data
-from discostorm.messages import Message, Protocol
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.messages import Family, Protocol
+from discostorm.protocols import PROTOCOLS
 
 
-def family(protocol: Protocol) -> str | None:
-    """Return of which family of ``data/vendors/families.csv`` a table is.
+def is_built(protocol: Protocol) -> bool:
+    """Return whether a table has the counts of a product, as shipped or arranged otherwise."""
+    return protocol.basis in ("measured", "arranged")
 
-    That is told by its first message, of an arrangement of servers, routers or peers by the
-    product. None if it is of none, as a table of your own may be.
+
+def software(protocol: Protocol) -> str | None:
+    """Return whose software sends what a table of a product as built holds, None of another table.
+
+    rmw_zenoh is Zenoh with settings of its own; ``data/vendors/families.csv`` says so.
 
     Examples
     --------
     >>> import discostorm as ds
-    >>> family(ds.DDS), family(ds.PROTOCOLS["Zenoh peer"])
-    ('DDS', 'Zenoh')
+    >>> software(ds.PROTOCOLS["Zenoh router"]), software(ds.DDS)
+    ('Zenoh', None)
     """
-    for row in arrangements():
-        if row["table"] == protocol.name:
-            return row["family"]
-    first = PROTOCOLS.get(protocol.name, protocol).messages[0].name
-    for row in read_data("vendors/families.csv"):
-        if row["first_message"] == first:
-            return row["family"]
-    return None
+    rows = {row["product"]: row["software"] for row in read_data("vendors/families.csv")}
+    return rows.get(protocol.product or "") if is_built(protocol) else None
+
+
+def same(one: Protocol, other: Protocol) -> bool:
+    """Return whether two tables are the same, whatever they are called."""
+    return replace(one, name=other.name) == other
 
 
 @cache
-def arrangements() -> tuple[dict[str, str], ...]:
+def arranging() -> tuple[dict[str, str], ...]:
     """Return the remedies that put the table of another arrangement in place of a product's."""
     return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
-
-
-def product(protocol: Protocol) -> str | None:
-    """Return of which product a table as built is, as ``data/vendors/products.csv`` says."""
-    name = next((row["base"] for row in arrangements() if row["table"] == protocol.name), None)
-    for row in read_data("vendors/products.csv"):
-        if row["protocol"] == (name or protocol.name):
-            return row["defaults"]
-    return None
 
 
 def row_of(kind: str, of: str | None) -> dict[str, str] | None:
@@ -58,8 +54,8 @@ def known(kind: str, protocol: Protocol) -> dict[str, str]:
 
     Of switching to an arrangement what holds for any: what a family counts is of its peers.
     """
-    arranged = kind == "middleware" and any(r["table"] == protocol.name for r in arrangements())
-    row = row_of(kind, None if arranged else family(protocol))
+    arranged = kind == "middleware" and protocol.basis == "arranged"
+    row = row_of(kind, None if arranged else protocol.family)
     assert row is not None, kind
     return row
 
@@ -87,9 +83,9 @@ def _small_robots() -> str:
 
 def simulated_stagger(protocol: Protocol) -> str:
     """Return what the simulator says of small robots that start one after the other."""
-    own = family(protocol)
+    own = protocol.family
     gains = []
-    for name in [own] if own else ["DDS", "Zenoh"]:
+    for name in [own] if own else get_args(Family):
         for (_, hosts), times in [row for row in _simulated().items() if row[0][0] == name][-2:]:
             rule, together = (times[start, "1"] for start in ("rule", "together"))
             gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
@@ -103,7 +99,7 @@ def simulated_aggregation(mpdus: int) -> str:
     """Return what the simulator says of aggregation, if small robots start together."""
     most = max(hosts for _, hosts in _simulated())
     gains = []
-    for name in ("DDS", "Zenoh"):
+    for name in get_args(Family):
         one, many = (_simulated()[name, most]["together", n] for n in ("1", str(mpdus)))
         gains.append(f"in {many:.0f} s instead of {one:.0f} s with {name}")
     return (
@@ -113,7 +109,7 @@ def simulated_aggregation(mpdus: int) -> str:
 
 def inapplicable(protocol: Protocol) -> Iterator[str]:
     """Yield what does not work with a protocol, and what is not known to."""
-    own, built = family(protocol), product(protocol)
+    own, built = protocol.family, software(protocol)
     rows = read_data("vendors/remedies.csv")
     unknown = []
     for kind in dict.fromkeys(row["kind"] for row in rows):
@@ -127,17 +123,12 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
         elif built and row["table"] in PROTOCOLS and row["base"]:
-            of = product(PROTOCOLS[row["base"]])
+            of = software(PROTOCOLS[row["base"]])
             if of != built:
                 yield f"{row['title']}: measured with {of} alone"
     if unknown:
-        known = [f"{r['first_message']} ({r['family']})" for r in read_data("vendors/families.csv")]
+        families = " nor ".join(get_args(Family))
         yield (
-            f"{words.listed(unknown)}: not known for {protocol.name}, as the first message of its "
-            f"table is neither {' nor '.join(known)}"
+            f"{words.listed(unknown)}: not known for {protocol.name}, whose family is neither "
+            f"{families}"
         )
-
-
-def of_paper(message: Message) -> bool:
-    """Return whether a message is one of the paper's tables."""
-    return any(message in table.messages for table in (DDS, ZENOH))

@@ -60,7 +60,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             return replace(old, mpdus=min(MPDUS, _most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
-        note = f"{by}{'; ' * bool(by)}{simulated_aggregation(MPDUS)}"
+        note = "; ".join(filter(None, (by, simulated_aggregation(MPDUS))))
         yield Change("aggregation", what, "aggregation", radio=aggregated, note=note, by=by)
 
 
@@ -111,9 +111,13 @@ def _compared(old: Radio, new: Radio, by: str) -> str:
     if new.basic_rate != old.basic_rate:
         multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
         told.append(f"multicast at {multicast}")
-    return f"instead of {before.name}{', ' * bool(by)}{by}: {words.listed(told)}"
+    compared = ", ".join(filter(None, (before.name, by)))
+    return f"instead of {compared}: {words.listed(told)}"
 
 
 def _instead(new: float, old: float, unit: str) -> str:
+    """Return a number instead of another, or alone where both read the same."""
     new_text, old_text = f"{new:.0f}", f"{old:.0f}"
-    return f"{new_text} {f'instead of {old_text} ' * (new_text != old_text)}{unit}"
+    if new_text == old_text:
+        return f"{new_text} {unit}"
+    return f"{new_text} instead of {old_text} {unit}"

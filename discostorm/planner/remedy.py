@@ -11,7 +11,7 @@ from discostorm import words
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.planner.known import arrangements, family, product
+from discostorm.planner.known import software
 from discostorm.planner.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 
@@ -101,11 +101,12 @@ class Remedy:
     @property
     def snippets(self) -> tuple[Snippet, ...]:
         """What to paste."""
-        standard = " ".join(self.wifi.name.split()[:3])
-        of, arranged = self.protocol, {row["table"] for row in arrangements()}
-        names = [of.name, product(of), family(of), standard]
-        if of.name not in arranged:
-            names.append(f"{family(of)} peers")
+        radio, of = self.wifi.radio, self.protocol
+        names = [software(of), of.family]
+        if of.basis != "arranged":
+            names.append(f"{of.family} peers")
+        if radio is not None:
+            names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")
         known = [name for name in names if name]
         return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
 
@@ -129,8 +130,9 @@ class Remedy:
             # What is left may be less than what numbers tell apart from all.
             most = math.nextafter(1, 0) if self.utilization else 1.0
             brings = f"cut{s} {before} to {after} ({words.percent(min(self.saved, most))})"
-            brings += " at best" * self.best_case
-        return f"{self.what} {brings}{'; ' * bool(self.note)}{self.note}"
+            if self.best_case:
+                brings += " at best"
+        return "; ".join(filter(None, (f"{self.what} {brings}", self.note)))
 
     @property
     def _plural(self) -> bool:
@@ -142,13 +144,13 @@ class Remedy:
     def caution(self) -> str:
         """Return what it takes, what to mind and what fails when, in words."""
         efforts = list(dict.fromkeys(_efforts()[name]["what"] for name in self.efforts))
-        fails = f"; {self.fails}" * bool(self.fails)
+        mind = "; ".join(filter(None, (self.price, self.fails)))
         later = ""
         if not words.fits(self.steady):
             later = f" What is repeated still takes {words.percent(self.steady)}: no start fits."
         elif self.kind == "combination" and not words.fits(self.utilization):
             later = f" It still does not fit: start within {words.duration(self.spread)}."
-        return f"It takes {words.listed(efforts)}. Mind: {self.price}{fails}.{later}"
+        return f"It takes {words.listed(efforts)}. Mind: {mind}.{later}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold."""

@@ -8,13 +8,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from discostorm import measured, words
+from discostorm import words
 from discostorm.fleet import Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.planner.changes import AIR
-from discostorm.planner.known import of_paper, product
+from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
-from discostorm.protocols import ARRANGED, MEASURED
+from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import Wifi
 
 if TYPE_CHECKING:
@@ -165,8 +164,8 @@ class Plan:
                 continue
             by = ""
             if found.before != self.utilization:
-                on_air = found.kind in AIR
-                base = str(product(found.protocol))
+                on_air = found.wifi != self.wifi
+                base = str(software(found.protocol))
                 by = ", by the standard's timing" if on_air else f", as {base} was measured"
                 of = self.protocol.name if on_air else base
                 bars.append((f"as it is{by}", of, found.before))
@@ -222,8 +221,10 @@ class Plan:
         for title, remedies in told.items():
             lines += ["", title, *self._ranked(remedies)]
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
-        others = f"{rest} other{'s' * (rest != 1)}"
-        lines += ["", f"In the JSON: {others}, what was left out and what to paste."]
+        lines += [
+            "",
+            f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste.",
+        ]
         return "\n".join(map(words.wrapped, lines))
 
     def __str__(self) -> str:
@@ -237,12 +238,15 @@ class Plan:
                 f"What is repeated does not fit: it takes {words.percent(self.steady)} of the "
                 "channel by itself, so that no start fits, however slow it is."
             )
-        best = "at best " * (self.wifi.aggregation is not None)
-        fit = f"so {best}it fits" if words.fits(self.utilization) else "so it does not fit"
+        fit = "so it does not fit"
+        if words.fits(self.utilization):
+            fit = "so it fits" if self.wifi.aggregation is None else "so at best it fits"
+        if math.isfinite(self.window):
+            takes += " of airtime"
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
-            f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}"
-            f"{' of airtime' * math.isfinite(self.window)}. Channel: {self.wifi.name}."
+            f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}. "
+            f"Channel: {self.wifi.name}."
         )
         if math.isinf(self.window):
             share = words.charged(self.utilization, "of the channel", "the channel has")
@@ -260,22 +264,23 @@ class Plan:
             f"Counted with nothing lost, no collisions and each unicast message in {exchanges}. "
             "Queues that overflow may make it many times longer: `discostorm simulate` tries it."
         )
-        if self.protocol.name in MEASURED | ARRANGED:
+        if self.protocol.captured is not None:
             endpoints = max(group.endpoints for group in self.fleet.groups)
             sizes = (hosts, self.fleet.processes(), endpoints)
-            most = measured.largest(self.protocol.name)
+            most = self.protocol.captured
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
+            extrapolated = ", so that this fleet is extrapolated" if beyond else ""
             yield (
                 f"The table of {self.protocol.name} is what was measured of the product in a lab, "
                 f"in swarms of up to {words.many(most[0], 'host')} and "
                 f"{words.many(most[1], 'process', 'es')} of up to "
-                f"{words.many(most[2], 'endpoint')} that began all at once"
-                f"{', so that this fleet is extrapolated' * beyond}; here "
+                f"{words.many(most[2], 'endpoint')} that began all at once{extrapolated}; here "
                 f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} of the "
                 "endpoints match in every process."
             )
         if self.protocol.repeats:
-            papers = [message.name for message in self.protocol.messages if of_paper(message)]
+            of_paper = {*DDS.messages, *ZENOH.messages}
+            papers = [m.name for m in self.protocol.messages if m in of_paper]
             if papers:
                 yield (
                     f"The table of {self.protocol.name} counts {words.listed(papers)} as the paper "
@@ -286,7 +291,7 @@ class Plan:
                     "Of what is sent more than once, all of the start is charged to this time, "
                     "and what is repeated counts with its rate: an upper bound of the count."
                 )
-        timed = [r.before for r in self.remedies if r.kind in AIR]
+        timed = [r.before for r in self.remedies if r.wifi != self.wifi]
         before = next((value for value in timed if value != self.utilization), None)
         if before is not None:
             yield (
@@ -303,17 +308,19 @@ class Plan:
             for group in groups[:_GROUPS]:
                 yield f"- The group {group.name} takes part in {words.part(group.share)} of it."
         if len(groups) > _GROUPS:
-            rest = len(groups) - _GROUPS
-            yield (
-                f"- {words.many(rest, 'further group')} {'take' if rest > 1 else 'takes'} part in "
-                f"at most {words.part(groups[_GROUPS].share)}{' each' * (rest > 1)}."
-            )
+            rest, most = len(groups) - _GROUPS, words.part(groups[_GROUPS].share)
+            if rest == 1:
+                yield f"- 1 further group takes part in at most {most}."
+            else:
+                yield f"- {rest} further groups take part in at most {most} each."
 
     @staticmethod
     def _ranked(remedies: Sequence[Remedy]) -> Iterator[str]:
         """Yield remedies with their places, effort, price and what fails."""
         for place, remedy in enumerate(remedies, start=1):
-            best_case = remedy.best_case or remedy.wifi.aggregation is not None
-            fits = f"; that {'would fit' if best_case else 'fits'}" * remedy.now_fits
-            yield f"{place:2}. {words.capitalized(remedy.sentence())}{fits}."
+            brings = words.capitalized(remedy.sentence())
+            if remedy.now_fits:
+                best_case = remedy.best_case or remedy.wifi.aggregation is not None
+                brings += "; that would fit" if best_case else "; that fits"
+            yield f"{place:2}. {brings}."
             yield f"    {remedy.caution()}"

@@ -5,43 +5,23 @@ from dataclasses import replace
 
 from discostorm import words
 from discostorm.data import read_data
-from discostorm.messages import Protocol, Schedule
+from discostorm.messages import UNITS, Message, Protocol, Schedule
 from discostorm.planner.changes import Change
-from discostorm.planner.known import arrangements, family, of_paper, product, row_of
-from discostorm.protocols import ARRANGED, PROTOCOLS, ZENOH
+from discostorm.planner.known import arranging, is_built, row_of, same, software
+from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     """Yield other tables: arranged otherwise, with calmer announcements, of other middleware."""
     yield from _arranged(protocol)
-    calm = _calmer(protocol)
-    if calm is not None:
-        yield Change("announcements", "calmer announcements", "table", table=calm)
-    elif family(protocol) == "DDS":
-        of = list(dict.fromkeys(row["protocol"] for row in read_data("vendors/announcements.csv")))
-        yield f"calmer announcements: known for the tables of {words.listed(of)} alone"
-    if family(protocol) == "Zenoh":
-        listed = _listed(protocol)
-        if listed is not None:
-            yield Change("peers", "static peers", "table", table=listed)
-        else:
-            yield f"static peers: {protocol.name} sends no Scouts whose place they could take"
-    hybrid = PROTOCOLS.get("hybrid")
-    if hybrid is not None and family(protocol) is not None:
-        yield Change("hybrid", "the hybrid discovery", "table", table=hybrid)
-    # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
-    wired = [table.wired for table in PROTOCOLS.values()]
-    arranged = ARRANGED | {row["table"] for row in arrangements()}
-    for table in PROTOCOLS.values():
-        if table == protocol or table in wired or table.name in arranged:
-            continue
-        # What ROS 2 makes of a product may be another of its tables.
-        of_ros2 = row_of("middleware", family(table))
-        if product(table) and of_ros2 and of_ros2["table"] not in ("", table.name):
-            continue
-        if family(table) is not None and _alike(table, protocol):
-            yield Change("middleware", f"switching to {table.name}", "table", table=table)
+    if protocol.family == "DDS":
+        yield _calmer(protocol)
+    if protocol.family == "Zenoh":
+        yield _listed(protocol)
+    if protocol.family is not None:
+        yield from _hybrid()
+    yield from _switched(protocol)
 
 
 def _arranged(protocol: Protocol) -> Iterator[Change]:
@@ -49,78 +29,107 @@ def _arranged(protocol: Protocol) -> Iterator[Change]:
 
     What has the paper's counts is compared with them by the product's table as built.
     """
-    own, built = product(protocol), product(protocol) is not None
-    arranged = protocol.name in {row["table"] for row in arrangements()}
-    for row in arrangements():
+    own = software(protocol)
+    for row in arranging():
         table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or table == protocol:
+        if table is None or same(table, protocol):
             continue
-        other = built and product(before) != own
-        if row["family"] != family(protocol) and not other:
+        other = is_built(protocol) and software(before) != own
+        if row["family"] != protocol.family and not other:
             continue
         what, base, by = row["title"], None, ""
         steps: tuple[str, ...] = (row["kind"],)
         if other:
-            what = f"switching to {product(before)} with {what}"
+            what = f"switching to {software(before)} with {what}"
             steps = ("middleware", *steps)
-        elif not arranged:
+        elif protocol.basis != "arranged" and not same(before, protocol):
             base = before
-            if before != protocol:
-                by = f"both as {before.name.replace(', ', ' with ')} was measured"
+            by = f"both as {before.name.replace(', ', ' with ')} was measured"
         yield Change(
             row["kind"], what, "table", table=table, base=base, note=by, by=by, steps=steps
         )
 
 
-def _listed(table: Protocol) -> Protocol | None:
-    """Return a table of Zenoh peers that have a list of others instead of Scouts, if it may.
-
-    What belongs to a connection is counted once for each two processes, as the one of them dials
-    that has the other on its list; peers that find each other by Scouts both may.
-    """
-    first = table.messages[0]
-    rest = tuple(message for message in table.messages if message.phase != first.phase)
-    if not rest or first.kind != "Scout":
-        return None
-    dialed = [m.per_unit for m in rest if m.kind == "Init" and m.name == "InitSyn"]
-    once = 0.5 / dialed[0] if dialed else 1.0
-    linked = ("Init", "Open", "KeepAlive", "TCP control")
-    messages = (
-        replace(m, per_unit=m.per_unit * once)
-        if dialed and (m.kind in linked or m.answers == "KeepAlive")
-        else m
-        for m in rest
-    )
-    return replace(table, messages=tuple(messages))
-
-
-def _calmer(table: Protocol) -> Protocol | None:
-    """Return a table with the announcements of ``data/vendors/announcements.csv``, if it may."""
-    name = product(table)
+def _calmer(table: Protocol) -> Change | str:
+    """Return the announcements of ``data/vendors/announcements.csv``, or for whom they are."""
+    calmer = read_data("vendors/announcements.csv")
     rows = {
-        r["message"]: r for r in read_data("vendors/announcements.csv") if r["protocol"] == name
+        (row["kind"], row["cast"], UNITS[row["unit"]]): row
+        for row in calmer
+        if row["product"] == software(table)
     }
-    calm = tuple(
-        replace(
-            message,
-            schedule=Schedule(
-                tuple(float(t) for t in row["starts_s"].split()), float(row["period_s"])
-            ),
-        )
-        if (row := rows.get(message.name)) and message.schedule.per_second
-        else message
-        for message in table.messages
-    )
-    if calm == table.messages:
-        return None
-    return replace(table, messages=calm, lease=max(float(row["lease_s"]) for row in rows.values()))
+
+    def calm(message: Message) -> Message:
+        row = rows.get((message.kind, message.cast, message.unit))
+        if row is None or not message.schedule.per_second:
+            return message
+        starts = tuple(float(time) for time in row["starts_s"].split())
+        return replace(message, schedule=Schedule(starts, float(row["period_s"])))
+
+    messages = tuple(map(calm, table.messages))
+    if messages == table.messages:
+        of = words.listed(list(dict.fromkeys(row["product"] for row in calmer)))
+        return f"calmer announcements: known for the tables of {of} alone"
+    lease = max(float(row["lease_s"]) for row in rows.values())
+    fewer = replace(table, messages=messages, lease=lease)
+    return Change("announcements", "calmer announcements", "table", table=fewer)
 
 
-def _alike(one: Protocol, other: Protocol) -> bool:
-    """Return whether two tables count alike: as the paper, with periods, or as products do."""
-    built = [product(table) is not None for table in (one, other)]
-    papers = any(of_paper(message) for message in other.messages) or not other.repeats
-    return built[0] == built[1] and (built[0] or (one.repeats == other.repeats and papers))
+def _listed(table: Protocol) -> Change | str:
+    """Return a table of Zenoh peers that have a list of others instead of Scouts.
+
+    What belongs to a connection (``data/vendors/zenoh_links.csv``) is counted once for each two
+    processes, as the one of them dials that has the other on its list; peers that find each other
+    by Scouts both may.
+    """
+    if any(message.role is None for message in table.messages):
+        return f"static peers: not known for {table.name}, whose messages have no roles"
+    scouts = [m for m in table.messages if m.role == "announcement" and m.cast == "multicast"]
+    scouting = {scout.phase for scout in scouts}
+    rest = tuple(message for message in table.messages if message.phase not in scouting)
+    if not scouts or not rest:
+        return f"static peers: {table.name} sends no Scouts whose place they could take"
+    kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
+    rows = {(row["kind"], row["answers"]): row for row in read_data("vendors/zenoh_links.csv")}
+
+    def of_a_link(message: Message) -> dict[str, str] | None:
+        answers = kinds.get(message.answers, "")
+        return rows.get((message.kind, "")) or rows.get((message.kind, answers))
+
+    opening = [m for m in rest if (row := of_a_link(m)) and row["opens"] == "yes"]
+    if opening:
+        once = 0.5 / opening[0].per_unit
+        rest = tuple(replace(m, per_unit=m.per_unit * once) if of_a_link(m) else m for m in rest)
+    return Change("peers", "static peers", "table", table=replace(table, messages=rest))
+
+
+def _hybrid() -> Iterator[Change]:
+    """Yield this book's proposal."""
+    row = row_of("hybrid", None)
+    if row is not None and row["table"] in PROTOCOLS:
+        yield Change("hybrid", row["title"], "table", table=PROTOCOLS[row["table"]])
+
+
+def _switched(protocol: Protocol) -> Iterator[Change]:
+    """Yield the tables of other middleware that count as this one does."""
+    # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
+    wired = [table.wired for table in PROTOCOLS.values()]
+    for table in PROTOCOLS.values():
+        if table.family is None or table.basis == "arranged" or table in wired:
+            continue
+        # What ROS 2 makes of a product may be another of its tables.
+        of_ros2 = row_of("middleware", table.family)
+        if is_built(table) and of_ros2 and of_ros2["table"] not in ("", table.name):
+            continue
+        if _counts(table) == _counts(protocol) and not same(table, protocol):
+            yield Change("middleware", f"switching to {table.name}", "table", table=table)
+
+
+def _counts(table: Protocol) -> str:
+    """Return as what a table counts; one of your own as the paper's, with periods or without."""
+    if is_built(table):
+        return "built"
+    return table.basis or ("timed" if table.repeats else "paper")
 
 
 def sessions_note(
@@ -132,14 +141,12 @@ def sessions_note(
     window: float,
 ) -> str:
     """Return what Zenoh's count leaves out beside what switching to or from it changes."""
-    if (family(old) == "Zenoh") == (family(new) == "Zenoh"):
-        return ""
-    if any(message.kind == "Init" for table in (old, new) for message in table.messages):
-        return ""  # it counts them
+    if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_built(new):
+        return ""  # products count what opens their sessions
     one, both = (cost(_openings(sides)) for sides in (1, 2))
     if not one:
         return ""
-    to_zenoh = family(new) == "Zenoh"
+    to_zenoh = new.family == "Zenoh"
     more = after - before if to_zenoh else before - after
     if more >= 0:
         so = "which makes the gap larger"

@@ -1,25 +1,24 @@
-"""The search: what each change brings, alone and combined."""
+"""What discovery costs a fleet, what dominates, and what would help, alone and combined."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import Any, Literal
 
 from discostorm import _checks, words
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
-from discostorm.messages import PAPER_WINDOW, Protocol, Unit
+from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.planner.changes import SLOTS, Change, Setting
-from discostorm.planner.fleets import fleet_changes, nodes_of, of_group, of_ros2, part_changes
+from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
 from discostorm.planner.radios import radio_changes
 from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
 from discostorm.planner.tables import sessions_note, table_changes
 from discostorm.protocols import DDS
-from discostorm.scalability import burst, message_costs, unit_costs, utilization, without_each
+from discostorm.scalability import burst, message_costs, utilization, without_each
 from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
 
@@ -32,42 +31,32 @@ def plan(
     protocol: Protocol = DDS,
     wifi: Wifi = PAPER,
     *,
-    nodes: float | Sequence[float] | None = None,
     window: float = PAPER_WINDOW,
-    shared: float | None = None,
 ) -> Plan:
     """Return what discovery costs a fleet, what dominates, and what would help.
 
     Each remedy changes one thing and leaves the rest; to combine them, plan again with
     what a `Remedy` holds. Composing keeps the endpoints. Endpoints are counted as DDS does.
-    Processes are taken for those of ROS 2: some of their endpoints match in all others, whatever
-    namespaces there are, and a server introduces each two processes; see `shared`.
 
     Parameters
     ----------
     fleet : Fleet
-        Who is on the channel: numbers, with whole hosts.
+        Who is on the channel: numbers, with whole hosts. What its processes share with all others
+        and how many nodes they have is what its groups say: fleet files and ready-made robots share
+        what ROS 2 does, `Fleet.swarm` and a `HostGroup` of plain numbers nothing. Leaving out
+        parameter services saves 12 endpoints a node; where a group says no `HostGroup.nodes`, one
+        node is assumed for each process with at least that many endpoints.
     protocol : Protocol, optional
         One of `PROTOCOLS`, or a table of your own. The paper's tables are compared with each
-        other, and so are those with periods.
+        other, and so are those with periods. Which remedies there are for a table depends on its
+        `family`, `product` and `basis`, never on its name.
     wifi : Wifi, optional
         The channel; the paper's if left out. What is changed is its radio (`Wifi.radio`), with
         all that the standard says. On the paper's channel both sides of such a comparison have
         the standard's timing; a channel that is not that of a radio is not changed.
-    nodes : float or sequence of float, optional
-        Nodes with parameter services in each process [1], at least 0; a sequence has one
-        number for each group. Leaving the services out saves 12 endpoints a node. If left
-        out, those of the groups; where these have none, one node for each process with at
-        least that many endpoints.
     window : float, optional
         The seconds that are averaged [s], above 0; the paper's one if left out, infinity for
         the steady state.
-    shared : float, optional
-        Endpoints of each process that match one in every other [1], 0 for programs without
-        ROS 2. If left out, at least those that ROS 2 makes for a process and for each of its nodes,
-        `discostorm.robots.shared_endpoints`; more where a group says so, never more than a process
-        has. Without a number of nodes it has as many as ready-made robots have for its endpoints,
-        `discostorm.robots.likely_nodes`. Only tables of what products send depend on it.
 
     Returns
     -------
@@ -77,8 +66,7 @@ def plan(
     Raises
     ------
     ValueError
-        If a count or the window is out of range, hosts are not whole, or there are fewer
-        endpoints than the parameter services of `nodes` have.
+        If a count or the window is out of range, or hosts are not whole.
     TypeError
         If the fleet holds arrays or symbols, or an argument is not what it should be.
 
@@ -105,17 +93,12 @@ def plan(
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         _checks.whole(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
-    own = nodes_of(fleet, nodes)
-    if shared is not None:
-        shared = _checks.number("shared", shared, 0, _checks.MOST)
-    fleet = of_ros2(fleet, nodes, shared)
-    guessed = nodes is None and any(group.nodes is None for group in fleet.groups)
 
-    costs = Costs(window)
+    span = float(window)
     base = Setting(fleet, protocol, wifi)
-    found = tuple(changes_of(base, own, " (assumed)" if guessed else ""))
-    singles = {step: _remedy(base, [step], costs) for step in found if isinstance(step, Change)}
-    steady = costs.repeated(base)
+    found = tuple(changes_of(base))
+    singles = {step: _remedy(base, [step], span) for step in found if isinstance(step, Change)}
+    steady = _repeated(base)
     late = [step for step in singles if step.slot == "time" and not words.fits(steady)]
     never = [
         f"{singles.pop(step).what}: what is repeated takes {words.percent(steady)} of the channel "
@@ -123,77 +106,61 @@ def plan(
         for step in late
     ]
     alone = [r for step, r in singles.items() if len(step.steps) == 1]
-    together = [_remedy(base, steps, costs) for steps in _together(base, singles, costs.roughly)]
+    together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
     reasons = [reason for reason in found if isinstance(reason, str)]
-    taken = costs.of(base)
+    taken = _taken(base, span)
     return Plan(
         fleet=fleet,
         protocol=protocol,
         wifi=wifi,
-        window=float(window),
+        window=span,
         utilization=taken,
         steady=steady,
-        shares=tuple(_shares(base, float(window), taken)),
+        shares=tuple(_shares(base, span, taken)),
         remedies=tuple(sorted(alone, key=_order)),
         combinations=tuple(sorted(together, key=_order)),
         left_out=(*never, *reasons, *inapplicable(protocol)),
     )
 
 
-@dataclass(frozen=True)
-class Costs:
-    """What settings take of a window [s], each counted once.
-
-    Fleets are told apart by identity, as to compare those of many groups takes longer than to
-    count; whoever counts keeps them.
-    """
-
-    window: float
-    _taken: dict[tuple[int, Protocol, Wifi], float] = field(default_factory=dict)
-    _units: dict[int, dict[Unit, float]] = field(default_factory=dict)
-
-    def of(self, setting: Setting) -> float:
-        """Return the utilization [1]."""
-        fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
-        key = (id(fleet), protocol, wifi)
-        if key not in self._taken:
-            self._taken[key] = float(utilization(protocol, fleet, wifi=wifi, window=self.window))
-        return self._taken[key]
-
-    def roughly(self, setting: Setting) -> float:
-        """As `of`, but for the order in which numbers are added up: units are counted once."""
-        units = self._units.setdefault(id(setting.fleet), {})
-        prices = unit_costs(setting.protocol, setting.wifi, float(self.window))
-        for unit in prices:
-            if unit not in units:
-                units[unit] = float(unit.count(setting.fleet))
-        return sum(price * units[unit] for unit, price in prices.items())
-
-    @staticmethod
-    def repeated(setting: Setting) -> float:
-        """Return what is repeated takes of the channel [1]."""
-        if not setting.protocol.repeats:
-            return 0.0
-        return float(
-            utilization(setting.protocol, setting.fleet, wifi=setting.wifi, window=math.inf)
-        )
+def changes_of(base: Setting) -> Iterator[Change | str]:
+    """Yield each change that is tried, or why there is none; another remedy begins here."""
+    yield from fleet_changes(base.fleet)
+    yield from table_changes(base.protocol)
+    yield from radio_changes(base.wifi)
+    yield from part_changes(base.fleet, base.protocol)
+    yield Change(
+        "staggered start",
+        "starting one after the other",
+        "time",
+        note=simulated_stagger(base.protocol),
+    )
 
 
-def _remedy(base: Setting, steps: Sequence[Change], costs: Costs) -> Remedy:
+def _taken(setting: Setting, window: float) -> float:
+    """Return the utilization of a setting [1]."""
+    fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
+    return float(utilization(protocol, fleet, wifi=wifi, window=window))
+
+
+def _repeated(setting: Setting) -> float:
+    """Return what is repeated takes of the channel [1]."""
+    return _taken(setting, math.inf) if setting.protocol.repeats else 0.0
+
+
+def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     """Return what these changes lead to together."""
     old, new = base.before(steps), base.after(steps)
     parts = next((step.parts for step in steps if step.parts), (new.fleet,))
     settings = [Setting(part, new.protocol, new.wifi) for part in parts]
-    taken = [costs.of(setting) for setting in settings]
+    taken = [_taken(setting, window) for setting in settings]
     starts = [float(burst(new.protocol, part, wifi=new.wifi)) for part in parts]
-    steadies = [costs.repeated(setting) for setting in settings]
-    of_all: Callable[[Iterable[float]], float] = sum
-    if any(step.kind == "channels" for step in steps):
-        of_all = max
+    steadies = [_repeated(setting) for setting in settings]
+    of_all = max if any(step.kind == "channels" for step in steps) else sum
     # Things first: "leaving out services and a server" would leave out both.
     told = sorted(steps, key=lambda step: is_doing(step.what))
     rows = [known(kind, new.protocol) for step in told for kind in step.steps]
-    before = costs.of(old)
+    before = _taken(old, window)
     if len(steps) > 1:
         note = "; ".join(dict.fromkeys(step.by for step in steps if step.by))
     elif steps[0].kind == "middleware":
@@ -202,8 +169,8 @@ def _remedy(base: Setting, steps: Sequence[Change], costs: Costs) -> Remedy:
             new.protocol,
             before,
             taken[0],
-            lambda table: costs.of(Setting(base.fleet, table, base.wifi)),
-            float(costs.window),
+            lambda table: _taken(Setting(base.fleet, table, base.wifi), window),
+            window,
         )
     else:
         note = steps[0].note
@@ -217,7 +184,7 @@ def _remedy(base: Setting, steps: Sequence[Change], costs: Costs) -> Remedy:
         wifi=new.wifi,
         before=before,
         utilization=of_all(taken),
-        window=float(costs.window),
+        window=window,
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         fails="; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
@@ -225,20 +192,6 @@ def _remedy(base: Setting, steps: Sequence[Change], costs: Costs) -> Remedy:
         spread=float(drained(of_all(starts), of_all(steadies))),
         steady=of_all(steadies),
         best_case=any(row["gain"] == "best case" for row in rows),
-    )
-
-
-def changes_of(base: Setting, nodes: Sequence[float], assumed: str) -> Iterator[Change | str]:
-    """Yield each change, or why there is none."""
-    yield from fleet_changes(base.fleet, nodes, assumed)
-    yield from table_changes(base.protocol)
-    yield from radio_changes(base.wifi)
-    yield from part_changes(base.fleet, base.protocol)
-    yield Change(
-        "staggered start",
-        "starting one after the other",
-        "time",
-        note=simulated_stagger(base.protocol),
     )
 
 
@@ -251,7 +204,7 @@ def _order(remedy: Remedy) -> tuple[Any, ...]:
 
 
 def _together(
-    base: Setting, singles: dict[Change, Remedy], cost: Callable[[Setting], float]
+    base: Setting, singles: dict[Change, Remedy], window: float
 ) -> list[tuple[Change, ...]]:
     """Return the best sets of two or three changes; each is needed for what its set saves.
 
@@ -270,8 +223,8 @@ def _together(
                 continue
             if sum(len(step.steps) for step in steps) > _TOGETHER:
                 continue
-            after[steps] = taken = cost(base.after(steps))
-            before = cost(base.before(steps))
+            after[steps] = taken = _taken(base.after(steps), window)
+            before = _taken(base.before(steps), window)
             saved = 1 - taken / before if before else 0.0
             less = (tuple(s for s in steps if s is not left) for left in steps)
             needed = all(taken < (1 - NOTHING) * after.get(fewer, before) for fewer in less)
