@@ -121,44 +121,6 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
 
 
-@cache
-def largest(name: str) -> tuple[int, int, int]:
-    """Return the most hosts, processes of all and endpoints of one that a table was measured with.
-
-    Parameters
-    ----------
-    name : str
-        Of a table of ``data/vendors/products.csv`` or ``arrangements.csv``.
-
-    Returns
-    -------
-    tuple of int
-        Hosts, processes and endpoints of a process [1]; not always of the same run.
-
-    Raises
-    ------
-    ValueError
-        If there is no such table.
-
-    Examples
-    --------
-    >>> largest("Fast DDS")
-    (8, 12, 60)
-    """
-    known = products() | arrangements()
-    _checks.choice("name", name, list(known))
-    row, kind = known[name], "mitigation_" if name in arrangements() else ""
-    runs = [
-        (int(run["hosts"]), int(run["processes"]), int(run["endpoints"]))
-        for run in read_data(f"measured/{kind}runs.csv")
-        if (run["product"], run["variant"]) == (row["product"], row["variant"])
-        and int(run["hosts"]) * int(run["processes"]) >= int(row["least_processes"])
-    ]
-    totals = [(hosts, hosts * each, endpoints) for hosts, each, endpoints in runs]
-    most = [max(column) for column in zip(*totals, strict=True)]
-    return most[0], most[1], most[2]
-
-
 def points_of(
     product: str, variant: str, least: int = 2, kind: str = "mitigation_"
 ) -> tuple[Point, ...]:

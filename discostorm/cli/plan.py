@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import click
@@ -10,6 +11,8 @@ import discostorm as ds
 from discostorm.cli.fleets import called, file_option, read
 from discostorm.cli.options import numbers, one_protocol_option, output_options, wifi_options
 from discostorm.cli.output import Output, as_text, bad_input, print_rows, visible, working
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.robots import likely_nodes, shared_endpoints
 from discostorm.wifi import Wifi
 
 
@@ -66,7 +69,7 @@ def plan(
     with bad_input(), working("planning"):
         members = read(file)
         try:
-            answer = ds.plan(members, protocol, wifi, nodes=nodes, shared=shared)
+            answer = ds.plan(_told(members, nodes, shared), protocol, wifi)
         except ValueError as error:
             raise ValueError(f"{called(file)}: {error}") from error
     if output.as_csv:
@@ -75,3 +78,27 @@ def plan(
         click.echo(as_text(answer.to_dict()))
     else:
         click.echo(visible(answer.advice()))
+
+
+def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
+    """Return the fleet with the nodes and the shared endpoints of the options, where there are."""
+    many = len(fleet.groups)
+    own = nodes if isinstance(nodes, list) else [nodes] * many
+    if len(own) != many:
+        raise ValueError(f"nodes must be one number, or one for each of {many} groups; got {nodes}")
+    groups = []
+    for group, told in zip(fleet.groups, own, strict=True):
+        changed = group if told is None else replace(group, nodes=told)
+        if shared is not None:
+            changed = replace(changed, shared=min(shared, group.endpoints))
+        elif group.shared == _usually_shared(group):
+            # What ROS 2 shares for its nodes is that of other nodes now; what a file says stays.
+            changed = replace(changed, shared=_usually_shared(changed))
+        groups.append(changed)
+    return replace(fleet, groups=tuple(groups))
+
+
+def _usually_shared(group: HostGroup) -> float:
+    """Return what ROS 2 shares of the endpoints of each process [1]."""
+    nodes = likely_nodes(group.endpoints) if group.nodes is None else group.nodes
+    return min(shared_endpoints(nodes), group.endpoints)

@@ -87,6 +87,9 @@ class Protocol:
         measured as shipped; the same, arranged against the storm; a proposal. None of your own.
     timers : Timers, optional
         When it sends again what the table does not repeat; needed to simulate recovery.
+    captured : tuple of int, optional
+        The most hosts, processes of all and endpoints of a process that it was measured with [1];
+        not always of the same run. None if it was not fitted to captures.
 
     Raises
     ------
@@ -106,6 +109,7 @@ class Protocol:
     product: str | None = None
     basis: Basis | None = None
     timers: Timers | None = None
+    captured: tuple[int, int, int] | None = None
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
@@ -119,6 +123,8 @@ class Protocol:
         for name, kind in (("product", str), ("timers", Timers)):
             if getattr(self, name) is not None:
                 _checks.instance(name, getattr(self, name), kind)
+        if self.captured is not None:
+            object.__setattr__(self, "captured", _checks.members("captured", self.captured, int))
         _checks.plain_numbers(self)
         _checks.number("lease", self.lease, 0, above=True, endless=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))

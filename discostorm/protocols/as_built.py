@@ -39,6 +39,8 @@ def schedule(row: Mapping[str, str]) -> Schedule:
 _NOTHING = {"per_unit": "0"}
 #: By the name of a file of rows, the file that says what was run.
 FAMILIES = {"as_built": "products", "mitigations": "arrangements"}
+#: The same, the file of all runs.
+RUNS = {"as_built": "runs", "mitigations": "mitigation_runs"}
 
 
 def as_built(name: str, family: str = "as_built") -> Protocol:
@@ -69,7 +71,28 @@ def as_built(name: str, family: str = "as_built") -> Protocol:
         product=product["defaults"],
         basis=typed(Basis, product["basis"]),
         timers=timers(product["defaults"]),
+        captured=captured(name, family),
     )
+
+
+def captured(name: str, family: str = "as_built") -> tuple[int, int, int]:
+    """Return the most hosts, processes of all and endpoints of one that a table was measured with.
+
+    Examples
+    --------
+    >>> captured("Fast DDS")
+    (8, 12, 60)
+    """
+    rows = read_data(f"vendors/{FAMILIES[family]}.csv")
+    (row,) = (row for row in rows if row["protocol"] == name)
+    sizes = []
+    for run in read_data(f"measured/{RUNS[family]}.csv"):
+        hosts, each, endpoints = (int(run[n]) for n in ("hosts", "processes", "endpoints"))
+        of_it = (run["product"], run["variant"]) == (row["product"], row["variant"])
+        if of_it and hosts * each >= int(row["least_processes"]):
+            sizes.append((hosts, hosts * each, endpoints))
+    hosts, processes, endpoints = map(max, zip(*sizes, strict=True))
+    return hosts, processes, endpoints
 
 
 def hops(row: Mapping[str, str]) -> tuple[Hop, ...]:

@@ -32,7 +32,7 @@ from discostorm.messages import (
     PROCESS,
     Message,
 )
-from discostorm.protocols.as_built import as_built
+from discostorm.protocols.as_built import as_built, captured
 
 DISCOVERY_SERVER = as_built("Fast DDS Discovery Server", "mitigations")
 TWO_DISCOVERY_SERVERS = as_built("Fast DDS Discovery Server, two", "mitigations")
@@ -52,8 +52,10 @@ def _on_a_robot(message: Message) -> Message:
     return replace(message, unit=_AWAY[message.unit], hops=HOPS)
 
 
+_ON_A_ROBOT = "Fast DDS Discovery Server, on a robot"
 DISCOVERY_SERVER_ON_A_ROBOT = replace(
     DISCOVERY_SERVER,
-    name="Fast DDS Discovery Server, on a robot",
+    name=_ON_A_ROBOT,
+    captured=captured(_ON_A_ROBOT, "mitigations"),
     messages=tuple(map(_on_a_robot, DISCOVERY_SERVER.messages)),
 )
