@@ -17,7 +17,8 @@ if TYPE_CHECKING:
         Schedule,
         Unit,
     )
-    from discostorm.planner import Plan, Remedy, Share, plan
+    from discostorm.planner import Plan, Remedy, Share
+    from discostorm.planner.plan import plan
     from discostorm.protocols import DDS, PROTOCOLS, ZENOH
     from discostorm.scalability import breakdown, saturation_hosts, utilization
     from discostorm.simulation import Simulation, simulate
@@ -68,7 +69,8 @@ _OF_MODULE = {
     "capture": "Capture CaptureError read_capture",
     "fleet": "Fleet HostGroup",
     "messages": "ENDPOINT_PAIR ONCE PAIR PROCESS Message Payload Protocol Schedule Unit",
-    "planner": "Plan Remedy Share plan",
+    "planner": "Plan Remedy Share",
+    "planner.plan": "plan",
     "protocols": "DDS PROTOCOLS ZENOH",
     "scalability": "breakdown saturation_hosts utilization",
     "simulation": "Simulation simulate",

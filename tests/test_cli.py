@@ -289,7 +289,9 @@ def test_counts_are_printed_with_all_their_digits() -> None:
 
 def test_plan(folder: Path) -> None:
     fleet = ds.Fleet.from_toml(folder / "fleet.toml")
-    expected = ds.plan(fleet, ds.ZENOH, nodes=[13, 2])
+    robots, laptop = fleet.groups
+    told = replace(robots, nodes=13, shared=28), replace(laptop, nodes=2, shared=6)
+    expected = ds.plan(replace(fleet, groups=told), ds.ZENOH)
     arguments = ("plan", "fleet.toml", "--protocol|zenoh", "--nodes|13,2")
     assert run(*arguments).output == expected.advice() + "\n"
     assert read_json(run(*arguments, "--json")) == expected.to_dict()
@@ -420,7 +422,7 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ("plan|", "path must name a TOML file; got ''"),
         ("plan|none.toml", "none.toml: No such file or directory"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
-        ("plan|fleet.toml|--nodes|8", "fleet.toml: nodes of laptop must be at most 7.5"),
+        ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
         ("plan|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
         ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not one of 'dds', 'zenoh'"),
         ("figures", "Missing option '--out'"),

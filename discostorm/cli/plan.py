@@ -101,4 +101,4 @@ def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None)
 def _usually_shared(group: HostGroup) -> float:
     """Return what ROS 2 shares of the endpoints of each process [1]."""
     nodes = likely_nodes(group.endpoints) if group.nodes is None else group.nodes
-    return min(shared_endpoints(nodes), group.endpoints)
+    return min(shared_endpoints(nodes), float(group.endpoints))
