@@ -22,7 +22,7 @@ from click.testing import CliRunner
 from playwright.sync_api import Browser, Page, expect
 
 import discostorm as ds
-from discostorm import measured, timeline
+from discostorm import timeline
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
@@ -360,7 +360,7 @@ def test_says_where_a_products_table_is_extrapolated(
     tab: Page, entries: dict[str, str], beyond: bool
 ) -> None:
     put(tab, entries)
-    hosts, processes, _ = measured.largest("Fast DDS")
+    hosts, processes, _ = PROTOCOLS["Fast DDS"].captured
     told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     assert (told in said) == beyond

@@ -46,11 +46,12 @@ def test_counted_numbers_are_those_of_the_symbols(protocol: ds.Protocol, wifi: d
 
 @pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
 def test_a_thousand_groups_take_less_than_half_a_second(protocol: ds.Protocol) -> None:
-    for task in (
-        lambda members: ds.utilization(protocol, members),
-        lambda members: ds.saturation_hosts(protocol, 2, 10, limit=1e9, beside=members),
-        lambda members: ds.plan(members, protocol),
-        lambda members: bounds(protocol, members),
+    for task, most in (
+        (lambda members: ds.utilization(protocol, members), 0.5),
+        (lambda members: ds.saturation_hosts(protocol, 2, 10, limit=1e9, beside=members), 0.5),
+        (lambda members: bounds(protocol, members), 0.5),
+        # Which counts them some hundred times.
+        (lambda members: ds.plan(members, protocol), 5),
     ):
         task(fleet(10))  # compiles, and imports what only the first call needs
         members = fleet(1000)
@@ -59,7 +60,7 @@ def test_a_thousand_groups_take_less_than_half_a_second(protocol: ds.Protocol) -
             start = time.process_time()  # what others do only disturbs it
             task(members)
             taken.append(time.process_time() - start)
-        assert min(taken) < 0.5
+        assert min(taken) < most
 
 
 def test_without_each_is_the_fleet_without_each() -> None:
