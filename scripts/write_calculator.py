@@ -5,33 +5,23 @@ messages share it; what the formulas are fed with (sizes, schedules, channels, r
 written beside them as data.
 """
 
-import json
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
 import sympy as sp
+from javascript import Formulas, Value, said_once, written
 
 import discostorm as ds
-from discostorm import (
-    _checks,
-    figures,
-    measured,
-    notation as nt,
-    timeline,
-    words,
-)
-from discostorm._numeric import share
+from discostorm import _checks, figures, notation as nt, timeline, words
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
-from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.messages import PAPER_WINDOW, Family, Message, Protocol, Unit
 from discostorm.planner.changes import Change, Setting
-from discostorm.planner.known import family, known, product, row_of
-from discostorm.planner.search import changes_of
+from discostorm.planner.known import known, row_of, software
+from discostorm.planner.plan import changes_of
 from discostorm.planner.snippets import snippets
-from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import (
     endpoints_of_a_node,
     laptop,
@@ -46,9 +36,6 @@ TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.
 
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
-
-#: The paper's tables.
-PAPERS = (ds.DDS, ds.ZENOH)
 
 #: Channels of the standard on which frames to one receiver share exchanges.
 AGGREGATED = (
@@ -78,11 +65,11 @@ FLEETS = (
 )
 
 #: The first table of each product as built; the others are variants of one.
-PRODUCTS = tuple(
-    {
-        row["defaults"]: row["protocol"] for row in reversed(read_data("vendors/products.csv"))
-    }.values()
-)
+FIRST = {
+    table.product: table.name
+    for table in reversed(tuple(ds.PROTOCOLS.values()))
+    if table.basis == "measured"
+}.values()
 
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
@@ -102,106 +89,62 @@ MORE = sp.Symbol("x", positive=True)
 #: What the powers of these are multiplied with [1]; of higher ones there is no closed form.
 COEFFICIENTS = sp.symbols("c b a third", positive=True)
 
-#: Headings of the middlewares, in order.
-GROUPS = (
-    "Products as built",
-    "Products arranged against the storm",
-    "As the paper counts",
-    "The paper's messages, a product's periods",
-    "Proposals and other tables",
-)
+#: Headings of the middlewares, in order, by what the counts of a table stand on.
+GROUPS = {
+    "measured": "Products as built",
+    "arranged": "Products arranged against the storm",
+    "paper": "As the paper counts",
+    "timed": "The paper's messages, a product's periods",
+    "proposal": "Proposals and other tables",
+}
 
 #: The largest whole number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
 LARGEST = sp.ceiling(N_SAT) - 1
 
-Code = str | dict[str, "Code"] | list["Code"]
+#: Hosts that have something to compose and to leave out: every change of hosts applies to them.
+ANY = Fleet.swarm(2, 2, parameter_service_endpoints())
 
 
-def data(value: object) -> str:
-    """Return a value as JavaScript, whole numbers without a point."""
-    return json.dumps(value, ensure_ascii=False)
+def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
+    """Return what the planner would change, but for what nobody can have yet."""
+    return [
+        change
+        for change in changes_of(Setting(ANY, protocol, wifi))
+        if not isinstance(change, str)
+        and change.steps == (change.kind,)
+        and known(change.kind, change.table or protocol)["effort"] != "research"
+    ]
 
 
-def number(value: float) -> str:
-    """Return a number as JavaScript, which JSON cannot hold if it is infinite."""
-    if value == sp.oo:
-        return "Infinity"
-    return data(int(value) if float(value).is_integer() and value < 1e15 else float(value))
-
-
-def javascript_of(expression: sp.Expr) -> str:
-    """Return an expression as a JavaScript function of an object that holds its symbols."""
-    names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
-    shared, rest = share(sp.sympify(expression))
-    lines = [f"const {symbol} = {sp.jscode(part)};" for symbol, part in shared]
-    return " ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"])
-
-
-class Formulas:
-    """The distinct formulas, each with a name that says what it is."""
-
-    def __init__(self) -> None:
-        self.names: dict[str, str] = {}
-
-    def name(self, expression: sp.Expr, hint: str) -> str:
-        """Return the name of an expression, as data."""
-        known = self.names.setdefault(javascript_of(expression), "")
-        if not known:
-            same = sum(name.rstrip("0123456789") == hint for name in self.names.values())
-            known = f"{hint}{same + 1 if same else ''}"
-            self.names[javascript_of(expression)] = known
-        return data(known)
-
-    def code(self) -> Code:
-        """Return all of them by their names."""
-        return {name: code for code, name in self.names.items()}
-
-
-def values(given: Iterable[tuple[sp.Symbol, float]]) -> Code:
-    """Return the values of symbols as data."""
-    inner = ", ".join(f"{data(symbol.name)}: {number(value)}" for symbol, value in given)
-    return f"{{{inner}}}"
-
-
-def channel(wifi: Wifi) -> dict[str, Code]:
+def channel(wifi: Wifi) -> dict[str, Value]:
     """Return the data of a Wi-Fi channel."""
     return {
-        "name": data(wifi.name),
-        "model": data(wifi.model),
-        "values": values(wifi.values().items()),
+        "name": wifi.name,
+        "model": wifi.model,
+        "values": {symbol.name: value for symbol, value in wifi.values().items()},
     }
 
 
-def radio_remedies(wifi: Wifi) -> Code:
+def radio_remedies(wifi: Wifi) -> Value:
     """Return what the planner would change of a channel: the channel before and after."""
-    base = Setting(SMALL, ds.DDS, wifi)
+    base = Setting(ANY, ds.DDS, wifi)
     return [
         {
-            "kind": data(change.kind),
-            "what": data(change.what),
-            "note": data(change.note),
+            "kind": change.kind,
+            "what": change.what,
+            "note": change.note,
             "base": channel(base.before([change]).wifi),
             "wifi": channel(base.after([change]).wifi),
         }
-        for change in changes_of(base, (0.0,), "")
-        if not isinstance(change, str) and change.kind in RADIO
+        for change in changes(ds.DDS, wifi)
+        if change.radio is not None
     ]
 
 
 def table_changes(protocol: Protocol) -> list[Change]:
-    """Return the changes of the planner that put another table in its place.
-
-    But for what nobody can have yet.
-    """
-    return [
-        change
-        for change in changes_of(Setting(SMALL, protocol, ds.PAPER), (0.0,), "")
-        if not isinstance(change, str)
-        and change.table is not None
-        and change.steps == (change.kind,)
-        and known(change.kind, change.table)["effort"] != "research"
-    ]
+    """Return the changes of the planner that put another table in its place."""
+    return [change for change in changes(protocol, ds.PAPER) if change.table is not None]
 
 
 def key(protocol: Protocol, change: Change) -> str:
@@ -221,7 +164,7 @@ def tables() -> dict[str, Protocol]:
     }
 
 
-def table_remedies(protocol: Protocol) -> Code:
+def table_remedies(protocol: Protocol) -> Value:
     """Return which other table the planner would put in its place, and what each is held against.
 
     Nothing for a table that is such a change itself.
@@ -230,20 +173,14 @@ def table_remedies(protocol: Protocol) -> Code:
         return []
     return [
         [
-            data(change.kind),
-            data(change.what),
-            data(change.note),
-            data(key(protocol, change)),
-            data((change.base or protocol).name),
+            change.kind,
+            change.what,
+            change.note,
+            key(protocol, change),
+            (change.base or protocol).name,
         ]
         for change in table_changes(protocol)
     ]
-
-
-#: Kinds of remedies that change the channel.
-RADIO = ("multicast rate", "radio", "aggregation")
-#: Any fleet will do for changes of the channel.
-SMALL = Fleet.swarm(2, 1, 0)
 
 
 def field(
@@ -255,30 +192,30 @@ def field(
     unit: str = "",
     scale: float = 1,
     whole: bool = False,
-) -> Code:
+) -> Value:
     """Return the data of an input field: what it asks for and which numbers are allowed."""
     low, high, above = allowed
     range_ = _checks.wanted(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
     )
     return {
-        "name": data(name),
-        "label": data(label),
-        "symbol": data(symbol),
-        "unit": data(unit),
-        "scale": number(scale),  # from the unit of the field to SI
-        "start": data(f"{start:.6g}"),
-        "low": number(low),
-        "high": number(high),
-        "above": data(above),
-        "whole": data(whole),
-        "allowed": data(range_.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}")),
+        "name": name,
+        "label": label,
+        "symbol": symbol,
+        "unit": unit,
+        "scale": scale,  # from the unit of the field to SI
+        "start": f"{start:.6g}",
+        "low": low,
+        "high": high,
+        "above": above,
+        "whole": whole,
+        "allowed": range_.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}"),
     }
 
 
 def counts(
     prefix: str, titles: Sequence[str], symbols: Iterable[sp.Symbol], start: Sequence[float]
-) -> Code:
+) -> Value:
     """Return the fields of a group of hosts; the ranges are those of the package."""
     return [
         field(
@@ -293,14 +230,14 @@ def counts(
     ]
 
 
-def fields() -> Code:
+def fields() -> Value:
     """Return the data of all input fields."""
     robot = robots()[START_ROBOT]
     links = (
         ("unicast", "unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
         ("multicast", "multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
     )
-    own: list[Code] = []
+    own: list[Value] = []
     for name, cast, link, rate, overhead in links:
         own += [
             field(
@@ -339,64 +276,57 @@ def fields() -> Code:
     }
 
 
-def ready_made() -> Code:
+def ready_made() -> Value:
     """Return the ready-made robots with what the data file says of their parts."""
     rows = read_data("fleets/robots.csv")
     return [
         {
-            "name": data(name),
-            "processes": data(f"{host.processes:.6g}"),
-            "endpoints": data(f"{host.endpoints:.6g}"),
-            "nodes": number(host.nodes or 0),
-            "parts": data(
-                [
-                    {
-                        "what": row["part"],
-                        "processes": int(row["processes"]),
-                        "endpoints": int(row["endpoints"]),
-                        "kind": row["kind"],
-                        "source": row["source"],
-                    }
-                    for row in rows
-                    if row["robot"] == name
-                ]
-            ),
+            "name": name,
+            "processes": f"{host.processes:.6g}",
+            "endpoints": f"{host.endpoints:.6g}",
+            "nodes": host.nodes or 0,
+            "parts": [
+                {
+                    "what": row["part"],
+                    "processes": int(row["processes"]),
+                    "endpoints": int(row["endpoints"]),
+                    "kind": row["kind"],
+                    "source": row["source"],
+                }
+                for row in rows
+                if row["robot"] == name
+            ],
         }
         for name, host in robots().items()
     ]
 
 
-def group(protocol: Protocol) -> str:
-    """Return under which heading a table is offered."""
-    if protocol in PAPERS:
-        return GROUPS[2]
-    if protocol.name in ARRANGED:
-        return GROUPS[1]
-    papers = [message for table in PAPERS for message in table.messages]
-    if protocol.name not in MEASURED and not any(m in papers for m in protocol.messages):
-        return GROUPS[4]
-    return GROUPS[0] if protocol.name in MEASURED else GROUPS[3]
+def group(protocol: Protocol) -> str | None:
+    """Return under which heading a table is offered; None if only a change can have it."""
+    if protocol not in ds.PROTOCOLS.values():
+        return None
+    return GROUPS[protocol.basis or "proposal"]
 
 
-def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Code]:
+def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Value]:
     """Return what the calculator knows of a message."""
     schedule = message.schedule
     return {
-        "name": data(message.name),
-        "cast": data(message.cast),
-        "bytes": number(message.frame_bytes),
-        "frames": number(message.frames),
-        "unit": data(units.index(message.unit)),
-        "per_unit": number(message.per_unit),
-        "hops": data(" ".join(message.hops)),
+        "name": message.name,
+        "cast": message.cast,
+        "bytes": message.frame_bytes,
+        "frames": message.frames,
+        "unit": units.index(message.unit),
+        "per_unit": message.per_unit,
+        "hops": " ".join(message.hops),
         "sent": {
-            "burst": number(schedule.extra),
-            **{name: number(schedule.mean(window)) for name, window in windows.items()},
+            "burst": schedule.extra,
+            **{name: schedule.mean(window) for name, window in windows.items()},
         },
     }
 
 
-def airtimes(known: Formulas) -> Code:
+def airtimes(known: Formulas) -> Value:
     """Return the airtime of a frame of L bytes on each hop, by kind of channel and cast.
 
     And of L bytes inside the frame of another message, on any channel.
@@ -420,13 +350,13 @@ def airtimes(known: Formulas) -> Code:
     }
 
 
-def outlooks(protocol: Protocol) -> Code:
+def outlooks(protocol: Protocol) -> Value:
     """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
     *told, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "until": [[number(limit), data(word)] for limit, word in zip(limits, told, strict=True)],
-        "never": data(never),
+        "until": [[limit, word] for limit, word in zip(limits, told, strict=True)],
+        "never": never,
     }
 
 
@@ -447,22 +377,12 @@ def saturation(degree: int, known: Formulas) -> str:
     )
 
 
-def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Code:
+def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Value:
     """Return how many of a unit a fleet has, and what further hosts add to it."""
     return {
         "count": known.name(sp.sympify(unit.count(fleet)), "count"),
         "more": [known.name(part, "more") for part in coefficients(unit, fleet)],
     }
-
-
-def measured_up_to(protocol: Protocol) -> list[float]:
-    """Return the most hosts, processes and endpoints of a process that a product ran with [1].
-
-    None for a table that was not fitted to captures.
-    """
-    if protocol.name not in MEASURED | ARRANGED:
-        return []
-    return [*map(float, measured.largest(protocol.name))]
 
 
 def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
@@ -473,155 +393,98 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     windows["ever"] = sp.oo
     units = list(protocol.units())
     return {
-        # What only a change can have is not on offer.
-        "group": data(group(protocol) if protocol in ds.PROTOCOLS.values() else None),
-        "family": data(family(protocol)),
-        "product": data(product(protocol)),
+        "group": group(protocol),
+        "family": protocol.family,
+        "product": software(protocol),
         "tables": table_remedies(protocol),
-        "about": data(ABOUT.get(protocol.name, "")),
-        "measured": [number(most) for most in measured_up_to(protocol)],
-        "variant": data(protocol.name in MEASURED and protocol.name not in PRODUCTS),
-        "lease": number(protocol.lease),
-        "repeats": data(protocol.repeats),
+        "about": ABOUT.get(protocol.name, ""),
+        # The most hosts, processes and endpoints of a process that a product ran with.
+        "measured": list(protocol.captured or ()),
+        "variant": protocol.basis == "measured" and protocol.name not in FIRST,
+        "lease": protocol.lease,
+        "repeats": protocol.repeats,
         "outlooks": outlooks(protocol),
-        "windows": {name: number(window) for name, window in windows.items()},
+        "windows": {**windows},
         "units": [[unit_code(unit, fleet, known) for fleet in FLEETS] for unit in units],
-        "degree": number(
-            max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS)
-        ),
+        "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),
         "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
     }
 
 
-def remedies(kinds: Iterable[str]) -> Code:
+def remedies(kinds: Iterable[str]) -> Value:
     """Return of each kind of remedy what it takes, what to mind, by family, and what to paste."""
-    families = [*dict.fromkeys(map(family, ds.PROTOCOLS.values())), None]
+    families = (*get_args(Family), None)
     efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv")}
 
-    def told(kind: str, family: str | None) -> Code:
+    def told(kind: str, family: str | None) -> Value:
         found = row_of(kind, family)
         if found is None or not found["effort"]:
-            return "null"
+            return None
         return {
-            "effort": number(int(efforts[found["effort"]]["rank"])),
-            "takes": data(efforts[found["effort"]]["what"]),
-            "best_case": data(found["gain"] == "best case"),
-            "mind": data("; ".join(filter(None, (found["price"], found["fails"])))),
+            "effort": int(efforts[found["effort"]]["rank"]),
+            "takes": efforts[found["effort"]]["what"],
+            "best_case": found["gain"] == "best case",
+            "mind": "; ".join(filter(None, (found["price"], found["fails"]))),
         }
 
     return {
         kind: {
             "of": {str(family): told(kind, family) for family in families},
-            "paste": data(
-                {
-                    row["for"]: [
-                        {"where": piece.where, "version": piece.version, "text": piece.text}
-                        for piece in snippets(kind, row["for"])
-                        if row["for"] == "any" or piece not in snippets(kind, "")
-                    ]
-                    for row in read_data("vendors/snippets.csv")
-                    if row["kind"] == kind
-                }
-            ),
+            "paste": {
+                row["for"]: [
+                    {"where": piece.where, "version": piece.version, "text": piece.text}
+                    for piece in snippets(kind, row["for"])
+                    if row["for"] == "any" or piece not in snippets(kind, "")
+                ]
+                for row in read_data("vendors/snippets.csv")
+                if row["kind"] == kind
+            },
         }
         for kind in kinds
     }
 
 
-def model() -> Code:
+def model() -> Value:
     """Return all that the calculator reads."""
     known = Formulas()
     protocols: dict[str, Any] = {
         name: about(protocol, known) for name, protocol in tables().items()
     }
     degrees = range(1, len(COEFFICIENTS))
-    full: list[Code] = ["null", *(saturation(degree, known) for degree in degrees)]
-    kinds = {row[0] for about in protocols.values() for row in about["tables"]}
-    kinds |= set(map(data, ("processes", "endpoints", *RADIO)))
+    full: list[Value] = [None, *(saturation(degree, known) for degree in degrees)]
+    single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
+    shown = [change for change in single if change.table or change.radio or change.fleet]
+    kinds = sorted({change.kind for change in shown})
     drain = known.name(timeline.DRAIN, "drain")
     largest = known.name(LARGEST, "largest")
     return {
         "start": {
-            "robot": data(START_ROBOT),
-            "middleware": data(START_MIDDLEWARE),
+            "robot": START_ROBOT,
+            "middleware": START_MIDDLEWARE,
         },
-        "groups": data(GROUPS),
-        "palette": data(list(dict.fromkeys(figures.COLORS.values()))),
+        "groups": list(GROUPS.values()),
+        "palette": list(dict.fromkeys(figures.COLORS.values())),
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
-        "limit": number(1.0),
-        "times": data(words.TIMES),
+        "limit": 1.0,
+        "times": [list(row) for row in words.TIMES],
         "airtime": airtimes(known),
-        "laptop_nodes": number(laptop().nodes or 0),
-        "service_endpoints": number(parameter_service_endpoints()),
-        "endpoints_of_a_node": number(endpoints_of_a_node()),
-        "shared_endpoints": [number(shared_endpoints(nodes)) for nodes in (0, 1)],
-        "remedies": remedies(sorted(map(json.loads, kinds))),
+        "laptop_nodes": laptop().nodes or 0,
+        "service_endpoints": parameter_service_endpoints(),
+        "endpoints_of_a_node": endpoints_of_a_node(),
+        "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
+        "remedies": remedies(kinds),
+        # What calculator.js has a function for: changes of the hosts.
+        "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,
         "saturation": full,
         "drain": drain,
         "formulas": known.code(),
         # What the rows of messages hold, in order.
-        "columns": data(list(row(ds.DDS.messages[0], {}, list(ds.DDS.units())))),
+        "columns": list(row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
     }
-
-
-def written(code: Code, indent: str = "") -> str:
-    """Return nested code as JavaScript, one entry a line where it is long."""
-    inner = indent + "  "
-    if isinstance(code, dict):
-        entries = [f"{data(key)}: {written(part, inner)}" for key, part in code.items()]
-        braces = "{}"
-    elif isinstance(code, list):
-        entries, braces = [written(part, inner) for part in code], "[]"
-    else:
-        return code
-    line = ", ".join(entries)
-    if len(line) + len(indent) < 300 and "\n" not in line:
-        return f"{braces[0]}{line}{braces[1]}"
-    return "\n".join([braces[0], *(f"{inner}{entry}," for entry in entries), indent + braces[1]])
-
-
-def said_once(code: Code) -> tuple[dict[str, Code], Code]:
-    """Return what occurs more than once, by a name that stands for it, and the rest.
-
-    A later one may stand on earlier ones. Short ones stay where they are.
-    """
-    many = Counter[str]()
-
-    def count(part: Code) -> None:
-        many[written(part)] += 1
-        if many[written(part)] == 1 and not isinstance(part, str):
-            for inner in part.values() if isinstance(part, dict) else part:
-                count(inner)
-
-    names: dict[str, str] = {}
-    said: dict[str, Code] = {}
-
-    def named(part: Code) -> Code:
-        whole = written(part)
-        if whole in names:
-            return names[whole]
-        rest: Code = part
-        if isinstance(part, dict):
-            rest = {key: named(inner) for key, inner in part.items()}
-        elif isinstance(part, list):
-            rest = [named(inner) for inner in part]
-        if many[whole] == 1 or len(whole) < SHORT:
-            return rest
-        names[whole] = f"shared{len(names) + 1}"
-        said[names[whole]] = rest
-        return names[whole]
-
-    count(code)
-    rest = named(code)
-    return said, rest
-
-
-#: Characters from which on it is worth a name.
-SHORT = 40
 
 
 def javascript() -> str:

@@ -328,6 +328,25 @@
     };
   }
 
+  // Changes of the hosts, one function a kind: what it is called and what then is, null where it cannot be. Those of
+  // tables and channels are in model.js.
+  const FLEETS = {
+    processes(swarm) {
+      const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
+      const [N_S, N_S1] = [swarm.N_P * swarm.N_S, swarm.N_P1 * swarm.N_S1];
+      const several = swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1);
+      if (!several || Math.max(N_E, N_E1) > SWARM[2].high) return null;
+      const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
+      return { what: `composing ${many} into one`, fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
+    },
+    endpoints(swarm, nodes) {
+      const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
+      const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
+      const [N_S, N_S1] = [Math.min(swarm.N_S, N_E), Math.min(swarm.N_S1, N_E1)];
+      return { what: "leaving out the parameter services of the robots' nodes", fleet: { ...swarm, N_E, N_E1, N_S, N_S1 } };
+    },
+  };
+
   /** Return the first three things that help, the best of each kind, in the planner's order, and what might in the best case: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
     const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
@@ -341,17 +360,10 @@
       const fits = before >= MODEL.limit && after < MODEL.limit;
       if (saved >= NOTHING) found.push({ kind, what, note, name, before, after, saved, fits, air, fleet, ...(of[MODEL.protocols[name].family] ?? of.None) });
     };
-    if (swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1)) {
-      const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
-      const [N_S, N_S1] = [swarm.N_P * swarm.N_S, swarm.N_P1 * swarm.N_S1];
-      const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
-      if (Math.max(N_E, N_E1) <= SWARM[2].high) add("processes", `composing ${many} into one`, { fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } });
+    for (const kind of MODEL.fleets) {
+      const change = FLEETS[kind](swarm, nodes);
+      if (change) add(kind, change.what, { fleet: change.fleet });
     }
-    const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
-    const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
-    add("endpoints", "leaving out the parameter services of the robots' nodes", {
-      fleet: { ...swarm, N_E, N_E1, N_S: Math.min(swarm.N_S, N_E), N_S1: Math.min(swarm.N_S1, N_E1) },
-    });
     for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.

@@ -1,208 +1,278 @@
 // Made from the package by `make calculator` with sympy 1.14.0; do not edit.
 const DISCOSTORM = (() => {
-  const shared1 = "a whole number of at least 1 and at most 1,000,000,000";
-  const shared2 = "a number of at least 0 and at most 1,000,000,000";
-  const shared3 = "sending multicast at 24 instead of 6 Mbit/s";
-  const shared4 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared5 = {"name": "paper (802.11n)", "model": "padded", "values": shared4};
-  const shared6 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared7 = {"name": "802.11n 20 MHz 2x2, multicast 24 Mbit/s", "model": "padded", "values": shared6};
-  const shared8 = {"R_uni": 300000000, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 1080, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared9 = {"name": "802.11n 40 MHz 2x2", "model": "padded", "values": shared8};
-  const shared10 = {"R_uni": 866666666.6666666, "O_uni": 0.0001895, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 3120, "N_add_uni": 28, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared11 = {"name": "802.11ac 80 MHz 2x2", "model": "padded", "values": shared10};
-  const shared12 = {"R_uni": 2401960784.3137255, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 32666, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared13 = {"name": "802.11ax 160 MHz 2x2", "model": "padded", "values": shared12};
-  const shared14 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 65535, "O_agg": 0.0001895, "A_least": 0};
-  const shared15 = {"name": "802.11n 20 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared14};
-  const shared16 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared17 = {"name": "802.11a 20 MHz 1x1", "model": "padded", "values": shared16};
-  const shared18 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared19 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
-  const shared20 = "sending multicast at 24 instead of 1 Mbit/s";
-  const shared21 = {"name": "802.11g 20 MHz 1x1", "model": "padded", "values": shared19};
-  const shared22 = {"name": "802.11n 20 MHz 2x2", "model": "padded", "values": shared4};
-  const shared23 = "simulated by the paper's tables, 20 robots of 2 processes with 10 endpoints all know each other in 19 s instead of 31 s with DDS and in 31 s instead of 65 s with Zenoh (medians)";
-  const shared24 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
-  const shared25 = {"name": "802.11n 20 MHz 2x2, 2.4 GHz", "model": "padded", "values": shared24};
-  const shared26 = {
+  const shared1 = "The paper's messages, a product's periods";
+  const shared2 = "a whole number of at least 1 and at most 1,000,000,000";
+  const shared3 = "a number of at least 0 and at most 1,000,000,000";
+  const shared4 = "sending multicast at 24 instead of 6 Mbit/s";
+  const shared5 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared6 = {"name": "paper (802.11n)", "model": "padded", "values": shared5};
+  const shared7 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared8 = {"name": "802.11n 20 MHz 2x2, multicast 24 Mbit/s", "model": "padded", "values": shared7};
+  const shared9 = {"R_uni": 300000000, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 1080, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared10 = {"name": "802.11n 40 MHz 2x2", "model": "padded", "values": shared9};
+  const shared11 = {"R_uni": 866666666.6666666, "O_uni": 0.0001895, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 3120, "N_add_uni": 28, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared12 = {"name": "802.11ac 80 MHz 2x2", "model": "padded", "values": shared11};
+  const shared13 = {"R_uni": 2401960784.3137255, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 32666, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared14 = {"name": "802.11ax 160 MHz 2x2", "model": "padded", "values": shared13};
+  const shared15 = {
+    "R_uni": 144444444.44444445,
+    "O_uni": 0.0001855,
+    "R_multi": 6000000,
+    "O_multi": 0.0001215,
+    "N_DBPS_uni": 520,
+    "N_add_uni": 22,
+    "k_uni": 0.9,
+    "t_grid_uni": 4e-06,
+    "N_DBPS_multi": 24,
+    "N_add_multi": 22,
+    "k_multi": 1,
+    "t_grid_multi": 4e-06,
+    "n_agg": 64,
+    "A_most": 65535,
+    "O_agg": 0.0001895,
+    "A_least": 0,
+  };
+  const shared16 = {"name": "802.11n 20 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared15};
+  const shared17 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared18 = {"name": "802.11a 20 MHz 1x1", "model": "padded", "values": shared17};
+  const shared19 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared20 = {"R_uni": 54000000, "O_uni": 0.0001655, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 216, "N_add_uni": 22, "k_uni": 1, "t_grid_uni": 4e-06, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
+  const shared21 = "sending multicast at 24 instead of 1 Mbit/s";
+  const shared22 = {"name": "802.11g 20 MHz 1x1", "model": "padded", "values": shared20};
+  const shared23 = {"name": "802.11n 20 MHz 2x2", "model": "padded", "values": shared5};
+  const shared24 = "simulated by the paper's tables, 20 robots of 2 processes with 10 endpoints all know each other in 19 s instead of 31 s with DDS and in 31 s instead of 65 s with Zenoh (medians)";
+  const shared25 = {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
+  const shared26 = {"name": "802.11n 20 MHz 2x2, 2.4 GHz", "model": "padded", "values": shared25};
+  const shared27 = {
     "name": "802.11n 40 MHz 2x2, A-MPDU 64",
     "model": "aggregated",
     "values": {"R_uni": 300000000, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 1080, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 65535, "O_agg": 0.0001895, "A_least": 0},
   };
-  const shared27 = {"R_uni": 866666666.6666666, "O_uni": 0.0001895, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 3120, "N_add_uni": 28, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 589286, "O_agg": 0.0001935, "A_least": 0};
-  const shared28 = {"name": "802.11ac 80 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared27};
-  const shared29 = {"R_uni": 286764705.88235295, "O_uni": 0.0001959, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 3900, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
-  const shared30 = {"name": "802.11ax 20 MHz 2x2, 2.4 GHz", "model": "padded", "values": shared29};
-  const shared31 = {"R_uni": 1200980392.1568627, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 16333, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared32 = {"name": "802.11ax 80 MHz 2x2", "model": "padded", "values": shared31};
-  const shared33 = {"R_uni": 1200980392.1568627, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 16333, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 814606, "O_agg": 0.0001999, "A_least": 0};
-  const shared34 = {"name": "802.11ax 80 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared33};
-  const shared35 = {
+  const shared28 = {
+    "R_uni": 866666666.6666666,
+    "O_uni": 0.0001895,
+    "R_multi": 6000000,
+    "O_multi": 0.0001215,
+    "N_DBPS_uni": 3120,
+    "N_add_uni": 28,
+    "k_uni": 0.9,
+    "t_grid_uni": 4e-06,
+    "N_DBPS_multi": 24,
+    "N_add_multi": 22,
+    "k_multi": 1,
+    "t_grid_multi": 4e-06,
+    "n_agg": 64,
+    "A_most": 589286,
+    "O_agg": 0.0001935,
+    "A_least": 0,
+  };
+  const shared29 = {"name": "802.11ac 80 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared28};
+  const shared30 = {"R_uni": 286764705.88235295, "O_uni": 0.0001959, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 3900, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06};
+  const shared31 = {"name": "802.11ax 20 MHz 2x2, 2.4 GHz", "model": "padded", "values": shared30};
+  const shared32 = {"R_uni": 1200980392.1568627, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 16333, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared33 = {"name": "802.11ax 80 MHz 2x2", "model": "padded", "values": shared32};
+  const shared34 = {
+    "R_uni": 1200980392.1568627,
+    "O_uni": 0.0001959,
+    "R_multi": 6000000,
+    "O_multi": 0.0001215,
+    "N_DBPS_uni": 16333,
+    "N_add_uni": 16,
+    "k_uni": 1,
+    "t_grid_uni": 1.36e-05,
+    "N_DBPS_multi": 24,
+    "N_add_multi": 22,
+    "k_multi": 1,
+    "t_grid_multi": 4e-06,
+    "n_agg": 64,
+    "A_most": 814606,
+    "O_agg": 0.0001999,
+    "A_least": 0,
+  };
+  const shared35 = {"name": "802.11ax 80 MHz 2x2, A-MPDU 64", "model": "aggregated", "values": shared34};
+  const shared36 = {
     "name": "802.11ax 160 MHz 2x2, A-MPDU 64",
     "model": "aggregated",
-    "values": {"R_uni": 2401960784.3137255, "O_uni": 0.0001959, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 32666, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 1629214, "O_agg": 0.0001999, "A_least": 0},
+    "values": {
+      "R_uni": 2401960784.3137255,
+      "O_uni": 0.0001959,
+      "R_multi": 6000000,
+      "O_multi": 0.0001215,
+      "N_DBPS_uni": 32666,
+      "N_add_uni": 16,
+      "k_uni": 1,
+      "t_grid_uni": 1.36e-05,
+      "N_DBPS_multi": 24,
+      "N_add_multi": 22,
+      "k_multi": 1,
+      "t_grid_multi": 4e-06,
+      "n_agg": 64,
+      "A_most": 1629214,
+      "O_agg": 0.0001999,
+      "A_least": 0,
+    },
   };
-  const shared36 = {"R_uni": 1441176470.5882354, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 19600, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared37 = {"name": "802.11be 80 MHz 2x2", "model": "padded", "values": shared36};
-  const shared38 = {"R_uni": 5764705882.3529415, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 78400, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
-  const shared39 = {"name": "802.11be 320 MHz 2x2", "model": "padded", "values": shared38};
-  const shared40 = "another radio (802.11ax 160 MHz 2x2, A-MPDU 64)";
-  const shared41 = {"effort": 6, "takes": "work on the radios", "best_case": true, "mind": "every exchange must be full; a queue may hold fewer frames for one receiver"};
-  const shared42 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "parameters cannot be set from outside any more; nodes of others, as Nav2's, must be built anew; a service counts as in DDS"};
-  const shared43 = {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together"};
-  const shared44 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; no multicast or management frame is sent at lower ones"};
-  const shared45 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "only what is built as components can be composed; one crash ends all nodes of its host"};
-  const shared46 = {"effort": 6, "takes": "work on the radios", "best_case": false, "mind": "all hosts and the access point need it, and must be near enough for its rate"};
-  const shared47 = ["discovery server", "a Discovery Server", "both as Fast DDS was measured", "Fast DDS Discovery Server", "Fast DDS"];
-  const shared48 = ["two discovery servers", "two Discovery Servers", "both as Fast DDS was measured", "Fast DDS Discovery Server, two", "Fast DDS"];
-  const shared49 = ["discovery server on a robot", "a Discovery Server on a robot", "both as Fast DDS was measured", "Fast DDS Discovery Server, on a robot", "Fast DDS"];
-  const shared50 = ["static endpoints", "static endpoints", "both as Fast DDS was measured", "static endpoints", "Fast DDS"];
-  const shared51 = ["peers", "static peers", "both as Cyclone DDS was measured", "Cyclone DDS peers", "Cyclone DDS"];
-  const shared52 = ["multicast endpoint data", "endpoints by multicast", "both as Cyclone DDS was measured", "Cyclone DDS multicast SEDP", "Cyclone DDS"];
-  const shared53 = {"until": [[1, "within a second at best"], [Infinity, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared54 = {"count": "count", "more": ["more", "more2"]};
-  const shared55 = [shared54, shared54, shared54];
-  const shared56 = {"count": "count2", "more": ["more3", "more4", "more5"]};
-  const shared57 = [shared56, shared56, shared56];
-  const shared58 = {"count": "count3", "more": ["more6", "more7", "more8"]};
-  const shared59 = [shared58, shared58, shared58];
-  const shared60 = "both as Zenoh peer with tokens was measured";
-  const shared61 = ["router", "a router behind the access point", shared60, "Zenoh router", "Zenoh peer, tokens"];
-  const shared62 = ["router on each host", "a router on each host", shared60, "Zenoh router per host", "Zenoh peer, tokens"];
-  const shared63 = [shared55, shared59, shared57];
-  const shared64 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", {"burst": 1, "second": 1, "ever": 0}];
-  const shared65 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-  const shared66 = {"until": [[1, "within a second at best"], [10, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared67 = {"second": 1, "lease": 10, "ever": Infinity};
-  const shared68 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
-  const shared69 = [shared68, shared68, shared68];
-  const shared70 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
-  const shared71 = [shared70, shared70, shared70];
-  const shared72 = [{"count": "count6", "more": []}, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
-  const shared73 = [shared55, shared59, shared57, shared69, shared71, shared72];
-  const shared74 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
-  const shared75 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
-  const shared76 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
-  const shared77 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
-  const shared78 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
-  const shared79 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared78];
-  const shared80 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared78];
-  const shared81 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared78];
-  const shared82 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-  const shared83 = [shared55, shared59, shared57, shared71, shared72];
-  const shared84 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared74];
-  const shared85 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
-  const shared86 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-  const shared87 = {"count": "count9", "more": ["more23", "more24", "more2"]};
-  const shared88 = [shared87, shared87, shared87];
-  const shared89 = {"count": "count10", "more": ["more25", "more26", "more27"]};
-  const shared90 = [shared89, shared89, shared89];
-  const shared91 = [shared88, shared90, shared59, shared57, shared69, shared71, shared72];
-  const shared92 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-  const shared93 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-  const shared94 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared95 = {"second": 1, "lease": 20, "ever": Infinity};
-  const shared96 = {"count": "count11", "more": ["more28", "more29", "more30"]};
-  const shared97 = {"count": "count12", "more": ["more31", "more32"]};
-  const shared98 = [shared97, shared97, shared97];
-  const shared99 = {"count": "count14", "more": ["more36", "more37", "more5"]};
-  const shared100 = {"count": "count15", "more": ["more38", "more39", "more30"]};
-  const shared101 = [{"count": "count6", "more": []}, shared100, shared100];
-  const shared102 = [shared55, [{"count": "count6", "more": []}, shared96, shared96], shared98, [{"count": "count6", "more": []}, {"count": "count13", "more": ["more33", "more34", "more35"]}, shared99], shared101, shared72];
-  const shared103 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
-  const shared104 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": 0.3333333333333333};
-  const shared105 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-  const shared106 = ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.292, "up down", shared105];
-  const shared107 = ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.292, "up down", shared105];
-  const shared108 = ["User Heartbeat", "unicast", 192, 1, 5, 1.021, "up down", shared105];
-  const shared109 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", shared105];
-  const shared110 = {"count": "count16", "more": ["more40", "more2"]};
-  const shared111 = {"count": "count17", "more": ["more41", "more42", "more30"]};
-  const shared112 = {"count": "count18", "more": ["more43", "more32"]};
-  const shared113 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-  const shared114 = {"count": "count21", "more": ["more48", "more49", "more8"]};
-  const shared115 = [shared114, shared114, shared114];
-  const shared116 = [shared55, shared115, shared59, shared71, shared57, shared72];
-  const shared117 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333};
-  const shared118 = {"until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared119 = {"second": 1, "lease": 23, "ever": Infinity};
-  const shared120 = {"count": "count22", "more": ["more50", "more27"]};
-  const shared121 = [shared120, shared120, shared120];
-  const shared122 = [{"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}];
-  const shared123 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-  const shared124 = ["Announce", "multicast", 80, 1, 0, 1, "up down", shared123];
-  const shared125 = ["Process", "multicast", 24, 0, 1, 1, "up down", shared123];
-  const shared126 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", shared123];
-  const shared127 = ["Digest", "multicast", 80, 1, 3, 1, "up down", shared123];
-  const shared128 = ["Listed", "multicast", 1, 0, 0, 1, "up down", shared123];
-  const shared129 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
-  const shared130 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", shared129];
-  const shared131 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", shared129];
-  const shared132 = {"count": "count23", "more": ["count23"]};
-  const shared133 = "The paper's messages, a product's periods";
-  const shared134 = "switching to DDS, periods of Cyclone DDS";
-  const shared135 = "switching to Zenoh, periods of Zenoh peer";
-  const shared136 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-  const shared137 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-  const shared138 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", shared137];
-  const shared139 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-  const shared140 = [shared99, shared99, shared99];
-  const shared141 = {"count": "count24", "more": ["more51", "more52"]};
-  const shared142 = {"count": "count25", "more": ["more53", "more54", "more55"]};
-  const shared143 = [shared55, shared115, shared98, shared59, shared71, shared57, shared140, [shared141, shared141, shared141], shared69, [shared142, shared142, shared142], shared72];
-  const shared144 = "peers, each linked with each other (measured with 1.10.2)";
-  const shared145 = [shared56, {"count": "count26", "more": ["more56", "more57", "more58"]}, {"count": "count6", "more": []}];
-  const shared146 = [shared55, shared59, shared71, shared57, shared145, shared72];
-  const shared147 = ["Scout", "multicast", 67, 1, 0, 1, "up down", shared136];
-  const shared148 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-  const shared149 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", shared77];
-  const shared150 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", shared77];
-  const shared151 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", shared77];
-  const shared152 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", shared137];
-  const shared153 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared77];
-  const shared154 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-  const shared155 = {"until": [[1, "within a second at best"], [60, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared156 = {"second": 1, "lease": 60, "ever": Infinity};
-  const shared157 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-  const shared158 = {"burst": 0, "second": 0.03333333333333333, "lease": 0.03333333333333333, "ever": 0.03333333333333333};
-  const shared159 = {"count": "count30", "more": ["more65", "more66", "more67", "more68", "more27"]};
-  const shared160 = {"count": "count31", "more": ["more69", "more70", "more32"]};
-  const shared161 = [shared57, shared59];
-  const shared162 = {"until": [[1, "within a second at best"], [100, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
-  const shared163 = {"second": 1, "lease": 100, "ever": Infinity};
-  const shared164 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": 0.03333333333333333};
-  const shared165 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": 0.03333333333333333};
-  const shared166 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-  const shared167 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-  const shared168 = {"burst": 0, "second": 0.01020408163265306, "lease": 0.01020408163265306, "ever": 0.01020408163265306};
-  const shared169 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared168];
-  const shared170 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared168];
-  const shared171 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared168];
-  const shared172 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared164];
-  const shared173 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": 0.06666666666666667};
-  const shared174 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": 0.06666666666666667};
-  const shared175 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.38166666666666665, "ever": 0.3333333333333333};
-  const shared176 = [shared59, shared71, shared57, shared145, shared72];
-  const shared177 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared77];
-  const shared178 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared77];
-  const shared179 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared77];
-  const shared180 = ["KeepAlive", "unicast", 79, 1, 0, 0.9997000149992501, "up down", shared137];
-  const shared181 = ["TCP control", "unicast", 76, 1, 0, 0.9997000149992501, "up down", shared77];
+  const shared37 = {"R_uni": 1441176470.5882354, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 19600, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared38 = {"name": "802.11be 80 MHz 2x2", "model": "padded", "values": shared37};
+  const shared39 = {"R_uni": 5764705882.3529415, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 78400, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
+  const shared40 = {"name": "802.11be 320 MHz 2x2", "model": "padded", "values": shared39};
+  const shared41 = "another radio (802.11ax 160 MHz 2x2, A-MPDU 64)";
+  const shared42 = {"effort": 6, "takes": "work on the radios", "best_case": true, "mind": "every exchange must be full; a queue may hold fewer frames for one receiver"};
+  const shared43 = "on a computer that is wired to the access point";
+  const shared44 = {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"};
+  const shared45 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "parameters cannot be set from outside any more; nodes of others, as Nav2's, must be built anew; a service counts as in DDS"};
+  const shared46 = {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together"};
+  const shared47 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; no multicast or management frame is sent at lower ones"};
+  const shared48 = {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "only what is built as components can be composed; one crash ends all nodes of its host"};
+  const shared49 = {"effort": 6, "takes": "work on the radios", "best_case": false, "mind": "all hosts and the access point need it, and must be near enough for its rate"};
+  const shared50 = ["discovery server", "a Discovery Server", "both as Fast DDS was measured", "Fast DDS Discovery Server", "Fast DDS"];
+  const shared51 = ["two discovery servers", "two Discovery Servers", "both as Fast DDS was measured", "Fast DDS Discovery Server, two", "Fast DDS"];
+  const shared52 = ["discovery server on a robot", "a Discovery Server on a robot", "both as Fast DDS was measured", "Fast DDS Discovery Server, on a robot", "Fast DDS"];
+  const shared53 = ["static endpoints", "static endpoints", "both as Fast DDS was measured", "static endpoints", "Fast DDS"];
+  const shared54 = ["peers", "static peers", "both as Cyclone DDS was measured", "Cyclone DDS peers", "Cyclone DDS"];
+  const shared55 = ["multicast endpoint data", "endpoints by multicast", "both as Cyclone DDS was measured", "Cyclone DDS multicast SEDP", "Cyclone DDS"];
+  const shared56 = {"until": [[1, "within a second at best"], [Infinity, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared57 = {"count": "count", "more": ["more", "more2"]};
+  const shared58 = [shared57, shared57, shared57];
+  const shared59 = {"count": "count2", "more": ["more3", "more4", "more5"]};
+  const shared60 = [shared59, shared59, shared59];
+  const shared61 = {"count": "count3", "more": ["more6", "more7", "more8"]};
+  const shared62 = [shared61, shared61, shared61];
+  const shared63 = "both as Zenoh peer with tokens was measured";
+  const shared64 = ["router", "a router behind the access point", shared63, "Zenoh router", "Zenoh peer, tokens"];
+  const shared65 = ["router on each host", "a router on each host", shared63, "Zenoh router per host", "Zenoh peer, tokens"];
+  const shared66 = [shared58, shared62, shared60];
+  const shared67 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", {"burst": 1, "second": 1, "ever": 0}];
+  const shared68 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
+  const shared69 = {"until": [[1, "within a second at best"], [10, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared70 = {"second": 1, "lease": 10, "ever": Infinity};
+  const shared71 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
+  const shared72 = [shared71, shared71, shared71];
+  const shared73 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
+  const shared74 = [shared73, shared73, shared73];
+  const shared75 = [{"count": "count6", "more": []}, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
+  const shared76 = [shared58, shared62, shared60, shared72, shared74, shared75];
+  const shared77 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
+  const shared78 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
+  const shared79 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
+  const shared80 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
+  const shared81 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
+  const shared82 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared81];
+  const shared83 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared81];
+  const shared84 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared81];
+  const shared85 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
+  const shared86 = [shared58, shared62, shared60, shared74, shared75];
+  const shared87 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared77];
+  const shared88 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
+  const shared89 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
+  const shared90 = {"count": "count9", "more": ["more23", "more24", "more2"]};
+  const shared91 = [shared90, shared90, shared90];
+  const shared92 = {"count": "count10", "more": ["more25", "more26", "more27"]};
+  const shared93 = [shared92, shared92, shared92];
+  const shared94 = [shared91, shared93, shared62, shared60, shared72, shared74, shared75];
+  const shared95 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+  const shared96 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
+  const shared97 = {"until": [[1, "within a second at best"], [20, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared98 = {"second": 1, "lease": 20, "ever": Infinity};
+  const shared99 = {"count": "count11", "more": ["more28", "more29", "more30"]};
+  const shared100 = {"count": "count12", "more": ["more31", "more32"]};
+  const shared101 = [shared100, shared100, shared100];
+  const shared102 = {"count": "count14", "more": ["more36", "more37", "more5"]};
+  const shared103 = {"count": "count15", "more": ["more38", "more39", "more30"]};
+  const shared104 = [{"count": "count6", "more": []}, shared103, shared103];
+  const shared105 = [shared58, [{"count": "count6", "more": []}, shared99, shared99], shared101, [{"count": "count6", "more": []}, {"count": "count13", "more": ["more33", "more34", "more35"]}, shared102], shared104, shared75];
+  const shared106 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": 0.3333333333333333};
+  const shared107 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": 0.3333333333333333};
+  const shared108 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+  const shared109 = ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.292, "up down", shared108];
+  const shared110 = ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.292, "up down", shared108];
+  const shared111 = ["User Heartbeat", "unicast", 192, 1, 5, 1.021, "up down", shared108];
+  const shared112 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", shared108];
+  const shared113 = {"count": "count16", "more": ["more40", "more2"]};
+  const shared114 = {"count": "count17", "more": ["more41", "more42", "more30"]};
+  const shared115 = {"count": "count18", "more": ["more43", "more32"]};
+  const shared116 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+  const shared117 = {"count": "count21", "more": ["more48", "more49", "more8"]};
+  const shared118 = [shared117, shared117, shared117];
+  const shared119 = [shared58, shared118, shared62, shared74, shared60, shared75];
+  const shared120 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.575, "ever": 0.3333333333333333};
+  const shared121 = {"until": [[1, "within a second at best"], [23, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared122 = {"second": 1, "lease": 23, "ever": Infinity};
+  const shared123 = {"count": "count22", "more": ["more50", "more27"]};
+  const shared124 = [shared123, shared123, shared123];
+  const shared125 = [{"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}, {"count": "more27", "more": ["more27"]}];
+  const shared126 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+  const shared127 = ["Announce", "multicast", 80, 1, 0, 1, "up down", shared126];
+  const shared128 = ["Process", "multicast", 24, 0, 1, 1, "up down", shared126];
+  const shared129 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", shared126];
+  const shared130 = ["Digest", "multicast", 80, 1, 3, 1, "up down", shared126];
+  const shared131 = ["Listed", "multicast", 1, 0, 0, 1, "up down", shared126];
+  const shared132 = {"burst": 0, "second": 0.3333333333333333, "lease": 0.3333333333333333, "ever": 0.3333333333333333};
+  const shared133 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", shared132];
+  const shared134 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", shared132];
+  const shared135 = {"count": "count23", "more": ["count23"]};
+  const shared136 = "switching to DDS, periods of Cyclone DDS";
+  const shared137 = "switching to Zenoh, periods of Zenoh peer";
+  const shared138 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+  const shared139 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+  const shared140 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", shared139];
+  const shared141 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+  const shared142 = [shared102, shared102, shared102];
+  const shared143 = {"count": "count24", "more": ["more51", "more52"]};
+  const shared144 = {"count": "count25", "more": ["more53", "more54", "more55"]};
+  const shared145 = [shared58, shared118, shared101, shared62, shared74, shared60, shared142, [shared143, shared143, shared143], shared72, [shared144, shared144, shared144], shared75];
+  const shared146 = "peers, each linked with each other (measured with 1.10.2)";
+  const shared147 = [shared59, {"count": "count26", "more": ["more56", "more57", "more58"]}, {"count": "count6", "more": []}];
+  const shared148 = [shared58, shared62, shared74, shared60, shared147, shared75];
+  const shared149 = ["Scout", "multicast", 67, 1, 0, 1, "up down", shared138];
+  const shared150 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+  const shared151 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", shared80];
+  const shared152 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", shared80];
+  const shared153 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", shared80];
+  const shared154 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", shared139];
+  const shared155 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", shared80];
+  const shared156 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+  const shared157 = {"until": [[1, "within a second at best"], [60, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared158 = {"second": 1, "lease": 60, "ever": Infinity};
+  const shared159 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+  const shared160 = {"burst": 0, "second": 0.03333333333333333, "lease": 0.03333333333333333, "ever": 0.03333333333333333};
+  const shared161 = {"count": "count30", "more": ["more65", "more66", "more67", "more68", "more27"]};
+  const shared162 = {"count": "count31", "more": ["more69", "more70", "more32"]};
+  const shared163 = [shared60, shared62];
+  const shared164 = {"until": [[1, "within a second at best"], [100, "slow at best"], [Infinity, "leases at risk"]], "never": "never catches up"};
+  const shared165 = {"second": 1, "lease": 100, "ever": Infinity};
+  const shared166 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": 0.03333333333333333};
+  const shared167 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": 0.03333333333333333};
+  const shared168 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+  const shared169 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+  const shared170 = {"burst": 0, "second": 0.01020408163265306, "lease": 0.01020408163265306, "ever": 0.01020408163265306};
+  const shared171 = ["Liveliness", "unicast", 179.99005799502902, 0.7242, 1, 1, "up down", shared170];
+  const shared172 = ["Liveliness Heartbeat", "unicast", 180.02610587382162, 0.2758, 1, 1, "up down", shared170];
+  const shared173 = ["Liveliness ACKNACK", "unicast", 128, 1, 1, 1, "up down", shared170];
+  const shared174 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", shared166];
+  const shared175 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": 0.06666666666666667};
+  const shared176 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": 0.06666666666666667};
+  const shared177 = {"burst": 4.833333333333333, "second": 5.166666666666666, "lease": 0.38166666666666665, "ever": 0.3333333333333333};
+  const shared178 = [shared62, shared74, shared60, shared147, shared75];
+  const shared179 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared80];
+  const shared180 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared80];
+  const shared181 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared80];
+  const shared182 = ["KeepAlive", "unicast", 79, 1, 0, 0.9997000149992501, "up down", shared139];
+  const shared183 = ["TCP control", "unicast", 76, 1, 0, 0.9997000149992501, "up down", shared80];
   return {
     "start": {"robot": "Nav2 in one process", "middleware": "Fast DDS"},
-    "groups": ["Products as built", "Products arranged against the storm", "As the paper counts", "The paper's messages, a product's periods", "Proposals and other tables"],
+    "groups": ["Products as built", "Products arranged against the storm", "As the paper counts", shared1, "Proposals and other tables"],
     "palette": ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"],
     "fields": {
       "swarm": [
-        {"name": "hosts", "label": "Robots", "symbol": "N_H", "unit": "", "scale": 1, "start": "5", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared1},
-        {"name": "processes", "label": "Processes on each", "symbol": "N_P", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared1},
-        {"name": "endpoints", "label": "Endpoints of each process", "symbol": "N_E", "unit": "", "scale": 1, "start": "678", "low": 0, "high": 1000000000, "above": false, "whole": false, "allowed": shared2},
+        {"name": "hosts", "label": "Robots", "symbol": "N_H", "unit": "", "scale": 1, "start": "5", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared2},
+        {"name": "processes", "label": "Processes on each", "symbol": "N_P", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared2},
+        {"name": "endpoints", "label": "Endpoints of each process", "symbol": "N_E", "unit": "", "scale": 1, "start": "678", "low": 0, "high": 1000000000, "above": false, "whole": false, "allowed": shared3},
       ],
       "beside": [
-        {"name": "beside_hosts", "label": "How many", "symbol": "N_H1", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared1},
-        {"name": "beside_processes", "label": "Processes on each of them", "symbol": "N_P1", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared1},
-        {"name": "beside_endpoints", "label": "Endpoints of each of these", "symbol": "N_E1", "unit": "", "scale": 1, "start": "90", "low": 0, "high": 1000000000, "above": false, "whole": false, "allowed": shared2},
+        {"name": "beside_hosts", "label": "How many", "symbol": "N_H1", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared2},
+        {"name": "beside_processes", "label": "Processes on each of them", "symbol": "N_P1", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 1000000000, "above": false, "whole": true, "allowed": shared2},
+        {"name": "beside_endpoints", "label": "Endpoints of each of these", "symbol": "N_E1", "unit": "", "scale": 1, "start": "90", "low": 0, "high": 1000000000, "above": false, "whole": false, "allowed": shared3},
       ],
       "own": [
         {"name": "unicast_rate", "label": "Rate, unicast", "symbol": "R_uni", "unit": "Mbit/s", "scale": 1000000, "start": "144.4", "low": 0, "high": Infinity, "above": true, "whole": false, "allowed": "a number above 0"},
@@ -220,28 +290,70 @@ const DISCOSTORM = (() => {
         "processes": "22",
         "endpoints": "42.1818",
         "nodes": 1.1363636363636365,
-        "parts": [{"what": "Nav2's servers, each in a process of its own", "processes": 11, "endpoints": 698, "kind": "estimated", "source": "678 of paper, Sec. IV-C, and 2 for each of ten further participants; processes: turtlebot4 (humble, d688175), nav2.launch.py and localization.launch.py, which do not compose; nodes: nav2_nodes.csv"}, {"what": "drivers, description, joystick and diagnostics; without the Create 3 base, which is wired to them", "processes": 11, "endpoints": 230, "kind": "estimated", "source": "turtlebot4_robot (humble, f2f30da), standard.launch.py and diagnostics.launch.py: 17 for each participant with its node, and the topics that turtlebot4_base and turtlebot4_diagnostics create; topics of the other drivers would add to it"}],
+        "parts": [
+          {
+            "what": "Nav2's servers, each in a process of its own",
+            "processes": 11,
+            "endpoints": 698,
+            "kind": "estimated",
+            "source": "678 of paper, Sec. IV-C, and 2 for each of ten further participants; processes: turtlebot4 (humble, d688175), nav2.launch.py and localization.launch.py, which do not compose; nodes: nav2_nodes.csv",
+          },
+          {
+            "what": "drivers, description, joystick and diagnostics; without the Create 3 base, which is wired to them",
+            "processes": 11,
+            "endpoints": 230,
+            "kind": "estimated",
+            "source": "turtlebot4_robot (humble, f2f30da), standard.launch.py and diagnostics.launch.py: 17 for each participant with its node, and the topics that turtlebot4_base and turtlebot4_diagnostics create; topics of the other drivers would add to it",
+          },
+        ],
       },
       {
         "name": "Drone, PX4 through uXRCE-DDS",
         "processes": "2",
         "endpoints": "45.5",
         "nodes": 0.5,
-        "parts": [{"what": "agent: 29 topics out, 40 in, one service", "processes": 1, "endpoints": 71, "kind": "counted", "source": "PX4-Autopilot (00743c6), src/modules/uxrce_dds_client/dds_topics.yaml and vehicle_command_srv.cpp; all of them are there once each has been used"}, {"what": "a node that flies offboard", "processes": 1, "endpoints": 20, "kind": "counted", "source": "the parts of rviz_endpoints.csv: 2 of the participant and 15 of a node; three publishers: offboard_control_mode, trajectory_setpoint, vehicle_command"}],
+        "parts": [
+          {"what": "agent: 29 topics out, 40 in, one service", "processes": 1, "endpoints": 71, "kind": "counted", "source": "PX4-Autopilot (00743c6), src/modules/uxrce_dds_client/dds_topics.yaml and vehicle_command_srv.cpp; all of them are there once each has been used"},
+          {"what": "a node that flies offboard", "processes": 1, "endpoints": 20, "kind": "counted", "source": "the parts of rviz_endpoints.csv: 2 of the participant and 15 of a node; three publishers: offboard_control_mode, trajectory_setpoint, vehicle_command"},
+        ],
       },
       {
         "name": "Drone, PX4 through MAVROS",
         "processes": "1",
         "endpoints": "1207",
         "nodes": 61,
-        "parts": [{"what": "mavros_node with the plugins of px4_pluginlists.yaml", "processes": 1, "endpoints": 1207, "kind": "estimated", "source": "mavros 2.12.0: 59 plugins and 3 nodes of 15 (the one for parameters has 2), 2 of the participant; the source of these plugins has 162 lines that create a publisher or subscription, 58 that create a service, 5 a client"}],
+        "parts": [
+          {
+            "what": "mavros_node with the plugins of px4_pluginlists.yaml",
+            "processes": 1,
+            "endpoints": 1207,
+            "kind": "estimated",
+            "source": "mavros 2.12.0: 59 plugins and 3 nodes of 15 (the one for parameters has 2), 2 of the participant; the source of these plugins has 162 lines that create a publisher or subscription, 58 that create a service, 5 a client",
+          },
+        ],
       },
       {
         "name": "Manipulator with MoveIt",
         "processes": "3",
         "endpoints": "72.3333",
         "nodes": 2.3333333333333335,
-        "parts": [{"what": "move_group", "processes": 1, "endpoints": 113, "kind": "estimated", "source": "moveit2 (8fcb5d2): three nodes of 15, and what the default capabilities, the planning scene monitor and one trajectory controller create: 15 services, two action servers and one client of 8 endpoints each, 12 topics; 2 of the participant"}, {"what": "ros2_control_node with a state broadcaster and a trajectory controller", "processes": 1, "endpoints": 83, "kind": "estimated", "source": "ros2_control (006681b): 2 of the participant, three nodes of 15, 10 services of the controller manager, one of the controller, its action server of 8 and 6 topics"}, {"what": "robot_state_publisher", "processes": 1, "endpoints": 21, "kind": "estimated", "source": "2 of the participant, 15 of the node; robot_description, tf, tf_static and joint_states"}],
+        "parts": [
+          {
+            "what": "move_group",
+            "processes": 1,
+            "endpoints": 113,
+            "kind": "estimated",
+            "source": "moveit2 (8fcb5d2): three nodes of 15, and what the default capabilities, the planning scene monitor and one trajectory controller create: 15 services, two action servers and one client of 8 endpoints each, 12 topics; 2 of the participant",
+          },
+          {
+            "what": "ros2_control_node with a state broadcaster and a trajectory controller",
+            "processes": 1,
+            "endpoints": 83,
+            "kind": "estimated",
+            "source": "ros2_control (006681b): 2 of the participant, three nodes of 15, 10 services of the controller manager, one of the controller, its action server of 8 and 6 topics",
+          },
+          {"what": "robot_state_publisher", "processes": 1, "endpoints": 21, "kind": "estimated", "source": "2 of the participant, 15 of the node; robot_description, tf, tf_static and joint_states"},
+        ],
       },
     ],
     "channels": [
@@ -250,71 +362,88 @@ const DISCOSTORM = (() => {
         "model": "linear",
         "values": {"R_uni": 144400000, "O_uni": 0.00018, "R_multi": 6000000, "O_multi": 0.00012},
         "remedies": [
-          {"kind": "multicast rate", "what": shared3, "note": "both by the standard's timing", "base": shared5, "wifi": shared7},
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": shared5, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared5, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared5, "wifi": shared13},
+          {"kind": "multicast rate", "what": shared4, "note": "both by the standard's timing", "base": shared6, "wifi": shared8},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": shared6, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared6, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared6, "wifi": shared14},
           {
             "kind": "aggregation",
             "what": "aggregating up to 64 frames",
             "note": "both by the standard's timing; simulated by the paper's tables, 20 robots of 2 processes with 10 endpoints all know each other in 19 s instead of 31 s with DDS and in 31 s instead of 65 s with Zenoh (medians)",
-            "base": shared5,
-            "wifi": shared15,
+            "base": shared6,
+            "wifi": shared16,
           },
         ],
       },
       {
         "name": "802.11a 20 MHz 1x1",
         "model": "padded",
-        "values": shared16,
+        "values": shared17,
         "remedies": [
-          {"kind": "multicast rate", "what": shared3, "note": "", "base": shared17, "wifi": {"name": "802.11a 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": shared18}},
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 300 instead of 54 Mbit/s and 186 instead of 166 µs of overhead an exchange", "base": shared17, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 867 instead of 54 Mbit/s and 190 instead of 166 µs of overhead an exchange", "base": shared17, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 2402 instead of 54 Mbit/s and 196 instead of 166 µs of overhead an exchange", "base": shared17, "wifi": shared13},
+          {"kind": "multicast rate", "what": shared4, "note": "", "base": shared18, "wifi": {"name": "802.11a 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": shared19}},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 300 instead of 54 Mbit/s and 186 instead of 166 µs of overhead an exchange", "base": shared18, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 867 instead of 54 Mbit/s and 190 instead of 166 µs of overhead an exchange", "base": shared18, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11a 20 MHz 1x1: 2402 instead of 54 Mbit/s and 196 instead of 166 µs of overhead an exchange", "base": shared18, "wifi": shared14},
         ],
       },
       {
         "name": "802.11g 20 MHz 1x1",
         "model": "padded",
-        "values": shared19,
+        "values": shared20,
         "remedies": [
-          {"kind": "multicast rate", "what": shared20, "note": "", "base": shared21, "wifi": {"name": "802.11g 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": shared18}},
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 300 instead of 54 Mbit/s, 186 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared21, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 867 instead of 54 Mbit/s, 190 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared21, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 2402 instead of 54 Mbit/s, 196 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared21, "wifi": shared13},
+          {"kind": "multicast rate", "what": shared21, "note": "", "base": shared22, "wifi": {"name": "802.11g 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": shared19}},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 300 instead of 54 Mbit/s, 186 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared22, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 867 instead of 54 Mbit/s, 190 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared22, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11g 20 MHz 1x1: 2402 instead of 54 Mbit/s, 196 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared22, "wifi": shared14},
         ],
       },
       {
         "name": "802.11n 20 MHz 2x2",
         "model": "padded",
-        "values": shared4,
+        "values": shared5,
         "remedies": [
-          {"kind": "multicast rate", "what": shared3, "note": "", "base": shared22, "wifi": shared7},
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": shared22, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared22, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared22, "wifi": shared13},
-          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared23, "base": shared22, "wifi": shared15},
+          {"kind": "multicast rate", "what": shared4, "note": "", "base": shared23, "wifi": shared8},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": shared23, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared23, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared23, "wifi": shared14},
+          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared24, "base": shared23, "wifi": shared16},
         ],
       },
       {
         "name": "802.11n 20 MHz 2x2, 2.4 GHz",
         "model": "padded",
-        "values": shared24,
+        "values": shared25,
         "remedies": [
-          {"kind": "multicast rate", "what": shared20, "note": "", "base": shared25, "wifi": {"name": "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s", "model": "padded", "values": shared6}},
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 300 instead of 144 Mbit/s, 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared25, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 867 instead of 144 Mbit/s, 190 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared25, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 2402 instead of 144 Mbit/s, 196 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared25, "wifi": shared13},
+          {"kind": "multicast rate", "what": shared21, "note": "", "base": shared26, "wifi": {"name": "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s", "model": "padded", "values": shared7}},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 300 instead of 144 Mbit/s, 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared26, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 867 instead of 144 Mbit/s, 190 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared26, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 2402 instead of 144 Mbit/s, 196 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared26, "wifi": shared14},
           {
             "kind": "aggregation",
             "what": "aggregating up to 64 frames",
-            "note": shared23,
-            "base": shared25,
+            "note": shared24,
+            "base": shared26,
             "wifi": {
               "name": "802.11n 20 MHz 2x2, 2.4 GHz, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06, "n_agg": 64, "A_most": 65535, "O_agg": 0.0001895, "A_least": 0},
+              "values": {
+                "R_uni": 144444444.44444445,
+                "O_uni": 0.0001855,
+                "R_multi": 1000000,
+                "O_multi": 0.0002875,
+                "N_DBPS_uni": 520,
+                "N_add_uni": 22,
+                "k_uni": 0.9,
+                "t_grid_uni": 4e-06,
+                "N_DBPS_multi": 1,
+                "N_add_multi": 0,
+                "k_multi": 1,
+                "t_grid_multi": 1e-06,
+                "n_agg": 64,
+                "A_most": 65535,
+                "O_agg": 0.0001895,
+                "A_least": 0,
+              },
             },
           },
         ],
@@ -322,72 +451,89 @@ const DISCOSTORM = (() => {
       {
         "name": "802.11n 40 MHz 2x2",
         "model": "padded",
-        "values": shared8,
+        "values": shared9,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared9,
+            "base": shared10,
             "wifi": {
               "name": "802.11n 40 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 300000000, "O_uni": 0.0001855, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 1080, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 40 MHz 2x2: 867 instead of 300 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared9, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 40 MHz 2x2: 2402 instead of 300 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared9, "wifi": shared13},
-          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared23, "base": shared9, "wifi": shared26},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11n 40 MHz 2x2: 867 instead of 300 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": shared10, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11n 40 MHz 2x2: 2402 instead of 300 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": shared10, "wifi": shared14},
+          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared24, "base": shared10, "wifi": shared27},
         ],
       },
       {
         "name": "802.11ac 80 MHz 2x2",
         "model": "padded",
-        "values": shared10,
+        "values": shared11,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared11,
+            "base": shared12,
             "wifi": {
               "name": "802.11ac 80 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 866666666.6666666, "O_uni": 0.0001895, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 3120, "N_add_uni": 28, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ac 80 MHz 2x2: 2402 instead of 867 Mbit/s and 196 instead of 190 µs of overhead an exchange", "base": shared11, "wifi": shared13},
-          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared23, "base": shared11, "wifi": shared28},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ac 80 MHz 2x2: 2402 instead of 867 Mbit/s and 196 instead of 190 µs of overhead an exchange", "base": shared12, "wifi": shared14},
+          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared24, "base": shared12, "wifi": shared29},
         ],
       },
       {
         "name": "802.11ax 20 MHz 2x2, 2.4 GHz",
         "model": "padded",
-        "values": shared29,
+        "values": shared30,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared20,
+            "what": shared21,
             "note": "",
-            "base": shared30,
+            "base": shared31,
             "wifi": {
               "name": "802.11ax 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 286764705.88235295, "O_uni": 0.0001959, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 3900, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 300 instead of 287 Mbit/s, 186 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared30, "wifi": shared9},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 867 instead of 287 Mbit/s, 190 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared30, "wifi": shared11},
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 2402 instead of 287 Mbit/s, 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared30, "wifi": shared13},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 300 instead of 287 Mbit/s, 186 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared31, "wifi": shared10},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 867 instead of 287 Mbit/s, 190 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared31, "wifi": shared12},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 2402 instead of 287 Mbit/s, 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": shared31, "wifi": shared14},
           {
             "kind": "aggregation",
             "what": "aggregating up to 64 frames",
-            "note": shared23,
-            "base": shared30,
+            "note": shared24,
+            "base": shared31,
             "wifi": {
               "name": "802.11ax 20 MHz 2x2, 2.4 GHz, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 286764705.88235295, "O_uni": 0.0001959, "R_multi": 1000000, "O_multi": 0.0002875, "N_DBPS_uni": 3900, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 1, "N_add_multi": 0, "k_multi": 1, "t_grid_multi": 1e-06, "n_agg": 64, "A_most": 194510, "O_agg": 0.0001999, "A_least": 0},
+              "values": {
+                "R_uni": 286764705.88235295,
+                "O_uni": 0.0001959,
+                "R_multi": 1000000,
+                "O_multi": 0.0002875,
+                "N_DBPS_uni": 3900,
+                "N_add_uni": 16,
+                "k_uni": 1,
+                "t_grid_uni": 1.36e-05,
+                "N_DBPS_multi": 1,
+                "N_add_multi": 0,
+                "k_multi": 1,
+                "t_grid_multi": 1e-06,
+                "n_agg": 64,
+                "A_most": 194510,
+                "O_agg": 0.0001999,
+                "A_least": 0,
+              },
             },
           },
         ],
@@ -395,68 +541,85 @@ const DISCOSTORM = (() => {
       {
         "name": "802.11ax 80 MHz 2x2",
         "model": "padded",
-        "values": shared31,
+        "values": shared32,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared32,
+            "base": shared33,
             "wifi": {
               "name": "802.11ax 80 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 1200980392.1568627, "O_uni": 0.0001959, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 16333, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ax 80 MHz 2x2: 2402 instead of 1201 Mbit/s and 196 µs of overhead an exchange", "base": shared32, "wifi": shared13},
-          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared23, "base": shared32, "wifi": shared34},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11ax 80 MHz 2x2: 2402 instead of 1201 Mbit/s and 196 µs of overhead an exchange", "base": shared33, "wifi": shared14},
+          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared24, "base": shared33, "wifi": shared35},
         ],
       },
       {
         "name": "802.11ax 160 MHz 2x2",
         "model": "padded",
-        "values": shared12,
+        "values": shared13,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared13,
+            "base": shared14,
             "wifi": {
               "name": "802.11ax 160 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 2401960784.3137255, "O_uni": 0.0001959, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 32666, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared23, "base": shared13, "wifi": shared35},
+          {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": shared24, "base": shared14, "wifi": shared36},
         ],
       },
       {
         "name": "802.11be 80 MHz 2x2",
         "model": "padded",
-        "values": shared36,
+        "values": shared37,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared37,
+            "base": shared38,
             "wifi": {
               "name": "802.11be 80 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
               "values": {"R_uni": 1441176470.5882354, "O_uni": 0.0002039, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 19600, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06},
             },
           },
-          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11be 80 MHz 2x2: 2402 instead of 1441 Mbit/s and 196 instead of 204 µs of overhead an exchange", "base": shared37, "wifi": shared13},
+          {"kind": "radio", "what": "another radio (802.11ax 160 MHz 2x2)", "note": "instead of 802.11be 80 MHz 2x2: 2402 instead of 1441 Mbit/s and 196 instead of 204 µs of overhead an exchange", "base": shared38, "wifi": shared14},
           {
             "kind": "aggregation",
             "what": "aggregating up to 64 frames",
-            "note": shared23,
-            "base": shared37,
+            "note": shared24,
+            "base": shared38,
             "wifi": {
               "name": "802.11be 80 MHz 2x2, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 1441176470.5882354, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 19600, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 975098, "O_agg": 0.0002079, "A_least": 0},
+              "values": {
+                "R_uni": 1441176470.5882354,
+                "O_uni": 0.0002039,
+                "R_multi": 6000000,
+                "O_multi": 0.0001215,
+                "N_DBPS_uni": 19600,
+                "N_add_uni": 16,
+                "k_uni": 1,
+                "t_grid_uni": 1.36e-05,
+                "N_DBPS_multi": 24,
+                "N_add_multi": 22,
+                "k_multi": 1,
+                "t_grid_multi": 4e-06,
+                "n_agg": 64,
+                "A_most": 975098,
+                "O_agg": 0.0002079,
+                "A_least": 0,
+              },
             },
           },
         ],
@@ -464,13 +627,13 @@ const DISCOSTORM = (() => {
       {
         "name": "802.11be 320 MHz 2x2",
         "model": "padded",
-        "values": shared38,
+        "values": shared39,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared39,
+            "base": shared40,
             "wifi": {
               "name": "802.11be 320 MHz 2x2, multicast 24 Mbit/s",
               "model": "padded",
@@ -480,12 +643,29 @@ const DISCOSTORM = (() => {
           {
             "kind": "aggregation",
             "what": "aggregating up to 64 frames",
-            "note": shared23,
-            "base": shared39,
+            "note": shared24,
+            "base": shared40,
             "wifi": {
               "name": "802.11be 320 MHz 2x2, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 5764705882.3529415, "O_uni": 0.0002039, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 78400, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 3900398, "O_agg": 0.0002079, "A_least": 0},
+              "values": {
+                "R_uni": 5764705882.3529415,
+                "O_uni": 0.0002039,
+                "R_multi": 6000000,
+                "O_multi": 0.0001215,
+                "N_DBPS_uni": 78400,
+                "N_add_uni": 16,
+                "k_uni": 1,
+                "t_grid_uni": 1.36e-05,
+                "N_DBPS_multi": 24,
+                "N_add_multi": 22,
+                "k_multi": 1,
+                "t_grid_multi": 4e-06,
+                "n_agg": 64,
+                "A_most": 3900398,
+                "O_agg": 0.0002079,
+                "A_least": 0,
+              },
             },
           },
         ],
@@ -493,65 +673,116 @@ const DISCOSTORM = (() => {
       {
         "name": "802.11n 20 MHz 2x2, A-MPDU 64",
         "model": "aggregated",
-        "values": shared14,
+        "values": shared15,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared15,
+            "base": shared16,
             "wifi": {
               "name": "802.11n 20 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 144444444.44444445, "O_uni": 0.0001855, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 65535, "O_agg": 0.0001895, "A_least": 0},
+              "values": {
+                "R_uni": 144444444.44444445,
+                "O_uni": 0.0001855,
+                "R_multi": 24000000,
+                "O_multi": 0.0001215,
+                "N_DBPS_uni": 520,
+                "N_add_uni": 22,
+                "k_uni": 0.9,
+                "t_grid_uni": 4e-06,
+                "N_DBPS_multi": 96,
+                "N_add_multi": 22,
+                "k_multi": 1,
+                "t_grid_multi": 4e-06,
+                "n_agg": 64,
+                "A_most": 65535,
+                "O_agg": 0.0001895,
+                "A_least": 0,
+              },
             },
           },
-          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2, A-MPDU 64)", "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 300 instead of 144 Mbit/s and 190 µs of overhead an exchange", "base": shared15, "wifi": shared26},
-          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2, A-MPDU 64)", "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 867 instead of 144 Mbit/s and 194 instead of 190 µs of overhead an exchange", "base": shared15, "wifi": shared28},
-          {"kind": "radio", "what": shared40, "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 2402 instead of 144 Mbit/s and 200 instead of 190 µs of overhead an exchange", "base": shared15, "wifi": shared35},
+          {"kind": "radio", "what": "another radio (802.11n 40 MHz 2x2, A-MPDU 64)", "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 300 instead of 144 Mbit/s and 190 µs of overhead an exchange", "base": shared16, "wifi": shared27},
+          {"kind": "radio", "what": "another radio (802.11ac 80 MHz 2x2, A-MPDU 64)", "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 867 instead of 144 Mbit/s and 194 instead of 190 µs of overhead an exchange", "base": shared16, "wifi": shared29},
+          {"kind": "radio", "what": shared41, "note": "instead of 802.11n 20 MHz 2x2, A-MPDU 64: 2402 instead of 144 Mbit/s and 200 instead of 190 µs of overhead an exchange", "base": shared16, "wifi": shared36},
         ],
       },
       {
         "name": "802.11ac 80 MHz 2x2, A-MPDU 64",
         "model": "aggregated",
-        "values": shared27,
+        "values": shared28,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared28,
+            "base": shared29,
             "wifi": {
               "name": "802.11ac 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 866666666.6666666, "O_uni": 0.0001895, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 3120, "N_add_uni": 28, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 589286, "O_agg": 0.0001935, "A_least": 0},
+              "values": {
+                "R_uni": 866666666.6666666,
+                "O_uni": 0.0001895,
+                "R_multi": 24000000,
+                "O_multi": 0.0001215,
+                "N_DBPS_uni": 3120,
+                "N_add_uni": 28,
+                "k_uni": 0.9,
+                "t_grid_uni": 4e-06,
+                "N_DBPS_multi": 96,
+                "N_add_multi": 22,
+                "k_multi": 1,
+                "t_grid_multi": 4e-06,
+                "n_agg": 64,
+                "A_most": 589286,
+                "O_agg": 0.0001935,
+                "A_least": 0,
+              },
             },
           },
-          {"kind": "radio", "what": shared40, "note": "instead of 802.11ac 80 MHz 2x2, A-MPDU 64: 2402 instead of 867 Mbit/s and 200 instead of 194 µs of overhead an exchange", "base": shared28, "wifi": shared35},
+          {"kind": "radio", "what": shared41, "note": "instead of 802.11ac 80 MHz 2x2, A-MPDU 64: 2402 instead of 867 Mbit/s and 200 instead of 194 µs of overhead an exchange", "base": shared29, "wifi": shared36},
         ],
       },
       {
         "name": "802.11ax 80 MHz 2x2, A-MPDU 64",
         "model": "aggregated",
-        "values": shared33,
+        "values": shared34,
         "remedies": [
           {
             "kind": "multicast rate",
-            "what": shared3,
+            "what": shared4,
             "note": "",
-            "base": shared34,
+            "base": shared35,
             "wifi": {
               "name": "802.11ax 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64",
               "model": "aggregated",
-              "values": {"R_uni": 1200980392.1568627, "O_uni": 0.0001959, "R_multi": 24000000, "O_multi": 0.0001215, "N_DBPS_uni": 16333, "N_add_uni": 16, "k_uni": 1, "t_grid_uni": 1.36e-05, "N_DBPS_multi": 96, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06, "n_agg": 64, "A_most": 814606, "O_agg": 0.0001999, "A_least": 0},
+              "values": {
+                "R_uni": 1200980392.1568627,
+                "O_uni": 0.0001959,
+                "R_multi": 24000000,
+                "O_multi": 0.0001215,
+                "N_DBPS_uni": 16333,
+                "N_add_uni": 16,
+                "k_uni": 1,
+                "t_grid_uni": 1.36e-05,
+                "N_DBPS_multi": 96,
+                "N_add_multi": 22,
+                "k_multi": 1,
+                "t_grid_multi": 4e-06,
+                "n_agg": 64,
+                "A_most": 814606,
+                "O_agg": 0.0001999,
+                "A_least": 0,
+              },
             },
           },
-          {"kind": "radio", "what": shared40, "note": "instead of 802.11ax 80 MHz 2x2, A-MPDU 64: 2402 instead of 1201 Mbit/s and 200 µs of overhead an exchange", "base": shared34, "wifi": shared35},
+          {"kind": "radio", "what": shared41, "note": "instead of 802.11ax 80 MHz 2x2, A-MPDU 64: 2402 instead of 1201 Mbit/s and 200 µs of overhead an exchange", "base": shared35, "wifi": shared36},
         ],
       },
     ],
     "limit": 1,
-    "times": [[0.0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1.0, "s"], [100.0, 60.0, "minutes"], [6000.0, 3600.0, "hours"], [172800.0, 86400.0, "days"], [60480000.0, 31557600.0, "years"]],
+    "times": [[0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1, "s"], [100, 60, "minutes"], [6000, 3600, "hours"], [172800, 86400, "days"], [60480000, 31557600, "years"]],
     "airtime": {
       "inside": {"up": "inside_unicast", "multicast": "inside_multicast", "unicast": "inside_unicast"},
       "linear": {"up": "linear_unicast", "multicast": "linear_multicast", "unicast": "linear_unicast"},
@@ -564,36 +795,99 @@ const DISCOSTORM = (() => {
     "shared_endpoints": [2, 4],
     "remedies": {
       "aggregation": {
-        "of": {"DDS": shared41, "Zenoh": shared41, "None": shared41},
+        "of": {"DDS": shared42, "Zenoh": shared42, "None": shared42},
         "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Added to what is there: leave ieee80211ac, ieee80211ax and the width as they are.\nieee80211n=1\nwmm_enabled=1\n"}]},
       },
       "announcements": {
         "of": {"DDS": {"effort": 2, "takes": "a configuration file", "best_case": false, "mind": "that a robot is gone is noticed later, and a lost announcement is made up for later"}, "Zenoh": null, "None": null},
-        "paste": {"Fast DDS": [{"where": "for every process", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"calm\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <initialAnnouncements>\n              <count>1</count>\n              <period>\n                <sec>1</sec>\n              </period>\n            </initialAnnouncements>\n            <leaseAnnouncement>\n              <sec>15</sec>\n            </leaseAnnouncement>\n            <leaseDuration>\n              <sec>100</sec>\n            </leaseDuration>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}], "Cyclone DDS": [{"where": "for every process", "version": "Cyclone DDS 0.10.2 and 11.0.1", "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <Discovery>\n      <LeaseDuration>100 s</LeaseDuration>\n      <SPDPInterval>30 s</SPDPInterval>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n"}]},
+        "paste": {
+          "Fast DDS": [
+            {
+              "where": "for every process",
+              "version": "Fast DDS 2.9.1",
+              "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"calm\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <initialAnnouncements>\n              <count>1</count>\n              <period>\n                <sec>1</sec>\n              </period>\n            </initialAnnouncements>\n            <leaseAnnouncement>\n              <sec>15</sec>\n            </leaseAnnouncement>\n            <leaseDuration>\n              <sec>100</sec>\n            </leaseDuration>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
+            },
+          ],
+          "Cyclone DDS": [
+            {
+              "where": "for every process",
+              "version": "Cyclone DDS 0.10.2 and 11.0.1",
+              "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <Discovery>\n      <LeaseDuration>100 s</LeaseDuration>\n      <SPDPInterval>30 s</SPDPInterval>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
+            },
+          ],
+        },
       },
       "discovery server": {
         "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "address on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found without it, nor after 4 of 25 quick restarts"}, "Zenoh": null, "None": null},
-        "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}, {"where": "for the server if it is a program of your own", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for the server if it is a program of your own -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}, {"where": "for a client that reads no environment", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for a client that reads no environment -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n"}]},
+        "paste": {
+          "any": [
+            {"where": shared43, "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
+            shared44,
+            {
+              "where": "for the server if it is a program of your own",
+              "version": "Fast DDS 2.9.1",
+              "text": "<!-- Fast DDS 2.9.1: for the server if it is a program of your own -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
+            },
+            {
+              "where": "for a client that reads no environment",
+              "version": "Fast DDS 2.9.1",
+              "text": "<!-- Fast DDS 2.9.1: for a client that reads no environment -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
+            },
+          ],
+        },
       },
       "discovery server on a robot": {
         "of": {"DDS": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "address on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found while that robot is away"}, "Zenoh": null, "None": null},
-        "paste": {"any": [{"where": "on one of the robots", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on one of the robots\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n"}]},
+        "paste": {"any": [{"where": "on one of the robots", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on one of the robots\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"}, shared44]},
       },
       "endpoints": {
-        "of": {"DDS": shared42, "Zenoh": shared42, "None": shared42},
+        "of": {"DDS": shared45, "Zenoh": shared45, "None": shared45},
         "paste": {"any": [{"where": "where a node of your own is made (C++)", "version": "ROS 2 Humble", "text": "// ROS 2 Humble: where a node of your own is made (C++)\nauto options = rclcpp::NodeOptions().start_parameter_services(false);\nauto node = std::make_shared<rclcpp::Node>(\"name\", options);\n"}]},
       },
       "middleware": {
-        "of": {"DDS": shared43, "Zenoh": {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together; counted as peers that scout by multicast; the paper counts no tokens of rmw_zenoh"}, "None": shared43},
-        "paste": {"Fast DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n"}], "Cyclone DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}], "Zenoh": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The file for every process that is pasted beside this. Peers need no router: they warn and go on.\n# A router, where there is one, starts first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n"}], "Zenoh peers": [{"where": "on every computer, as /etc/zenoh_session.json5", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on every computer, as /etc/zenoh_session.json5\n// Peers find each other by multicast, without a router, as Zenoh ships it.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:0\"] },\n  scouting: { multicast: { enabled: true } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // as Zenoh ships it: a KeepAlive every 2.5 s; rmw_zenoh has 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
+        "of": {"DDS": shared46, "Zenoh": {"effort": 7, "takes": "another middleware", "best_case": false, "mind": "all hosts must change together; counted as peers that scout by multicast; the paper counts no tokens of rmw_zenoh"}, "None": shared46},
+        "paste": {
+          "Fast DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n"}],
+          "Cyclone DDS": [{"where": "on every computer", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}],
+          "Zenoh": [
+            {
+              "where": "on every computer",
+              "version": "ROS 2 Jazzy",
+              "text": "# ROS 2 Jazzy: on every computer\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The file for every process that is pasted beside this. Peers need no router: they warn and go on.\n# A router, where there is one, starts first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
+            },
+          ],
+          "Zenoh peers": [
+            {
+              "where": "on every computer, as /etc/zenoh_session.json5",
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: on every computer, as /etc/zenoh_session.json5\n// Peers find each other by multicast, without a router, as Zenoh ships it.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:0\"] },\n  scouting: { multicast: { enabled: true } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // as Zenoh ships it: a KeepAlive every 2.5 s; rmw_zenoh has 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+          ],
+        },
       },
       "multicast endpoint data": {
         "of": {"DDS": {"effort": 2, "takes": "a configuration file", "best_case": false, "mind": "multicast is sent at the basic rate and not acknowledged, so that what is lost is asked for later"}, "Zenoh": null, "None": null},
-        "paste": {"any": [{"where": "for every process", "version": "Cyclone DDS 0.10.2 and 11.0.1", "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- On Wi-Fi it would send by multicast no more than its announcements. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n"}]},
+        "paste": {
+          "any": [
+            {
+              "where": "for every process",
+              "version": "Cyclone DDS 0.10.2 and 11.0.1",
+              "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- On Wi-Fi it would send by multicast no more than its announcements. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n",
+            },
+          ],
+        },
       },
       "multicast rate": {
-        "of": {"DDS": shared44, "Zenoh": shared44, "None": shared44},
-        "paste": {"any": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in\n# units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is\n# too far away for it cannot join.\nsupported_rates=240 360 480 540\nbasic_rates=240\n"}]},
+        "of": {"DDS": shared47, "Zenoh": shared47, "None": shared47},
+        "paste": {
+          "any": [
+            {
+              "where": "hostapd.conf of the access point",
+              "version": "hostapd 2.10",
+              "text": "# hostapd 2.10: hostapd.conf of the access point\n# Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in\n# units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is\n# too far away for it cannot join.\nsupported_rates=240 360 480 540\nbasic_rates=240\n",
+            },
+          ],
+        },
       },
       "peers": {
         "of": {
@@ -601,33 +895,117 @@ const DISCOSTORM = (() => {
           "Zenoh": {"effort": 2, "takes": "a configuration file", "best_case": false, "mind": "addresses must be known beforehand; who is dialed before it is up may be dialed every 4 s for good"},
           "None": null,
         },
-        "paste": {"Cyclone DDS": [{"where": "for every process", "version": "Cyclone DDS 0.10.2 and 11.0.1", "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- At least as many as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- Every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n"}], "DDS": [{"where": "on every robot", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every robot\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n"}], "Zenoh": [{"where": "for every process, which is told of the robots of lower addresses", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: for every process, which is told of the robots of lower addresses\n// The first process of a host has port 7447, and goes on without the other one, as others without\n// that one. Who is connected to the first tells whom else to connect to: gossip.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\", \"tcp/0.0.0.0:0\"], exit_on_failure: false },\n  connect: {\n    endpoints: [\n      // The own host; the first process meets itself, says so as an error and tries again later.\n      \"tcp/127.0.0.1:7447#retry_period_init_ms=60000;retry_period_max_ms=60000\",\n      // Robots of lower addresses: each two are linked once, or both send KeepAlives twice.\n      \"tcp/192.168.1.21:7447\",\n      \"tcp/192.168.1.22:7447\",\n    ],\n  },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: [\"router\", \"peer\"],\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // as Zenoh ships it: a KeepAlive every 2.5 s; rmw_zenoh has 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
+        "paste": {
+          "Cyclone DDS": [
+            {
+              "where": "for every process",
+              "version": "Cyclone DDS 0.10.2 and 11.0.1",
+              "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- At least as many as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- Every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
+            },
+          ],
+          "DDS": [{"where": "on every robot", "version": "ROS 2 Jazzy", "text": "# ROS 2 Jazzy: on every robot\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n"}],
+          "Zenoh": [
+            {
+              "where": "for every process, which is told of the robots of lower addresses",
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: for every process, which is told of the robots of lower addresses\n// The first process of a host has port 7447, and goes on without the other one, as others without\n// that one. Who is connected to the first tells whom else to connect to: gossip.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\", \"tcp/0.0.0.0:0\"], exit_on_failure: false },\n  connect: {\n    endpoints: [\n      // The own host; the first process meets itself, says so as an error and tries again later.\n      \"tcp/127.0.0.1:7447#retry_period_init_ms=60000;retry_period_max_ms=60000\",\n      // Robots of lower addresses: each two are linked once, or both send KeepAlives twice.\n      \"tcp/192.168.1.21:7447\",\n      \"tcp/192.168.1.22:7447\",\n    ],\n  },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: [\"router\", \"peer\"],\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // as Zenoh ships it: a KeepAlive every 2.5 s; rmw_zenoh has 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+          ],
+        },
       },
       "processes": {
-        "of": {"DDS": shared45, "Zenoh": shared45, "None": shared45},
-        "paste": {"any": [{"where": "where Nav2 is started", "version": "ROS 2 Humble", "text": "# ROS 2 Humble: where Nav2 is started\nros2 launch nav2_bringup bringup_launch.py use_composition:=True\n"}, {"where": "a launch file for nodes of your own that are built as components", "version": "ROS 2 Humble", "text": "# ROS 2 Humble: a launch file for nodes of your own that are built as components\nfrom launch import LaunchDescription\nfrom launch_ros.actions import ComposableNodeContainer\nfrom launch_ros.descriptions import ComposableNode\n\n\ndef generate_launch_description():\n    nodes = [\n        ComposableNode(package=\"composition\", plugin=\"composition::Talker\", name=\"talker\"),\n        ComposableNode(package=\"composition\", plugin=\"composition::Listener\", name=\"listener\"),\n    ]\n    container = ComposableNodeContainer(\n        name=\"robot\",\n        namespace=\"\",\n        package=\"rclcpp_components\",\n        executable=\"component_container\",\n        composable_node_descriptions=nodes,\n    )\n    return LaunchDescription([container])\n"}]},
+        "of": {"DDS": shared48, "Zenoh": shared48, "None": shared48},
+        "paste": {
+          "any": [
+            {"where": "where Nav2 is started", "version": "ROS 2 Humble", "text": "# ROS 2 Humble: where Nav2 is started\nros2 launch nav2_bringup bringup_launch.py use_composition:=True\n"},
+            {
+              "where": "a launch file for nodes of your own that are built as components",
+              "version": "ROS 2 Humble",
+              "text": "# ROS 2 Humble: a launch file for nodes of your own that are built as components\nfrom launch import LaunchDescription\nfrom launch_ros.actions import ComposableNodeContainer\nfrom launch_ros.descriptions import ComposableNode\n\n\ndef generate_launch_description():\n    nodes = [\n        ComposableNode(package=\"composition\", plugin=\"composition::Talker\", name=\"talker\"),\n        ComposableNode(package=\"composition\", plugin=\"composition::Listener\", name=\"listener\"),\n    ]\n    container = ComposableNodeContainer(\n        name=\"robot\",\n        namespace=\"\",\n        package=\"rclcpp_components\",\n        executable=\"component_container\",\n        composable_node_descriptions=nodes,\n    )\n    return LaunchDescription([container])\n",
+            },
+          ],
+        },
       },
       "radio": {
-        "of": {"DDS": shared46, "Zenoh": shared46, "None": shared46},
-        "paste": {"802.11n 40 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\n"}], "802.11ac 80 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\n"}], "802.11ax 160 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n"}]},
+        "of": {"DDS": shared49, "Zenoh": shared49, "None": shared49},
+        "paste": {
+          "802.11n 40 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\n"}],
+          "802.11ac 80 MHz": [{"where": "hostapd.conf of the access point", "version": "hostapd 2.10", "text": "# hostapd 2.10: hostapd.conf of the access point\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\n"}],
+          "802.11ax 160 MHz": [
+            {
+              "where": "hostapd.conf of the access point",
+              "version": "hostapd 2.10",
+              "text": "# hostapd 2.10: hostapd.conf of the access point\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n",
+            },
+          ],
+        },
       },
       "router": {
         "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": "one more program", "best_case": false, "mind": "its address on each robot; data takes it, too; nobody hears anybody until 2.2 s after it is back (killed, lease of 10 s)"}, "None": null},
-        "paste": {"any": [{"where": "on a computer that is wired to the access point", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on a computer that is wired to the access point\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}, {"where": "for every process", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: for every process\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
+        "paste": {
+          "any": [
+            {
+              "where": shared43,
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: on a computer that is wired to the access point\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+            {
+              "where": "for every process",
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: for every process\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+          ],
+        },
       },
       "router on each host": {
         "of": {"DDS": null, "Zenoh": {"effort": 4, "takes": "several more programs", "best_case": false, "mind": "each router must be told of others; a robot whose router is down hears no other until 4.2 s after it is back"}, "None": null},
-        "paste": {"any": [{"where": "on every robot for its router, which is told of the robots of lower addresses", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: on every robot for its router, which is told of the robots of lower addresses\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Robots of lower addresses: each two are linked once, or both send KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}, {"where": "for every process of a robot", "version": "Zenoh 1.10.2", "text": "// Zenoh 1.10.2: for every process of a robot\n{\n  mode: \"peer\",\n  connect: { endpoints: [\"tcp/localhost:7447\"] },\n  listen: { endpoints: [\"tcp/localhost:0\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: { router: [\"router\", \"peer\"], peer: [\"router\"] },\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n"}]},
+        "paste": {
+          "any": [
+            {
+              "where": "on every robot for its router, which is told of the robots of lower addresses",
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: on every robot for its router, which is told of the robots of lower addresses\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Robots of lower addresses: each two are linked once, or both send KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+            {
+              "where": "for every process of a robot",
+              "version": "Zenoh 1.10.2",
+              "text": "// Zenoh 1.10.2: for every process of a robot\n{\n  mode: \"peer\",\n  connect: { endpoints: [\"tcp/localhost:7447\"] },\n  listen: { endpoints: [\"tcp/localhost:0\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: { router: [\"router\", \"peer\"], peer: [\"router\"] },\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+            },
+          ],
+        },
       },
       "static endpoints": {
         "of": {"DDS": {"effort": 5, "takes": "work on the nodes", "best_case": false, "mind": "whoever adds an endpoint must list it everywhere, those of ROS 2 itself included; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null},
-        "paste": {"any": [{"where": "for every process", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n"}, {"where": "on every robot", "version": "Fast DDS 2.9.1", "text": "<!-- Fast DDS 2.9.1: on every robot -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints; no two of them all have the same number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n"}]},
+        "paste": {
+          "any": [
+            {
+              "where": "for every process",
+              "version": "Fast DDS 2.9.1",
+              "text": "<!-- Fast DDS 2.9.1: for every process -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
+            },
+            {
+              "where": "on every robot",
+              "version": "Fast DDS 2.9.1",
+              "text": "<!-- Fast DDS 2.9.1: on every robot -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints; no two of them all have the same number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
+            },
+          ],
+        },
       },
       "two discovery servers": {
         "of": {"DDS": {"effort": 4, "takes": "several more programs", "best_case": false, "mind": "both addresses on each robot; ros2 tools need ROS_SUPER_CLIENT=TRUE; nobody new is found while both servers are down"}, "Zenoh": null, "None": null},
-        "paste": {"any": [{"where": "on two computers that are wired to the access point", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on two computers that are wired to the access point\n# The first line on one of them, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n"}, {"where": "on every robot; the servers stand in the order of their numbers", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot; the servers stand in the order of their numbers\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n"}]},
+        "paste": {
+          "any": [
+            {
+              "where": "on two computers that are wired to the access point",
+              "version": "Fast DDS 2.9.1",
+              "text": "# Fast DDS 2.9.1: on two computers that are wired to the access point\n# The first line on one of them, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
+            },
+            {"where": "on every robot; the servers stand in the order of their numbers", "version": "Fast DDS 2.9.1", "text": "# Fast DDS 2.9.1: on every robot; the servers stand in the order of their numbers\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n"},
+          ],
+        },
       },
     },
+    "fleets": ["processes", "endpoints"],
     "largest": "largest",
     "saturation": [null, "saturation", "saturation2", "saturation3"],
     "drain": "drain",
@@ -768,15 +1146,15 @@ const DISCOSTORM = (() => {
         "group": "As the paper counts",
         "family": "DDS",
         "product": null,
-        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS"]],
+        "tables": [shared50, shared51, shared52, shared53, shared54, shared55, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS"]],
         "about": "",
         "measured": [],
         "variant": false,
         "lease": Infinity,
         "repeats": false,
-        "outlooks": shared53,
+        "outlooks": shared56,
         "windows": {"second": 1, "ever": Infinity},
-        "units": [shared55, shared57, shared59],
+        "units": [shared58, shared60, shared62],
         "degree": 2,
         "messages": [
           ["SPDP", "multicast", 414, 1, 0, 1, "up down", {"burst": 1, "second": 1, "ever": 0}],
@@ -789,17 +1167,17 @@ const DISCOSTORM = (() => {
         "group": "As the paper counts",
         "family": "Zenoh",
         "product": null,
-        "tables": [shared61, shared62, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh"], ["middleware", "switching to DDS", "", "DDS", "Zenoh"]],
+        "tables": [shared64, shared65, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh"], ["middleware", "switching to DDS", "", "DDS", "Zenoh"]],
         "about": "",
         "measured": [],
         "variant": false,
         "lease": Infinity,
         "repeats": false,
-        "outlooks": shared53,
+        "outlooks": shared56,
         "windows": {"second": 1, "ever": Infinity},
-        "units": shared63,
+        "units": shared66,
         "degree": 2,
-        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], ["Hello", "unicast", 144, 1, 1, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], ["Declare", "unicast", 176, 1, 2, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], shared64],
+        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], ["Hello", "unicast", 144, 1, 1, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], ["Declare", "unicast", 176, 1, 2, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], shared67],
       },
       "Cyclone DDS": {
         "group": "Products as built",
@@ -813,38 +1191,38 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS"],
         ],
-        "about": shared65,
+        "about": shared68,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared73,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared76,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 420, 1, 0, 1, "up down", shared74],
-          ["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", shared75],
-          ["SPDP directed", "unicast", 436, 1, 1, 0.75, "up down", shared76],
-          ["SEDP", "unicast", 1011.3931423203381, 0.2129, 2, 1, "up down", shared77],
-          ["SEDP again", "unicast", 1011.3931423203381, 0.2129, 3, 0.08438, "up down", shared77],
-          ["Heartbeat", "unicast", 153.6732788798133, 0.5142, 1, 2, "up down", shared77],
-          ["Heartbeat of data", "unicast", 153.6732788798133, 0.5142, 1, 2.375, "up down", shared77],
-          ["ACKNACK", "unicast", 187.56178089044522, 0.3998, 1, 4.635, "up down", shared77],
-          ["ACKNACK for others", "unicast", 187.56178089044522, 0.3998, 4, 0.09896, "up down", shared77],
-          shared79,
-          ["Liveliness at start", "unicast", 209.73193560464244, 0.5342, 1, 1, "up down", shared77],
-          ["Liveliness for others", "unicast", 209.73193560464244, 0.5342, 4, 0.09375, "up down", shared77],
-          shared80,
-          ["Liveliness Heartbeat at start", "unicast", 157.8841449342257, 0.4333, 1, 2.208, "up down", shared77],
-          shared81,
-          ["Liveliness ACKNACK at start", "unicast", 193.64569775849603, 0.2766, 1, 2.275, "up down", shared77],
-          ["Liveliness ACKNACK for others", "unicast", 193.64569775849603, 0.2766, 4, 0.05833, "up down", shared77],
-          ["Type lookup Heartbeat", "unicast", 127.15414230714387, 0.7013, 1, 2.188, "up down", shared77],
-          ["Type lookup ACKNACK", "unicast", 197.64779874213835, 0.2544, 1, 2, "up down", shared77],
-          ["Type lookup ACKNACK for others", "unicast", 197.64779874213835, 0.2544, 4, 0.3125, "up down", shared77],
-          ["User Heartbeat", "unicast", 141.09310113864703, 0.5972, 5, 1.15, "up down", shared77],
-          ["User ACKNACK", "unicast", 184.34918723660445, 0.3322, 5, 1.6, "up down", shared77],
+          ["SPDP", "multicast", 420, 1, 0, 1, "up down", shared77],
+          ["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", shared78],
+          ["SPDP directed", "unicast", 436, 1, 1, 0.75, "up down", shared79],
+          ["SEDP", "unicast", 1011.3931423203381, 0.2129, 2, 1, "up down", shared80],
+          ["SEDP again", "unicast", 1011.3931423203381, 0.2129, 3, 0.08438, "up down", shared80],
+          ["Heartbeat", "unicast", 153.6732788798133, 0.5142, 1, 2, "up down", shared80],
+          ["Heartbeat of data", "unicast", 153.6732788798133, 0.5142, 1, 2.375, "up down", shared80],
+          ["ACKNACK", "unicast", 187.56178089044522, 0.3998, 1, 4.635, "up down", shared80],
+          ["ACKNACK for others", "unicast", 187.56178089044522, 0.3998, 4, 0.09896, "up down", shared80],
+          shared82,
+          ["Liveliness at start", "unicast", 209.73193560464244, 0.5342, 1, 1, "up down", shared80],
+          ["Liveliness for others", "unicast", 209.73193560464244, 0.5342, 4, 0.09375, "up down", shared80],
+          shared83,
+          ["Liveliness Heartbeat at start", "unicast", 157.8841449342257, 0.4333, 1, 2.208, "up down", shared80],
+          shared84,
+          ["Liveliness ACKNACK at start", "unicast", 193.64569775849603, 0.2766, 1, 2.275, "up down", shared80],
+          ["Liveliness ACKNACK for others", "unicast", 193.64569775849603, 0.2766, 4, 0.05833, "up down", shared80],
+          ["Type lookup Heartbeat", "unicast", 127.15414230714387, 0.7013, 1, 2.188, "up down", shared80],
+          ["Type lookup ACKNACK", "unicast", 197.64779874213835, 0.2544, 1, 2, "up down", shared80],
+          ["Type lookup ACKNACK for others", "unicast", 197.64779874213835, 0.2544, 4, 0.3125, "up down", shared80],
+          ["User Heartbeat", "unicast", 141.09310113864703, 0.5972, 5, 1.15, "up down", shared80],
+          ["User ACKNACK", "unicast", 184.34918723660445, 0.3322, 5, 1.6, "up down", shared80],
         ],
       },
       "Cyclone DDS, wired": {
@@ -852,48 +1230,48 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [
-          shared51,
-          shared52,
+          shared54,
+          shared55,
           ["announcements", "calmer announcements", "", "Cyclone DDS, wired, calmer announcements", "Cyclone DDS, wired"],
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS, wired"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Cyclone DDS, wired"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS, wired"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS, wired"],
         ],
-        "about": shared82,
+        "about": shared85,
         "measured": [8, 12, 20],
         "variant": true,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared83,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared86,
         "degree": 3,
         "messages": [
+          shared87,
+          ["SPDP directed", "unicast", 493.08762420957544, 0.9963, 1, 0.6667, "up down", shared79],
+          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.5833, "up down", shared80],
+          ["SEDP multicast", "multicast", 961.6660682226212, 0.2228, 2, 0.1667, "up down", shared80],
+          ["Heartbeat multicast", "multicast", 232, 0.25, 0, 2, "up down", shared80],
+          ["Heartbeat", "unicast", 201.42013994523882, 0.3287, 1, 3, "up down", shared80],
+          ["ACKNACK", "unicast", 199.39703903095557, 0.3715, 1, 4.05, "up down", shared80],
+          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 3, 0.2833, "up down", shared80],
+          ["Liveliness", "multicast", 179.99005799502902, 0.7242, 0, 1, "up down", shared81],
+          ["Liveliness at start", "multicast", 150.79816322270926, 0.9582, 0, 0.3333, "up down", shared80],
+          ["Liveliness unicast", "unicast", 429, 0.2, 1, 0.5, "up down", shared80],
+          ["Liveliness Heartbeat", "multicast", 180.02610587382162, 0.2758, 0, 1, "up down", shared81],
+          ["Liveliness Heartbeat at start", "multicast", 245.09790605546124, 0.1767, 0, 0.875, "up down", shared80],
+          ["Liveliness Heartbeat unicast", "unicast", 234.05196032120926, 0.2117, 1, 1.625, "up down", shared80],
           shared84,
-          ["SPDP directed", "unicast", 493.08762420957544, 0.9963, 1, 0.6667, "up down", shared76],
-          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.5833, "up down", shared77],
-          ["SEDP multicast", "multicast", 961.6660682226212, 0.2228, 2, 0.1667, "up down", shared77],
-          ["Heartbeat multicast", "multicast", 232, 0.25, 0, 2, "up down", shared77],
-          ["Heartbeat", "unicast", 201.42013994523882, 0.3287, 1, 3, "up down", shared77],
-          ["ACKNACK", "unicast", 199.39703903095557, 0.3715, 1, 4.05, "up down", shared77],
-          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 3, 0.2833, "up down", shared77],
-          ["Liveliness", "multicast", 179.99005799502902, 0.7242, 0, 1, "up down", shared78],
-          ["Liveliness at start", "multicast", 150.79816322270926, 0.9582, 0, 0.3333, "up down", shared77],
-          ["Liveliness unicast", "unicast", 429, 0.2, 1, 0.5, "up down", shared77],
-          ["Liveliness Heartbeat", "multicast", 180.02610587382162, 0.2758, 0, 1, "up down", shared78],
-          ["Liveliness Heartbeat at start", "multicast", 245.09790605546124, 0.1767, 0, 0.875, "up down", shared77],
-          ["Liveliness Heartbeat unicast", "unicast", 234.05196032120926, 0.2117, 1, 1.625, "up down", shared77],
-          shared81,
-          ["Liveliness ACKNACK at start", "unicast", 187.1920199501247, 0.2807, 1, 2.344, "up down", shared77],
-          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 3, 0.07812, "up down", shared77],
-          ["Type lookup Heartbeat", "multicast", 224.96579476861166, 0.1988, 0, 2, "up down", shared77],
-          ["Type lookup Heartbeat unicast", "unicast", 230.92749087115283, 0.1917, 1, 0.6667, "up down", shared77],
-          ["Type lookup ACKNACK", "unicast", 211.5, 0.2, 1, 2, "up down", shared77],
-          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 3, 0.3125, "up down", shared77],
-          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 4, 0.75, "up down", shared77],
-          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 4, 0.25, "up down", shared77],
-          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 4, 2, "up down", shared77],
+          ["Liveliness ACKNACK at start", "unicast", 187.1920199501247, 0.2807, 1, 2.344, "up down", shared80],
+          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 3, 0.07812, "up down", shared80],
+          ["Type lookup Heartbeat", "multicast", 224.96579476861166, 0.1988, 0, 2, "up down", shared80],
+          ["Type lookup Heartbeat unicast", "unicast", 230.92749087115283, 0.1917, 1, 0.6667, "up down", shared80],
+          ["Type lookup ACKNACK", "unicast", 211.5, 0.2, 1, 2, "up down", shared80],
+          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 3, 0.3125, "up down", shared80],
+          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 4, 0.75, "up down", shared80],
+          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 4, 0.25, "up down", shared80],
+          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 4, 2, "up down", shared80],
         ],
       },
       "Cyclone DDS, version 11": {
@@ -901,45 +1279,45 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [
-          shared51,
-          shared52,
+          shared54,
+          shared55,
           ["announcements", "calmer announcements", "", "Cyclone DDS, version 11, calmer announcements", "Cyclone DDS, version 11"],
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Cyclone DDS, version 11"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS, version 11"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS, version 11"],
         ],
-        "about": shared85,
+        "about": shared88,
         "measured": [8, 12, 60],
         "variant": true,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared73,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared76,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 432, 1, 0, 1, "up down", shared74],
-          ["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", shared75],
-          ["SPDP directed", "unicast", 432, 1, 1, 0.5625, "up down", shared76],
-          ["SEDP", "unicast", 733.5900021925016, 0.4561, 2, 1, "up down", shared77],
-          ["SEDP again", "unicast", 733.5900021925016, 0.4561, 3, 0.04792, "up down", shared77],
-          ["Heartbeat", "unicast", 152.88683431952666, 0.5408, 1, 2, "up down", shared77],
-          ["Heartbeat of data", "unicast", 152.88683431952666, 0.5408, 1, 2.833, "up down", shared77],
-          ["ACKNACK", "unicast", 187.3409033560434, 0.3963, 1, 5.167, "up down", shared77],
-          ["ACKNACK for others", "unicast", 187.3409033560434, 0.3963, 4, 0.125, "up down", shared77],
-          shared79,
-          ["Liveliness at start", "unicast", 193.85449071751128, 0.5979, 1, 1, "up down", shared77],
-          ["Liveliness for others", "unicast", 193.85449071751128, 0.5979, 4, 0.04167, "up down", shared77],
-          shared80,
-          ["Liveliness Heartbeat at start", "unicast", 156.73844753016164, 0.4393, 1, 2.188, "up down", shared77],
-          shared81,
-          ["Liveliness ACKNACK at start", "unicast", 188.55516014234874, 0.281, 1, 2.385, "up down", shared77],
-          ["Liveliness ACKNACK for others", "unicast", 188.55516014234874, 0.281, 4, 0.05729, "up down", shared77],
-          ["Type lookup Heartbeat", "unicast", 134.83743842364532, 0.609, 1, 2.5, "up down", shared77],
-          ["Type lookup ACKNACK", "unicast", 212.09610154125116, 0.2206, 1, 2, "up down", shared77],
-          ["Type lookup ACKNACK for others", "unicast", 212.09610154125116, 0.2206, 4, 0.3125, "up down", shared77],
-          ["User Heartbeat", "unicast", 134.96727272727273, 0.6875, 5, 1.2, "up down", shared77],
-          ["User ACKNACK", "unicast", 175.87453323375652, 0.4017, 5, 1.75, "up down", shared77],
+          ["SPDP", "multicast", 432, 1, 0, 1, "up down", shared77],
+          ["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", shared78],
+          ["SPDP directed", "unicast", 432, 1, 1, 0.5625, "up down", shared79],
+          ["SEDP", "unicast", 733.5900021925016, 0.4561, 2, 1, "up down", shared80],
+          ["SEDP again", "unicast", 733.5900021925016, 0.4561, 3, 0.04792, "up down", shared80],
+          ["Heartbeat", "unicast", 152.88683431952666, 0.5408, 1, 2, "up down", shared80],
+          ["Heartbeat of data", "unicast", 152.88683431952666, 0.5408, 1, 2.833, "up down", shared80],
+          ["ACKNACK", "unicast", 187.3409033560434, 0.3963, 1, 5.167, "up down", shared80],
+          ["ACKNACK for others", "unicast", 187.3409033560434, 0.3963, 4, 0.125, "up down", shared80],
+          shared82,
+          ["Liveliness at start", "unicast", 193.85449071751128, 0.5979, 1, 1, "up down", shared80],
+          ["Liveliness for others", "unicast", 193.85449071751128, 0.5979, 4, 0.04167, "up down", shared80],
+          shared83,
+          ["Liveliness Heartbeat at start", "unicast", 156.73844753016164, 0.4393, 1, 2.188, "up down", shared80],
+          shared84,
+          ["Liveliness ACKNACK at start", "unicast", 188.55516014234874, 0.281, 1, 2.385, "up down", shared80],
+          ["Liveliness ACKNACK for others", "unicast", 188.55516014234874, 0.281, 4, 0.05729, "up down", shared80],
+          ["Type lookup Heartbeat", "unicast", 134.83743842364532, 0.609, 1, 2.5, "up down", shared80],
+          ["Type lookup ACKNACK", "unicast", 212.09610154125116, 0.2206, 1, 2, "up down", shared80],
+          ["Type lookup ACKNACK for others", "unicast", 212.09610154125116, 0.2206, 4, 0.3125, "up down", shared80],
+          ["User Heartbeat", "unicast", 134.96727272727273, 0.6875, 5, 1.2, "up down", shared80],
+          ["User ACKNACK", "unicast", 175.87453323375652, 0.4017, 5, 1.75, "up down", shared80],
         ],
       },
       "Cyclone DDS peers": {
@@ -954,38 +1332,38 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS peers"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS peers"],
         ],
-        "about": shared86,
+        "about": shared89,
         "measured": [8, 12, 10],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared91,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared94,
         "degree": 3,
         "messages": [
-          ["SPDP", "unicast", 420, 1, 0, 9, "up down", shared74],
-          ["ICMP unreachable", "unicast", 448, 1, 1, 6, "up down", shared92],
-          ["SPDP directed", "unicast", 442.0177243557095, 0.9817, 2, 0.8333, "up down", shared76],
-          ["SEDP", "unicast", 1224.46511627907, 0.172, 3, 1, "up down", shared77],
-          ["SEDP again", "unicast", 334.84114485689287, 0.8001, 4, 0.08633, "up down", shared77],
-          ["Heartbeat", "unicast", 150.13620569840168, 0.5756, 2, 2, "up down", shared77],
-          ["Heartbeat of data", "unicast", 150.13620569840168, 0.5756, 2, 2.944, "up down", shared77],
-          ["ACKNACK", "unicast", 191.25372354324537, 0.3827, 2, 4.424, "up down", shared77],
-          ["ACKNACK for others", "unicast", 191.25372354324537, 0.3827, 5, 0.2049, "up down", shared77],
-          ["Liveliness", "unicast", 180.00607650876952, 0.7241, 2, 1, "up down", shared78],
-          ["Liveliness at start", "unicast", 170.0050484920951, 0.7527, 2, 1, "up down", shared77],
-          ["Liveliness for others", "unicast", 170.0050484920951, 0.7527, 5, 0.08333, "up down", shared77],
-          ["Liveliness Heartbeat", "unicast", 179.9840521928235, 0.2759, 2, 1, "up down", shared78],
-          ["Liveliness Heartbeat at start", "unicast", 156.0150305307656, 0.4258, 2, 2.556, "up down", shared77],
-          ["Liveliness ACKNACK", "unicast", 128, 1, 2, 1, "up down", shared78],
-          ["Liveliness ACKNACK at start", "unicast", 190.60377358490564, 0.265, 2, 2.296, "up down", shared77],
-          ["Liveliness ACKNACK for others", "unicast", 190.60377358490564, 0.265, 5, 0.09271, "up down", shared77],
-          ["Type lookup Heartbeat", "unicast", 134.67330119732546, 0.6431, 2, 3, "up down", shared77],
-          ["Type lookup ACKNACK", "unicast", 185.2367491166078, 0.283, 2, 2, "up down", shared77],
-          ["Type lookup ACKNACK for others", "unicast", 185.2367491166078, 0.283, 5, 0.3631, "up down", shared77],
-          ["User Heartbeat", "unicast", 147.20074005550418, 0.5405, 6, 1.542, "up down", shared77],
-          ["User ACKNACK", "unicast", 166.51716247139586, 0.437, 6, 2.208, "up down", shared77],
+          ["SPDP", "unicast", 420, 1, 0, 9, "up down", shared77],
+          ["ICMP unreachable", "unicast", 448, 1, 1, 6, "up down", shared95],
+          ["SPDP directed", "unicast", 442.0177243557095, 0.9817, 2, 0.8333, "up down", shared79],
+          ["SEDP", "unicast", 1224.46511627907, 0.172, 3, 1, "up down", shared80],
+          ["SEDP again", "unicast", 334.84114485689287, 0.8001, 4, 0.08633, "up down", shared80],
+          ["Heartbeat", "unicast", 150.13620569840168, 0.5756, 2, 2, "up down", shared80],
+          ["Heartbeat of data", "unicast", 150.13620569840168, 0.5756, 2, 2.944, "up down", shared80],
+          ["ACKNACK", "unicast", 191.25372354324537, 0.3827, 2, 4.424, "up down", shared80],
+          ["ACKNACK for others", "unicast", 191.25372354324537, 0.3827, 5, 0.2049, "up down", shared80],
+          ["Liveliness", "unicast", 180.00607650876952, 0.7241, 2, 1, "up down", shared81],
+          ["Liveliness at start", "unicast", 170.0050484920951, 0.7527, 2, 1, "up down", shared80],
+          ["Liveliness for others", "unicast", 170.0050484920951, 0.7527, 5, 0.08333, "up down", shared80],
+          ["Liveliness Heartbeat", "unicast", 179.9840521928235, 0.2759, 2, 1, "up down", shared81],
+          ["Liveliness Heartbeat at start", "unicast", 156.0150305307656, 0.4258, 2, 2.556, "up down", shared80],
+          ["Liveliness ACKNACK", "unicast", 128, 1, 2, 1, "up down", shared81],
+          ["Liveliness ACKNACK at start", "unicast", 190.60377358490564, 0.265, 2, 2.296, "up down", shared80],
+          ["Liveliness ACKNACK for others", "unicast", 190.60377358490564, 0.265, 5, 0.09271, "up down", shared80],
+          ["Type lookup Heartbeat", "unicast", 134.67330119732546, 0.6431, 2, 3, "up down", shared80],
+          ["Type lookup ACKNACK", "unicast", 185.2367491166078, 0.283, 2, 2, "up down", shared80],
+          ["Type lookup ACKNACK for others", "unicast", 185.2367491166078, 0.283, 5, 0.3631, "up down", shared80],
+          ["User Heartbeat", "unicast", 147.20074005550418, 0.5405, 6, 1.542, "up down", shared80],
+          ["User ACKNACK", "unicast", 166.51716247139586, 0.437, 6, 2.208, "up down", shared80],
         ],
       },
       "Cyclone DDS multicast SEDP": {
@@ -1000,40 +1378,40 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Cyclone DDS multicast SEDP"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Cyclone DDS multicast SEDP"],
         ],
-        "about": shared93,
+        "about": shared96,
         "measured": [8, 12, 10],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared83,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared86,
         "degree": 3,
         "messages": [
+          shared87,
+          ["SPDP directed", "unicast", 492.4140969162995, 0.9988, 1, 0.8, "up down", shared79],
+          ["SEDP", "unicast", 1040.4988009592325, 0.2085, 2, 0.3719, "up down", shared80],
+          ["SEDP multicast", "multicast", 965.8901890189019, 0.2222, 2, 0.23, "up down", shared80],
+          ["Heartbeat multicast", "multicast", 215.89285714285714, 0.28, 0, 1.833, "up down", shared80],
+          ["Heartbeat", "unicast", 213.31594018453706, 0.3143, 1, 3.333, "up down", shared80],
+          ["ACKNACK", "unicast", 200.7060146149522, 0.3558, 1, 4.517, "up down", shared80],
+          ["ACKNACK for others", "unicast", 200.7060146149522, 0.3558, 3, 0.1494, "up down", shared80],
+          ["Liveliness", "multicast", 180.02209944751382, 0.724, 0, 1, "up down", shared81],
+          ["Liveliness at start", "multicast", 152.05954502568403, 0.9539, 0, 0.8333, "up down", shared80],
+          ["Liveliness unicast", "unicast", 510.6666666666667, 0.15, 1, 0.5, "up down", shared80],
+          ["Liveliness Heartbeat", "multicast", 179.94202898550725, 0.276, 0, 1, "up down", shared81],
+          ["Liveliness Heartbeat at start", "multicast", 201.4570446735395, 0.2328, 0, 1, "up down", shared80],
+          ["Liveliness Heartbeat unicast", "unicast", 219.65142364106987, 0.2318, 1, 1.75, "up down", shared80],
           shared84,
-          ["SPDP directed", "unicast", 492.4140969162995, 0.9988, 1, 0.8, "up down", shared76],
-          ["SEDP", "unicast", 1040.4988009592325, 0.2085, 2, 0.3719, "up down", shared77],
-          ["SEDP multicast", "multicast", 965.8901890189019, 0.2222, 2, 0.23, "up down", shared77],
-          ["Heartbeat multicast", "multicast", 215.89285714285714, 0.28, 0, 1.833, "up down", shared77],
-          ["Heartbeat", "unicast", 213.31594018453706, 0.3143, 1, 3.333, "up down", shared77],
-          ["ACKNACK", "unicast", 200.7060146149522, 0.3558, 1, 4.517, "up down", shared77],
-          ["ACKNACK for others", "unicast", 200.7060146149522, 0.3558, 3, 0.1494, "up down", shared77],
-          ["Liveliness", "multicast", 180.02209944751382, 0.724, 0, 1, "up down", shared78],
-          ["Liveliness at start", "multicast", 152.05954502568403, 0.9539, 0, 0.8333, "up down", shared77],
-          ["Liveliness unicast", "unicast", 510.6666666666667, 0.15, 1, 0.5, "up down", shared77],
-          ["Liveliness Heartbeat", "multicast", 179.94202898550725, 0.276, 0, 1, "up down", shared78],
-          ["Liveliness Heartbeat at start", "multicast", 201.4570446735395, 0.2328, 0, 1, "up down", shared77],
-          ["Liveliness Heartbeat unicast", "unicast", 219.65142364106987, 0.2318, 1, 1.75, "up down", shared77],
-          shared81,
-          ["Liveliness ACKNACK at start", "unicast", 186.30392156862746, 0.2856, 1, 2.379, "up down", shared77],
-          ["Liveliness ACKNACK for others", "unicast", 186.30392156862746, 0.2856, 3, 0.08854, "up down", shared77],
-          ["Type lookup Heartbeat", "multicast", 207.01075268817203, 0.2325, 0, 2, "up down", shared77],
-          ["Type lookup Heartbeat unicast", "unicast", 249.3997682502897, 0.1726, 1, 1.167, "up down", shared77],
-          ["Type lookup ACKNACK", "unicast", 210.50383141762453, 0.2088, 1, 2, "up down", shared77],
-          ["Type lookup ACKNACK for others", "unicast", 210.50383141762453, 0.2088, 3, 0.3274, "up down", shared77],
-          ["User Heartbeat", "unicast", 176.79097672186225, 0.4167, 4, 0.7917, "up down", shared77],
-          ["User Heartbeat multicast", "multicast", 122.00209989500526, 0.6667, 4, 0.1667, "up down", shared77],
-          ["User ACKNACK", "unicast", 167.19174466042716, 0.4167, 4, 2.167, "up down", shared77],
+          ["Liveliness ACKNACK at start", "unicast", 186.30392156862746, 0.2856, 1, 2.379, "up down", shared80],
+          ["Liveliness ACKNACK for others", "unicast", 186.30392156862746, 0.2856, 3, 0.08854, "up down", shared80],
+          ["Type lookup Heartbeat", "multicast", 207.01075268817203, 0.2325, 0, 2, "up down", shared80],
+          ["Type lookup Heartbeat unicast", "unicast", 249.3997682502897, 0.1726, 1, 1.167, "up down", shared80],
+          ["Type lookup ACKNACK", "unicast", 210.50383141762453, 0.2088, 1, 2, "up down", shared80],
+          ["Type lookup ACKNACK for others", "unicast", 210.50383141762453, 0.2088, 3, 0.3274, "up down", shared80],
+          ["User Heartbeat", "unicast", 176.79097672186225, 0.4167, 4, 0.7917, "up down", shared80],
+          ["User Heartbeat multicast", "multicast", 122.00209989500526, 0.6667, 4, 0.1667, "up down", shared80],
+          ["User ACKNACK", "unicast", 167.19174466042716, 0.4167, 4, 2.167, "up down", shared80],
         ],
       },
       "Fast DDS Discovery Server": {
@@ -1054,39 +1432,39 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
-        "units": shared102,
+        "outlooks": shared97,
+        "windows": shared98,
+        "units": shared105,
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 652, 1, 0, 1, "up", shared103],
-          ["SPDP of server", "unicast", 700, 1, 0, 1, "down", shared104],
-          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "down", shared105],
-          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "down", shared105],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up", shared105],
-          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "down", shared105],
-          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "down", shared105],
-          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", shared105],
-          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up", shared105],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared105],
-          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "down", shared105],
-          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up", shared105],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "down", shared105],
-          ["Heartbeat", "unicast", 192, 1, 0, 4, "up", shared105],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared105],
-          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "down", shared105],
-          ["ACKNACK", "unicast", 188, 1, 0, 4, "up", shared105],
-          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up", shared105],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "down", shared105],
-          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "down", shared105],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up", shared105],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "down", shared105],
-          shared106,
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up", shared105],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared105],
-          shared107,
-          shared108,
+          ["SPDP to server", "unicast", 652, 1, 0, 1, "up", shared106],
+          ["SPDP of server", "unicast", 700, 1, 0, 1, "down", shared107],
+          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "down", shared108],
+          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "down", shared108],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up", shared108],
+          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "down", shared108],
+          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "down", shared108],
+          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", shared108],
+          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up", shared108],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared108],
+          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "down", shared108],
+          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up", shared108],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "down", shared108],
+          ["Heartbeat", "unicast", 192, 1, 0, 4, "up", shared108],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared108],
+          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "down", shared108],
+          ["ACKNACK", "unicast", 188, 1, 0, 4, "up", shared108],
+          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up", shared108],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "down", shared108],
+          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "down", shared108],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up", shared108],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "down", shared108],
           shared109,
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up", shared108],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "down", shared108],
+          shared110,
+          shared111,
+          shared112,
         ],
       },
       "Fast DDS Discovery Server, two": {
@@ -1107,39 +1485,39 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
-        "units": shared102,
+        "outlooks": shared97,
+        "windows": shared98,
+        "units": shared105,
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 636, 1, 0, 2, "up", shared103],
-          ["SPDP of server", "unicast", 700, 1, 0, 2, "down", shared104],
-          ["SPDP of server at discovery", "unicast", 747.8396673212429, 0.8657, 0, 2, "down", shared105],
-          ["SPDP of others", "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", shared105],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 4, "up", shared105],
-          ["SPDP Heartbeat of server", "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", shared105],
-          ["SPDP Heartbeat of others", "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", shared105],
-          ["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", shared105],
-          ["SPDP ACKNACK of others", "unicast", 190.5, 1, 1, 0.9417, "up", shared105],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared105],
-          ["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", shared105],
-          ["SEDP to server", "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", shared105],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 2.45, "down", shared105],
-          ["Heartbeat", "unicast", 184, 1, 0, 8, "up", shared105],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 8, "down", shared105],
-          ["Heartbeat of others", "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", shared105],
-          ["ACKNACK", "unicast", 188, 1, 0, 8, "up", shared105],
-          ["ACKNACK of others", "unicast", 190.8, 1, 3, 0.85, "up", shared105],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 31.6, "down", shared105],
-          ["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", shared105],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 2, "up", shared105],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared105],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.208, "up down", shared105],
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 4, "up", shared105],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared105],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.208, "up down", shared105],
-          ["User Heartbeat", "unicast", 192, 1, 5, 1.08, "up down", shared105],
-          ["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", shared105],
+          ["SPDP to server", "unicast", 636, 1, 0, 2, "up", shared106],
+          ["SPDP of server", "unicast", 700, 1, 0, 2, "down", shared107],
+          ["SPDP of server at discovery", "unicast", 747.8396673212429, 0.8657, 0, 2, "down", shared108],
+          ["SPDP of others", "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", shared108],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 4, "up", shared108],
+          ["SPDP Heartbeat of server", "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", shared108],
+          ["SPDP Heartbeat of others", "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", shared108],
+          ["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", shared108],
+          ["SPDP ACKNACK of others", "unicast", 190.5, 1, 1, 0.9417, "up", shared108],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared108],
+          ["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", shared108],
+          ["SEDP to server", "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", shared108],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 2.45, "down", shared108],
+          ["Heartbeat", "unicast", 184, 1, 0, 8, "up", shared108],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 8, "down", shared108],
+          ["Heartbeat of others", "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", shared108],
+          ["ACKNACK", "unicast", 188, 1, 0, 8, "up", shared108],
+          ["ACKNACK of others", "unicast", 190.8, 1, 3, 0.85, "up", shared108],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 31.6, "down", shared108],
+          ["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", shared108],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 2, "up", shared108],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 4, "down", shared108],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 4, 1.208, "up down", shared108],
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 4, "up", shared108],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 4, "down", shared108],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 4, 1.208, "up down", shared108],
+          ["User Heartbeat", "unicast", 192, 1, 5, 1.08, "up down", shared108],
+          ["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", shared108],
         ],
       },
       "Fast DDS Discovery Server, on a robot": {
@@ -1160,46 +1538,46 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
+        "outlooks": shared97,
+        "windows": shared98,
         "units": [
-          [shared110, shared110, shared110],
-          [{"count": "count6", "more": []}, shared111, shared111],
-          [shared112, shared112, shared112],
+          [shared113, shared113, shared113],
+          [{"count": "count6", "more": []}, shared114, shared114],
+          [shared115, shared115, shared115],
           [{"count": "count6", "more": []}, {"count": "count19", "more": ["more44", "more45", "more35"]}, {"count": "count20", "more": ["more46", "more47", "more5"]}],
-          shared101,
-          shared72,
+          shared104,
+          shared75,
         ],
         "degree": 2,
         "messages": [
-          ["SPDP to server", "unicast", 652, 1, 0, 1, "up down", shared103],
-          ["SPDP of server", "unicast", 700, 1, 0, 1, "up down", shared104],
-          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "up down", shared105],
-          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "up down", shared105],
-          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up down", shared105],
-          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "up down", shared105],
-          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "up down", shared105],
-          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", shared105],
-          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up down", shared105],
-          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared105],
-          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "up down", shared105],
-          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up down", shared105],
-          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "up down", shared105],
-          ["Heartbeat", "unicast", 192, 1, 0, 4, "up down", shared105],
-          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "up down", shared105],
-          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "up down", shared105],
-          ["ACKNACK", "unicast", 188, 1, 0, 4, "up down", shared105],
-          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up down", shared105],
-          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "up down", shared105],
-          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "up down", shared105],
-          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up down", shared105],
-          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "up down", shared105],
-          shared106,
-          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up down", shared105],
-          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared105],
-          shared107,
-          shared108,
+          ["SPDP to server", "unicast", 652, 1, 0, 1, "up down", shared106],
+          ["SPDP of server", "unicast", 700, 1, 0, 1, "up down", shared107],
+          ["SPDP of server at discovery", "unicast", 748.3930635838151, 0.865, 0, 1, "up down", shared108],
+          ["SPDP of others", "unicast", 683.9365973934484, 0.8517, 1, 1.967, "up down", shared108],
+          ["SPDP Heartbeat", "unicast", 192, 1, 0, 2, "up down", shared108],
+          ["SPDP Heartbeat of server", "unicast", 250.29586195342605, 0.5969, 0, 2.167, "up down", shared108],
+          ["SPDP Heartbeat of others", "unicast", 354.98051539912007, 0.3182, 1, 2.908, "up down", shared108],
+          ["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", shared108],
+          ["SPDP ACKNACK of others", "unicast", 190.2, 1, 1, 0.5083, "up down", shared108],
+          ["SPDP ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared108],
+          ["SPDP Gap", "unicast", 204.14209591474247, 0.6193, 1, 1.6, "up down", shared108],
+          ["SEDP to server", "unicast", 1152, 0.45, 2, 1, "up down", shared108],
+          ["SEDP of others", "unicast", 655.9962112242481, 0.8446, 3, 1.237, "up down", shared108],
+          ["Heartbeat", "unicast", 192, 1, 0, 4, "up down", shared108],
+          ["Heartbeat of server", "unicast", 192, 1, 0, 4, "up down", shared108],
+          ["Heartbeat of others", "unicast", 451.4893977947413, 0.2358, 3, 1.892, "up down", shared108],
+          ["ACKNACK", "unicast", 188, 1, 0, 4, "up down", shared108],
+          ["ACKNACK of others", "unicast", 191.3, 1, 3, 0.45, "up down", shared108],
+          ["ACKNACK of server", "unicast", 188.5, 1, 0, 15.6, "up down", shared108],
+          ["Gap", "unicast", 205.97133664814274, 0.6838, 3, 0.645, "up down", shared108],
+          ["Liveliness Heartbeat to server", "unicast", 192, 1, 0, 1, "up down", shared108],
+          ["Liveliness Heartbeat of server", "unicast", 192, 1, 0, 2, "up down", shared108],
           shared109,
+          ["Liveliness ACKNACK to server", "unicast", 188, 1, 0, 2, "up down", shared108],
+          ["Liveliness ACKNACK of server", "unicast", 188, 1, 0, 2, "up down", shared108],
+          shared110,
+          shared111,
+          shared112,
         ],
       },
       "Fast DDS": {
@@ -1216,31 +1594,31 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Fast DDS"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Fast DDS"],
         ],
-        "about": shared113,
+        "about": shared116,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
-        "units": shared116,
+        "outlooks": shared97,
+        "windows": shared98,
+        "units": shared119,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared103],
-          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared105],
-          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared117],
-          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared105],
-          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared105],
-          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared105],
-          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared105],
-          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared105],
-          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared105],
-          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared105],
-          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared105],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared105],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared105],
-          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared105],
-          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared105],
+          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared106],
+          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared108],
+          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared120],
+          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared108],
+          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared108],
+          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared108],
+          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared108],
+          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared108],
+          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared108],
+          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared108],
+          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared108],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared108],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared108],
+          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared108],
+          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared108],
         ],
       },
       "hybrid": {
@@ -1253,11 +1631,11 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 23,
         "repeats": true,
-        "outlooks": shared118,
-        "windows": shared119,
-        "units": [shared121, shared55, shared98, shared122, shared90],
+        "outlooks": shared121,
+        "windows": shared122,
+        "units": [shared124, shared58, shared101, shared125, shared93],
         "degree": 2,
-        "messages": [shared124, shared125, shared126, shared127, shared128, shared130, shared131],
+        "messages": [shared127, shared128, shared129, shared130, shared131, shared133, shared134],
       },
       "hybrid, alike": {
         "group": "Proposals and other tables",
@@ -1269,79 +1647,79 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 23,
         "repeats": true,
-        "outlooks": shared118,
-        "windows": shared119,
-        "units": [shared121, shared55, [shared132, shared132, shared132], shared122, shared90],
+        "outlooks": shared121,
+        "windows": shared122,
+        "units": [shared124, shared58, [shared135, shared135, shared135], shared125, shared93],
         "degree": 2,
-        "messages": [shared124, shared125, ["Software", "multicast", 8, 0, 0, 1, "up down", shared123], shared126, shared127, shared128, shared130, shared131],
+        "messages": [shared127, shared128, ["Software", "multicast", 8, 0, 0, 1, "up down", shared126], shared129, shared130, shared131, shared133, shared134],
       },
       "DDS, periods of Fast DDS": {
-        "group": shared133,
+        "group": shared1,
         "family": "DDS",
         "product": null,
-        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", shared134, "", "DDS, periods of Cyclone DDS", "DDS, periods of Fast DDS"], ["middleware", shared135, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Fast DDS"]],
+        "tables": [shared50, shared51, shared52, shared53, shared54, shared55, ["middleware", shared136, "", "DDS, periods of Cyclone DDS", "DDS, periods of Fast DDS"], ["middleware", shared137, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Fast DDS"]],
         "about": "",
         "measured": [],
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
-        "units": shared63,
+        "outlooks": shared97,
+        "windows": shared98,
+        "units": shared66,
         "degree": 2,
         "messages": [
-          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared103],
-          ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", shared103],
-          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared105],
-          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared105],
-          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared105],
+          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared106],
+          ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", shared106],
+          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared108],
+          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared108],
+          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared108],
         ],
       },
       "DDS, periods of Cyclone DDS": {
-        "group": shared133,
+        "group": shared1,
         "family": "DDS",
         "product": null,
-        "tables": [shared47, shared48, shared49, shared50, shared51, shared52, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"], ["middleware", shared135, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Cyclone DDS"]],
+        "tables": [shared50, shared51, shared52, shared53, shared54, shared55, ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "DDS, periods of Cyclone DDS"], ["middleware", shared137, "", "Zenoh, periods of Zenoh peer", "DDS, periods of Cyclone DDS"]],
         "about": "",
         "measured": [],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared63,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared66,
         "degree": 2,
         "messages": [
-          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared74],
-          ["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", shared76],
-          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared77],
-          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared77],
-          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared77],
-          ["Liveliness", "unicast", 180, 1, 1, 1, "up down", shared92],
-          ["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", shared92],
+          ["SPDP", "multicast", 414, 1, 0, 1, "up down", shared77],
+          ["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", shared79],
+          ["SEDP", "unicast", 464, 1, 2, 1, "up down", shared80],
+          ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", shared80],
+          ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", shared80],
+          ["Liveliness", "unicast", 180, 1, 1, 1, "up down", shared95],
+          ["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", shared95],
         ],
       },
       "Zenoh, periods of Zenoh peer": {
-        "group": shared133,
+        "group": shared1,
         "family": "Zenoh",
         "product": null,
         "tables": [
-          shared61,
-          shared62,
+          shared64,
+          shared65,
           ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", "Zenoh, periods of Zenoh peer"],
           ["middleware", "switching to DDS, periods of Fast DDS", "", "DDS, periods of Fast DDS", "Zenoh, periods of Zenoh peer"],
-          ["middleware", shared134, "", "DDS, periods of Cyclone DDS", "Zenoh, periods of Zenoh peer"],
+          ["middleware", shared136, "", "DDS, periods of Cyclone DDS", "Zenoh, periods of Zenoh peer"],
         ],
         "about": "",
         "measured": [],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared63,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared66,
         "degree": 2,
-        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", shared136], ["Hello", "unicast", 144, 1, 1, 1, "up down", shared136], ["Declare", "unicast", 176, 1, 2, 1, "up down", shared77], shared138],
+        "messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", shared138], ["Hello", "unicast", 144, 1, 1, 1, "up down", shared138], ["Declare", "unicast", 176, 1, 2, 1, "up down", shared80], shared140],
       },
       "static endpoints": {
         "group": "Products arranged against the storm",
@@ -1357,34 +1735,34 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "static endpoints"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "static endpoints"],
         ],
-        "about": shared139,
+        "about": shared141,
         "measured": [8, 8, 84],
         "variant": false,
         "lease": 20,
         "repeats": true,
-        "outlooks": shared94,
-        "windows": shared95,
-        "units": shared143,
+        "outlooks": shared97,
+        "windows": shared98,
+        "units": shared145,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared103],
-          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared105],
-          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared105],
-          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared117],
-          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared105],
-          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared105],
-          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared105],
-          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared117],
-          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared105],
-          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared105],
-          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared117],
-          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared105],
-          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared105],
-          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared105],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared105],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared105],
-          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared105],
-          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared105],
+          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared106],
+          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared108],
+          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared108],
+          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared120],
+          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared108],
+          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared108],
+          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared108],
+          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared120],
+          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared108],
+          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared108],
+          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared120],
+          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared108],
+          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared108],
+          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared108],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared108],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared108],
+          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared108],
+          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared108],
         ],
       },
       "Zenoh peer": {
@@ -1392,44 +1770,44 @@ const DISCOSTORM = (() => {
         "family": "Zenoh",
         "product": "Zenoh",
         "tables": [
-          shared61,
-          shared62,
+          shared64,
+          shared65,
           ["peers", "static peers", "", "Zenoh peer, static peers", "Zenoh peer"],
           ["middleware", "switching to Cyclone DDS", "", "Cyclone DDS", "Zenoh peer"],
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Zenoh peer"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Zenoh peer"],
           ["middleware", "switching to Zenoh peer, tokens", "", "Zenoh peer, tokens", "Zenoh peer"],
         ],
-        "about": shared144,
+        "about": shared146,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared146,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared148,
         "degree": 3,
         "messages": [
-          shared147,
-          shared148,
-          ["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", shared77],
-          ["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", shared77],
           shared149,
           shared150,
+          ["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", shared80],
+          ["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", shared80],
           shared151,
-          ["OAM", "unicast", 163.4251497005988, 0.835, 1, 1, "up down", shared77],
-          ["OAM for others", "unicast", 163.4251497005988, 0.835, 2, 0.625, "up down", shared77],
-          ["Declare", "unicast", 106.65917220235053, 0.1957, 3, 0.5, "up down", shared77],
-          ["Declare key expression", "unicast", 229.04217991787982, 0.8037, 4, 0.5, "up down", shared77],
-          ["Declare key expression of matching", "unicast", 229.04217991787982, 0.8037, 5, 0.5, "up down", shared77],
-          ["Declare final", "unicast", 176, 0.05, 1, 1, "up down", shared77],
-          ["Frame", "unicast", 112.31961259079904, 0.2478, 1, 1, "up down", shared77],
-          ["Frame of endpoints", "unicast", 112.31961259079904, 0.2478, 3, 0.6083, "up down", shared77],
           shared152,
           shared153,
-          ["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", shared137],
-          ["TCP ACK at start", "unicast", 76, 1, 1, 2.496, "up down", shared77],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.2188, "up down", shared77],
+          ["OAM", "unicast", 163.4251497005988, 0.835, 1, 1, "up down", shared80],
+          ["OAM for others", "unicast", 163.4251497005988, 0.835, 2, 0.625, "up down", shared80],
+          ["Declare", "unicast", 106.65917220235053, 0.1957, 3, 0.5, "up down", shared80],
+          ["Declare key expression", "unicast", 229.04217991787982, 0.8037, 4, 0.5, "up down", shared80],
+          ["Declare key expression of matching", "unicast", 229.04217991787982, 0.8037, 5, 0.5, "up down", shared80],
+          ["Declare final", "unicast", 176, 0.05, 1, 1, "up down", shared80],
+          ["Frame", "unicast", 112.31961259079904, 0.2478, 1, 1, "up down", shared80],
+          ["Frame of endpoints", "unicast", 112.31961259079904, 0.2478, 3, 0.6083, "up down", shared80],
+          shared154,
+          shared155,
+          ["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", shared139],
+          ["TCP ACK at start", "unicast", 76, 1, 1, 2.496, "up down", shared80],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.2188, "up down", shared80],
         ],
       },
       "Zenoh peer, tokens": {
@@ -1444,39 +1822,39 @@ const DISCOSTORM = (() => {
           ["middleware", "switching to Cyclone DDS, version 11", "", "Cyclone DDS, version 11", "Zenoh peer, tokens"],
           ["middleware", "switching to Fast DDS", "", "Fast DDS", "Zenoh peer, tokens"],
         ],
-        "about": shared154,
+        "about": shared156,
         "measured": [8, 12, 60],
         "variant": true,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared146,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared148,
         "degree": 3,
         "messages": [
-          shared147,
-          shared148,
-          ["Hello first", "unicast", 104, 1, 1, 0.5, "up down", shared77],
-          ["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", shared77],
           shared149,
           shared150,
+          ["Hello first", "unicast", 104, 1, 1, 0.5, "up down", shared80],
+          ["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", shared80],
           shared151,
-          ["OAM", "unicast", 179.4287333522244, 0.7058, 1, 1, "up down", shared77],
-          ["OAM for others", "unicast", 179.4287333522244, 0.7058, 2, 0.6493, "up down", shared77],
-          ["Declare", "unicast", 167.6030534351145, 0.0655, 3, 0.5, "up down", shared77],
-          ["Declare token", "unicast", 175.50248756218906, 0.0603, 3, 1, "up down", shared77],
-          ["Declare token of node", "unicast", 175.50248756218906, 0.0603, 1, 1, "up down", shared77],
-          ["Declare key expression", "unicast", 362.8385800401876, 0.5972, 4, 1.5, "up down", shared77],
-          ["Declare key expression of matching", "unicast", 362.8385800401876, 0.5972, 5, 2.5, "up down", shared77],
-          ["Declare key expression of node", "unicast", 362.8385800401876, 0.5972, 1, 1, "up down", shared77],
-          ["Declare final", "unicast", 159.33333333333334, 0.06, 1, 1, "up down", shared77],
-          ["Frame", "unicast", 142.56804733727813, 0.1352, 1, 2, "up down", shared77],
-          ["Frame of endpoints", "unicast", 142.56804733727813, 0.1352, 3, 1, "up down", shared77],
           shared152,
           shared153,
-          ["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", shared137],
-          ["TCP ACK at start", "unicast", 76, 1, 1, 3.325, "up down", shared77],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.4208, "up down", shared77],
+          ["OAM", "unicast", 179.4287333522244, 0.7058, 1, 1, "up down", shared80],
+          ["OAM for others", "unicast", 179.4287333522244, 0.7058, 2, 0.6493, "up down", shared80],
+          ["Declare", "unicast", 167.6030534351145, 0.0655, 3, 0.5, "up down", shared80],
+          ["Declare token", "unicast", 175.50248756218906, 0.0603, 3, 1, "up down", shared80],
+          ["Declare token of node", "unicast", 175.50248756218906, 0.0603, 1, 1, "up down", shared80],
+          ["Declare key expression", "unicast", 362.8385800401876, 0.5972, 4, 1.5, "up down", shared80],
+          ["Declare key expression of matching", "unicast", 362.8385800401876, 0.5972, 5, 2.5, "up down", shared80],
+          ["Declare key expression of node", "unicast", 362.8385800401876, 0.5972, 1, 1, "up down", shared80],
+          ["Declare final", "unicast", 159.33333333333334, 0.06, 1, 1, "up down", shared80],
+          ["Frame", "unicast", 142.56804733727813, 0.1352, 1, 2, "up down", shared80],
+          ["Frame of endpoints", "unicast", 142.56804733727813, 0.1352, 3, 1, "up down", shared80],
+          shared154,
+          shared155,
+          ["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", shared139],
+          ["TCP ACK at start", "unicast", 76, 1, 1, 3.325, "up down", shared80],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 3, 0.4208, "up down", shared80],
         ],
       },
       "Zenoh router": {
@@ -1495,48 +1873,48 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 60,
         "repeats": true,
-        "outlooks": shared155,
-        "windows": shared156,
-        "units": [shared55, shared98, [shared97, {"count": "count27", "more": ["more59", "more60"]}, {"count": "count6", "more": []}], [{"count": "count6", "more": []}, {"count": "count28", "more": ["more61", "more62"]}, {"count": "count29", "more": ["more63", "more64"]}], shared115, shared140],
+        "outlooks": shared157,
+        "windows": shared158,
+        "units": [shared58, shared101, [shared100, {"count": "count27", "more": ["more59", "more60"]}, {"count": "count6", "more": []}], [{"count": "count6", "more": []}, {"count": "count28", "more": ["more61", "more62"]}, {"count": "count29", "more": ["more63", "more64"]}], shared118, shared142],
         "degree": 2,
         "messages": [
-          ["TCP SYN", "unicast", 76, 1, 0, 1, "up", shared157],
-          ["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", shared157],
-          ["InitSyn", "unicast", 110, 1, 0, 1, "up", shared157],
-          ["InitAck", "unicast", 153, 1, 0, 1, "down", shared157],
-          ["OpenSyn", "unicast", 134, 1, 0, 1, "up", shared157],
-          ["OpenAck", "unicast", 84, 1, 0, 1, "down", shared157],
-          ["Interest in tokens", "unicast", 154.5017382527756, 0.08917, 0, 1, "up", shared157],
-          ["Interest of publishers", "unicast", 154.5017382527756, 0.08917, 1, 0.5, "up", shared157],
-          ["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", shared157],
-          ["Declare token of node", "unicast", 192.6407465007776, 0.05144, 0, 1, "up", shared157],
-          ["Declare token", "unicast", 192.6407465007776, 0.05144, 1, 1, "up", shared157],
-          ["Declare key expression of node", "unicast", 358.9464799539613, 0.5213, 0, 2, "up", shared157],
-          ["Declare key expression", "unicast", 358.9464799539613, 0.5213, 1, 1.5, "up", shared157],
-          ["Declare key expression of unmatched", "unicast", 358.9464799539613, 0.5213, 2, 0.5, "up", shared157],
-          ["Frame up", "unicast", 137.8131868131868, 0.1456, 0, 1.417, "up", shared157],
-          ["Frame of endpoints up", "unicast", 137.8131868131868, 0.1456, 1, 1.292, "up", shared157],
-          ["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", shared157],
-          ["Declare token of own node", "unicast", 282.5695792880259, 0.0309, 0, 1, "down", shared157],
-          ["Declare own token", "unicast", 282.5695792880259, 0.0309, 1, 1, "down", shared157],
-          ["Declare token of node passed on", "unicast", 282.5695792880259, 0.0309, 4, 1, "down", shared157],
-          ["Declare token passed on", "unicast", 282.5695792880259, 0.0309, 5, 1, "down", shared157],
-          ["Declare key expression of node passed on", "unicast", 622.248870141609, 0.3319, 4, 1, "down", shared157],
-          ["Declare key expression passed on", "unicast", 622.248870141609, 0.3319, 5, 1, "down", shared157],
-          ["Declare final", "unicast", 148.72727272727272, 0.06875, 0, 1, "down", shared157],
-          ["Declare final to publishers", "unicast", 148.72727272727272, 0.06875, 1, 0.5, "down", shared157],
-          ["Frame down", "unicast", 156.64516129032256, 0.1116, 0, 3.188, "down", shared157],
-          ["Frame of endpoints down", "unicast", 156.64516129032256, 0.1116, 1, 1.206, "down", shared157],
-          ["Frame of others down", "unicast", 156.64516129032256, 0.1116, 5, 0.025, "down", shared157],
-          ["KeepAlive up", "unicast", 79, 1, 0, 1, "up", shared158],
-          ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", shared158],
-          ["TCP ACK up", "unicast", 76, 1, 0, 1, "up", shared158],
-          ["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", shared158],
-          ["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", shared157],
-          ["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", shared157],
-          ["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", shared157],
-          ["TCP ACK at start down", "unicast", 76, 1, 0, 4.104, "down", shared157],
-          ["TCP ACK of endpoints down", "unicast", 76, 1, 1, 0.07292, "down", shared157],
+          ["TCP SYN", "unicast", 76, 1, 0, 1, "up", shared159],
+          ["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", shared159],
+          ["InitSyn", "unicast", 110, 1, 0, 1, "up", shared159],
+          ["InitAck", "unicast", 153, 1, 0, 1, "down", shared159],
+          ["OpenSyn", "unicast", 134, 1, 0, 1, "up", shared159],
+          ["OpenAck", "unicast", 84, 1, 0, 1, "down", shared159],
+          ["Interest in tokens", "unicast", 154.5017382527756, 0.08917, 0, 1, "up", shared159],
+          ["Interest of publishers", "unicast", 154.5017382527756, 0.08917, 1, 0.5, "up", shared159],
+          ["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", shared159],
+          ["Declare token of node", "unicast", 192.6407465007776, 0.05144, 0, 1, "up", shared159],
+          ["Declare token", "unicast", 192.6407465007776, 0.05144, 1, 1, "up", shared159],
+          ["Declare key expression of node", "unicast", 358.9464799539613, 0.5213, 0, 2, "up", shared159],
+          ["Declare key expression", "unicast", 358.9464799539613, 0.5213, 1, 1.5, "up", shared159],
+          ["Declare key expression of unmatched", "unicast", 358.9464799539613, 0.5213, 2, 0.5, "up", shared159],
+          ["Frame up", "unicast", 137.8131868131868, 0.1456, 0, 1.417, "up", shared159],
+          ["Frame of endpoints up", "unicast", 137.8131868131868, 0.1456, 1, 1.292, "up", shared159],
+          ["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", shared159],
+          ["Declare token of own node", "unicast", 282.5695792880259, 0.0309, 0, 1, "down", shared159],
+          ["Declare own token", "unicast", 282.5695792880259, 0.0309, 1, 1, "down", shared159],
+          ["Declare token of node passed on", "unicast", 282.5695792880259, 0.0309, 4, 1, "down", shared159],
+          ["Declare token passed on", "unicast", 282.5695792880259, 0.0309, 5, 1, "down", shared159],
+          ["Declare key expression of node passed on", "unicast", 622.248870141609, 0.3319, 4, 1, "down", shared159],
+          ["Declare key expression passed on", "unicast", 622.248870141609, 0.3319, 5, 1, "down", shared159],
+          ["Declare final", "unicast", 148.72727272727272, 0.06875, 0, 1, "down", shared159],
+          ["Declare final to publishers", "unicast", 148.72727272727272, 0.06875, 1, 0.5, "down", shared159],
+          ["Frame down", "unicast", 156.64516129032256, 0.1116, 0, 3.188, "down", shared159],
+          ["Frame of endpoints down", "unicast", 156.64516129032256, 0.1116, 1, 1.206, "down", shared159],
+          ["Frame of others down", "unicast", 156.64516129032256, 0.1116, 5, 0.025, "down", shared159],
+          ["KeepAlive up", "unicast", 79, 1, 0, 1, "up", shared160],
+          ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", shared160],
+          ["TCP ACK up", "unicast", 76, 1, 0, 1, "up", shared160],
+          ["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", shared160],
+          ["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", shared159],
+          ["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", shared159],
+          ["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", shared159],
+          ["TCP ACK at start down", "unicast", 76, 1, 0, 4.104, "down", shared159],
+          ["TCP ACK of endpoints down", "unicast", 76, 1, 1, 0.07292, "down", shared159],
         ],
       },
       "Zenoh router per host": {
@@ -1555,41 +1933,41 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 60,
         "repeats": true,
-        "outlooks": shared155,
-        "windows": shared156,
+        "outlooks": shared157,
+        "windows": shared158,
         "units": [
-          shared90,
-          [shared159, shared159, shared159],
-          [shared160, shared160, shared160],
-          [shared160, {"count": "count32", "more": ["more71", "more72", "more60"]}, {"count": "count6", "more": []}],
+          shared93,
+          [shared161, shared161, shared161],
+          [shared162, shared162, shared162],
+          [shared162, {"count": "count32", "more": ["more71", "more72", "more60"]}, {"count": "count6", "more": []}],
           [{"count": "count6", "more": []}, {"count": "count33", "more": ["more73", "more74", "more75"]}, {"count": "count34", "more": ["more76", "more77", "more78"]}],
-          shared88,
+          shared91,
         ],
         "degree": 4,
         "messages": [
-          ["TCP control", "unicast", 76, 1, 0, 1, "up down", shared157],
-          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared157],
-          ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared157],
-          ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared157],
-          ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared157],
-          ["OAM", "unicast", 145.36416184971097, 0.865, 0, 2, "up down", shared157],
-          ["OAM passed on", "unicast", 170.8164964055997, 0.5286, 1, 0.5483, "up down", shared157],
-          ["Frame of gossip", "unicast", 169.4482400581456, 0.09631, 0, 6.215, "up down", shared157],
-          ["Frame of gossip passed on", "unicast", 169.4482400581456, 0.09631, 1, 0.1137, "up down", shared157],
-          ["Frame of endpoints", "unicast", 169.4482400581456, 0.09631, 2, 0.6762, "up down", shared157],
-          ["Declare", "unicast", 439.6363636363636, 0.0165, 3, 0.5, "up down", shared157],
-          ["Declare of matching", "unicast", 159.99832003359933, 0.07143, 4, 0.5, "up down", shared157],
-          ["Declare token of node", "unicast", 268.67822736030826, 0.03114, 5, 1, "up down", shared157],
-          ["Declare token", "unicast", 268.67822736030826, 0.03114, 2, 1, "up down", shared157],
-          ["Declare key expression", "unicast", 363.3062859132857, 0.5743, 3, 0.5, "up down", shared157],
-          ["Declare key expression of matching", "unicast", 363.3062859132857, 0.5743, 4, 0.2634, "up down", shared157],
-          ["Declare key expression of tokens", "unicast", 363.3062859132857, 0.5743, 2, 1, "up down", shared157],
-          ["Declare key expression of node", "unicast", 363.3062859132857, 0.5743, 5, 1, "up down", shared157],
-          ["KeepAlive", "unicast", 79, 1, 0, 1, "up down", shared158],
-          ["TCP ACK", "unicast", 76, 1, 0, 0.5, "up down", shared158],
-          ["TCP ACK at start", "unicast", 76, 1, 0, 5.749, "up down", shared157],
-          ["TCP ACK of gossip", "unicast", 76, 1, 1, 0.08617, "up down", shared157],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2084, "up down", shared157],
+          ["TCP control", "unicast", 76, 1, 0, 1, "up down", shared159],
+          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared159],
+          ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", shared159],
+          ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", shared159],
+          ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", shared159],
+          ["OAM", "unicast", 145.36416184971097, 0.865, 0, 2, "up down", shared159],
+          ["OAM passed on", "unicast", 170.8164964055997, 0.5286, 1, 0.5483, "up down", shared159],
+          ["Frame of gossip", "unicast", 169.4482400581456, 0.09631, 0, 6.215, "up down", shared159],
+          ["Frame of gossip passed on", "unicast", 169.4482400581456, 0.09631, 1, 0.1137, "up down", shared159],
+          ["Frame of endpoints", "unicast", 169.4482400581456, 0.09631, 2, 0.6762, "up down", shared159],
+          ["Declare", "unicast", 439.6363636363636, 0.0165, 3, 0.5, "up down", shared159],
+          ["Declare of matching", "unicast", 159.99832003359933, 0.07143, 4, 0.5, "up down", shared159],
+          ["Declare token of node", "unicast", 268.67822736030826, 0.03114, 5, 1, "up down", shared159],
+          ["Declare token", "unicast", 268.67822736030826, 0.03114, 2, 1, "up down", shared159],
+          ["Declare key expression", "unicast", 363.3062859132857, 0.5743, 3, 0.5, "up down", shared159],
+          ["Declare key expression of matching", "unicast", 363.3062859132857, 0.5743, 4, 0.2634, "up down", shared159],
+          ["Declare key expression of tokens", "unicast", 363.3062859132857, 0.5743, 2, 1, "up down", shared159],
+          ["Declare key expression of node", "unicast", 363.3062859132857, 0.5743, 5, 1, "up down", shared159],
+          ["KeepAlive", "unicast", 79, 1, 0, 1, "up down", shared160],
+          ["TCP ACK", "unicast", 76, 1, 0, 0.5, "up down", shared160],
+          ["TCP ACK at start", "unicast", 76, 1, 0, 5.749, "up down", shared159],
+          ["TCP ACK of gossip", "unicast", 76, 1, 1, 0.08617, "up down", shared159],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2084, "up down", shared159],
         ],
       },
       "Zenoh, static peers": {
@@ -1602,49 +1980,49 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": Infinity,
         "repeats": false,
-        "outlooks": shared53,
+        "outlooks": shared56,
         "windows": {"second": 1, "ever": Infinity},
-        "units": shared161,
+        "units": shared163,
         "degree": 2,
-        "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], shared64],
+        "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", {"burst": 1, "second": 1, "ever": 0}], shared67],
       },
       "Cyclone DDS, calmer announcements": {
         "group": null,
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [],
-        "about": shared65,
+        "about": shared68,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared73,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared76,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 420, 1, 0, 1, "up down", shared164],
-          ["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", shared165],
-          ["SPDP directed", "unicast", 436, 1, 1, 0.75, "up down", shared166],
-          ["SEDP", "unicast", 1011.3931423203381, 0.2129, 2, 1, "up down", shared167],
-          ["SEDP again", "unicast", 1011.3931423203381, 0.2129, 3, 0.08438, "up down", shared167],
-          ["Heartbeat", "unicast", 153.6732788798133, 0.5142, 1, 2, "up down", shared167],
-          ["Heartbeat of data", "unicast", 153.6732788798133, 0.5142, 1, 2.375, "up down", shared167],
-          ["ACKNACK", "unicast", 187.56178089044522, 0.3998, 1, 4.635, "up down", shared167],
-          ["ACKNACK for others", "unicast", 187.56178089044522, 0.3998, 4, 0.09896, "up down", shared167],
-          shared169,
-          ["Liveliness at start", "unicast", 209.73193560464244, 0.5342, 1, 1, "up down", shared167],
-          ["Liveliness for others", "unicast", 209.73193560464244, 0.5342, 4, 0.09375, "up down", shared167],
-          shared170,
-          ["Liveliness Heartbeat at start", "unicast", 157.8841449342257, 0.4333, 1, 2.208, "up down", shared167],
+          ["SPDP", "multicast", 420, 1, 0, 1, "up down", shared166],
+          ["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", shared167],
+          ["SPDP directed", "unicast", 436, 1, 1, 0.75, "up down", shared168],
+          ["SEDP", "unicast", 1011.3931423203381, 0.2129, 2, 1, "up down", shared169],
+          ["SEDP again", "unicast", 1011.3931423203381, 0.2129, 3, 0.08438, "up down", shared169],
+          ["Heartbeat", "unicast", 153.6732788798133, 0.5142, 1, 2, "up down", shared169],
+          ["Heartbeat of data", "unicast", 153.6732788798133, 0.5142, 1, 2.375, "up down", shared169],
+          ["ACKNACK", "unicast", 187.56178089044522, 0.3998, 1, 4.635, "up down", shared169],
+          ["ACKNACK for others", "unicast", 187.56178089044522, 0.3998, 4, 0.09896, "up down", shared169],
           shared171,
-          ["Liveliness ACKNACK at start", "unicast", 193.64569775849603, 0.2766, 1, 2.275, "up down", shared167],
-          ["Liveliness ACKNACK for others", "unicast", 193.64569775849603, 0.2766, 4, 0.05833, "up down", shared167],
-          ["Type lookup Heartbeat", "unicast", 127.15414230714387, 0.7013, 1, 2.188, "up down", shared167],
-          ["Type lookup ACKNACK", "unicast", 197.64779874213835, 0.2544, 1, 2, "up down", shared167],
-          ["Type lookup ACKNACK for others", "unicast", 197.64779874213835, 0.2544, 4, 0.3125, "up down", shared167],
-          ["User Heartbeat", "unicast", 141.09310113864703, 0.5972, 5, 1.15, "up down", shared167],
-          ["User ACKNACK", "unicast", 184.34918723660445, 0.3322, 5, 1.6, "up down", shared167],
+          ["Liveliness at start", "unicast", 209.73193560464244, 0.5342, 1, 1, "up down", shared169],
+          ["Liveliness for others", "unicast", 209.73193560464244, 0.5342, 4, 0.09375, "up down", shared169],
+          shared172,
+          ["Liveliness Heartbeat at start", "unicast", 157.8841449342257, 0.4333, 1, 2.208, "up down", shared169],
+          shared173,
+          ["Liveliness ACKNACK at start", "unicast", 193.64569775849603, 0.2766, 1, 2.275, "up down", shared169],
+          ["Liveliness ACKNACK for others", "unicast", 193.64569775849603, 0.2766, 4, 0.05833, "up down", shared169],
+          ["Type lookup Heartbeat", "unicast", 127.15414230714387, 0.7013, 1, 2.188, "up down", shared169],
+          ["Type lookup ACKNACK", "unicast", 197.64779874213835, 0.2544, 1, 2, "up down", shared169],
+          ["Type lookup ACKNACK for others", "unicast", 197.64779874213835, 0.2544, 4, 0.3125, "up down", shared169],
+          ["User Heartbeat", "unicast", 141.09310113864703, 0.5972, 5, 1.15, "up down", shared169],
+          ["User ACKNACK", "unicast", 184.34918723660445, 0.3322, 5, 1.6, "up down", shared169],
         ],
       },
       "Cyclone DDS, wired, calmer announcements": {
@@ -1652,40 +2030,40 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [],
-        "about": shared82,
+        "about": shared85,
         "measured": [8, 12, 20],
         "variant": true,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared83,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared86,
         "degree": 3,
         "messages": [
-          shared172,
-          ["SPDP directed", "unicast", 493.08762420957544, 0.9963, 1, 0.6667, "up down", shared166],
-          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.5833, "up down", shared167],
-          ["SEDP multicast", "multicast", 961.6660682226212, 0.2228, 2, 0.1667, "up down", shared167],
-          ["Heartbeat multicast", "multicast", 232, 0.25, 0, 2, "up down", shared167],
-          ["Heartbeat", "unicast", 201.42013994523882, 0.3287, 1, 3, "up down", shared167],
-          ["ACKNACK", "unicast", 199.39703903095557, 0.3715, 1, 4.05, "up down", shared167],
-          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 3, 0.2833, "up down", shared167],
-          ["Liveliness", "multicast", 179.99005799502902, 0.7242, 0, 1, "up down", shared168],
-          ["Liveliness at start", "multicast", 150.79816322270926, 0.9582, 0, 0.3333, "up down", shared167],
-          ["Liveliness unicast", "unicast", 429, 0.2, 1, 0.5, "up down", shared167],
-          ["Liveliness Heartbeat", "multicast", 180.02610587382162, 0.2758, 0, 1, "up down", shared168],
-          ["Liveliness Heartbeat at start", "multicast", 245.09790605546124, 0.1767, 0, 0.875, "up down", shared167],
-          ["Liveliness Heartbeat unicast", "unicast", 234.05196032120926, 0.2117, 1, 1.625, "up down", shared167],
-          shared171,
-          ["Liveliness ACKNACK at start", "unicast", 187.1920199501247, 0.2807, 1, 2.344, "up down", shared167],
-          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 3, 0.07812, "up down", shared167],
-          ["Type lookup Heartbeat", "multicast", 224.96579476861166, 0.1988, 0, 2, "up down", shared167],
-          ["Type lookup Heartbeat unicast", "unicast", 230.92749087115283, 0.1917, 1, 0.6667, "up down", shared167],
-          ["Type lookup ACKNACK", "unicast", 211.5, 0.2, 1, 2, "up down", shared167],
-          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 3, 0.3125, "up down", shared167],
-          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 4, 0.75, "up down", shared167],
-          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 4, 0.25, "up down", shared167],
-          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 4, 2, "up down", shared167],
+          shared174,
+          ["SPDP directed", "unicast", 493.08762420957544, 0.9963, 1, 0.6667, "up down", shared168],
+          ["SEDP", "unicast", 1167.7479630635523, 0.1841, 2, 0.5833, "up down", shared169],
+          ["SEDP multicast", "multicast", 961.6660682226212, 0.2228, 2, 0.1667, "up down", shared169],
+          ["Heartbeat multicast", "multicast", 232, 0.25, 0, 2, "up down", shared169],
+          ["Heartbeat", "unicast", 201.42013994523882, 0.3287, 1, 3, "up down", shared169],
+          ["ACKNACK", "unicast", 199.39703903095557, 0.3715, 1, 4.05, "up down", shared169],
+          ["ACKNACK for others", "unicast", 199.39703903095557, 0.3715, 3, 0.2833, "up down", shared169],
+          ["Liveliness", "multicast", 179.99005799502902, 0.7242, 0, 1, "up down", shared170],
+          ["Liveliness at start", "multicast", 150.79816322270926, 0.9582, 0, 0.3333, "up down", shared169],
+          ["Liveliness unicast", "unicast", 429, 0.2, 1, 0.5, "up down", shared169],
+          ["Liveliness Heartbeat", "multicast", 180.02610587382162, 0.2758, 0, 1, "up down", shared170],
+          ["Liveliness Heartbeat at start", "multicast", 245.09790605546124, 0.1767, 0, 0.875, "up down", shared169],
+          ["Liveliness Heartbeat unicast", "unicast", 234.05196032120926, 0.2117, 1, 1.625, "up down", shared169],
+          shared173,
+          ["Liveliness ACKNACK at start", "unicast", 187.1920199501247, 0.2807, 1, 2.344, "up down", shared169],
+          ["Liveliness ACKNACK for others", "unicast", 187.1920199501247, 0.2807, 3, 0.07812, "up down", shared169],
+          ["Type lookup Heartbeat", "multicast", 224.96579476861166, 0.1988, 0, 2, "up down", shared169],
+          ["Type lookup Heartbeat unicast", "unicast", 230.92749087115283, 0.1917, 1, 0.6667, "up down", shared169],
+          ["Type lookup ACKNACK", "unicast", 211.5, 0.2, 1, 2, "up down", shared169],
+          ["Type lookup ACKNACK for others", "unicast", 211.5, 0.2, 3, 0.3125, "up down", shared169],
+          ["User Heartbeat", "unicast", 230.46065100947672, 0.2427, 4, 0.75, "up down", shared169],
+          ["User Heartbeat multicast", "multicast", 232.6802973977695, 0.2152, 4, 0.25, "up down", shared169],
+          ["User ACKNACK", "unicast", 226.06745510293473, 0.2283, 4, 2, "up down", shared169],
         ],
       },
       "Cyclone DDS, version 11, calmer announcements": {
@@ -1693,38 +2071,38 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [],
-        "about": shared85,
+        "about": shared88,
         "measured": [8, 12, 60],
         "variant": true,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared73,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared76,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 432, 1, 0, 1, "up down", shared164],
-          ["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", shared165],
-          ["SPDP directed", "unicast", 432, 1, 1, 0.5625, "up down", shared166],
-          ["SEDP", "unicast", 733.5900021925016, 0.4561, 2, 1, "up down", shared167],
-          ["SEDP again", "unicast", 733.5900021925016, 0.4561, 3, 0.04792, "up down", shared167],
-          ["Heartbeat", "unicast", 152.88683431952666, 0.5408, 1, 2, "up down", shared167],
-          ["Heartbeat of data", "unicast", 152.88683431952666, 0.5408, 1, 2.833, "up down", shared167],
-          ["ACKNACK", "unicast", 187.3409033560434, 0.3963, 1, 5.167, "up down", shared167],
-          ["ACKNACK for others", "unicast", 187.3409033560434, 0.3963, 4, 0.125, "up down", shared167],
-          shared169,
-          ["Liveliness at start", "unicast", 193.85449071751128, 0.5979, 1, 1, "up down", shared167],
-          ["Liveliness for others", "unicast", 193.85449071751128, 0.5979, 4, 0.04167, "up down", shared167],
-          shared170,
-          ["Liveliness Heartbeat at start", "unicast", 156.73844753016164, 0.4393, 1, 2.188, "up down", shared167],
+          ["SPDP", "multicast", 432, 1, 0, 1, "up down", shared166],
+          ["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", shared167],
+          ["SPDP directed", "unicast", 432, 1, 1, 0.5625, "up down", shared168],
+          ["SEDP", "unicast", 733.5900021925016, 0.4561, 2, 1, "up down", shared169],
+          ["SEDP again", "unicast", 733.5900021925016, 0.4561, 3, 0.04792, "up down", shared169],
+          ["Heartbeat", "unicast", 152.88683431952666, 0.5408, 1, 2, "up down", shared169],
+          ["Heartbeat of data", "unicast", 152.88683431952666, 0.5408, 1, 2.833, "up down", shared169],
+          ["ACKNACK", "unicast", 187.3409033560434, 0.3963, 1, 5.167, "up down", shared169],
+          ["ACKNACK for others", "unicast", 187.3409033560434, 0.3963, 4, 0.125, "up down", shared169],
           shared171,
-          ["Liveliness ACKNACK at start", "unicast", 188.55516014234874, 0.281, 1, 2.385, "up down", shared167],
-          ["Liveliness ACKNACK for others", "unicast", 188.55516014234874, 0.281, 4, 0.05729, "up down", shared167],
-          ["Type lookup Heartbeat", "unicast", 134.83743842364532, 0.609, 1, 2.5, "up down", shared167],
-          ["Type lookup ACKNACK", "unicast", 212.09610154125116, 0.2206, 1, 2, "up down", shared167],
-          ["Type lookup ACKNACK for others", "unicast", 212.09610154125116, 0.2206, 4, 0.3125, "up down", shared167],
-          ["User Heartbeat", "unicast", 134.96727272727273, 0.6875, 5, 1.2, "up down", shared167],
-          ["User ACKNACK", "unicast", 175.87453323375652, 0.4017, 5, 1.75, "up down", shared167],
+          ["Liveliness at start", "unicast", 193.85449071751128, 0.5979, 1, 1, "up down", shared169],
+          ["Liveliness for others", "unicast", 193.85449071751128, 0.5979, 4, 0.04167, "up down", shared169],
+          shared172,
+          ["Liveliness Heartbeat at start", "unicast", 156.73844753016164, 0.4393, 1, 2.188, "up down", shared169],
+          shared173,
+          ["Liveliness ACKNACK at start", "unicast", 188.55516014234874, 0.281, 1, 2.385, "up down", shared169],
+          ["Liveliness ACKNACK for others", "unicast", 188.55516014234874, 0.281, 4, 0.05729, "up down", shared169],
+          ["Type lookup Heartbeat", "unicast", 134.83743842364532, 0.609, 1, 2.5, "up down", shared169],
+          ["Type lookup ACKNACK", "unicast", 212.09610154125116, 0.2206, 1, 2, "up down", shared169],
+          ["Type lookup ACKNACK for others", "unicast", 212.09610154125116, 0.2206, 4, 0.3125, "up down", shared169],
+          ["User Heartbeat", "unicast", 134.96727272727273, 0.6875, 5, 1.2, "up down", shared169],
+          ["User ACKNACK", "unicast", 175.87453323375652, 0.4017, 5, 1.75, "up down", shared169],
         ],
       },
       "Cyclone DDS peers, calmer announcements": {
@@ -1732,38 +2110,38 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [],
-        "about": shared86,
+        "about": shared89,
         "measured": [8, 12, 10],
         "variant": false,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared91,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared94,
         "degree": 3,
         "messages": [
-          ["SPDP", "unicast", 420, 1, 0, 9, "up down", shared164],
+          ["SPDP", "unicast", 420, 1, 0, 9, "up down", shared166],
           ["ICMP unreachable", "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-          ["SPDP directed", "unicast", 442.0177243557095, 0.9817, 2, 0.8333, "up down", shared166],
-          ["SEDP", "unicast", 1224.46511627907, 0.172, 3, 1, "up down", shared167],
-          ["SEDP again", "unicast", 334.84114485689287, 0.8001, 4, 0.08633, "up down", shared167],
-          ["Heartbeat", "unicast", 150.13620569840168, 0.5756, 2, 2, "up down", shared167],
-          ["Heartbeat of data", "unicast", 150.13620569840168, 0.5756, 2, 2.944, "up down", shared167],
-          ["ACKNACK", "unicast", 191.25372354324537, 0.3827, 2, 4.424, "up down", shared167],
-          ["ACKNACK for others", "unicast", 191.25372354324537, 0.3827, 5, 0.2049, "up down", shared167],
-          ["Liveliness", "unicast", 180.00607650876952, 0.7241, 2, 1, "up down", shared168],
-          ["Liveliness at start", "unicast", 170.0050484920951, 0.7527, 2, 1, "up down", shared167],
-          ["Liveliness for others", "unicast", 170.0050484920951, 0.7527, 5, 0.08333, "up down", shared167],
-          ["Liveliness Heartbeat", "unicast", 179.9840521928235, 0.2759, 2, 1, "up down", shared168],
-          ["Liveliness Heartbeat at start", "unicast", 156.0150305307656, 0.4258, 2, 2.556, "up down", shared167],
-          ["Liveliness ACKNACK", "unicast", 128, 1, 2, 1, "up down", shared168],
-          ["Liveliness ACKNACK at start", "unicast", 190.60377358490564, 0.265, 2, 2.296, "up down", shared167],
-          ["Liveliness ACKNACK for others", "unicast", 190.60377358490564, 0.265, 5, 0.09271, "up down", shared167],
-          ["Type lookup Heartbeat", "unicast", 134.67330119732546, 0.6431, 2, 3, "up down", shared167],
-          ["Type lookup ACKNACK", "unicast", 185.2367491166078, 0.283, 2, 2, "up down", shared167],
-          ["Type lookup ACKNACK for others", "unicast", 185.2367491166078, 0.283, 5, 0.3631, "up down", shared167],
-          ["User Heartbeat", "unicast", 147.20074005550418, 0.5405, 6, 1.542, "up down", shared167],
-          ["User ACKNACK", "unicast", 166.51716247139586, 0.437, 6, 2.208, "up down", shared167],
+          ["SPDP directed", "unicast", 442.0177243557095, 0.9817, 2, 0.8333, "up down", shared168],
+          ["SEDP", "unicast", 1224.46511627907, 0.172, 3, 1, "up down", shared169],
+          ["SEDP again", "unicast", 334.84114485689287, 0.8001, 4, 0.08633, "up down", shared169],
+          ["Heartbeat", "unicast", 150.13620569840168, 0.5756, 2, 2, "up down", shared169],
+          ["Heartbeat of data", "unicast", 150.13620569840168, 0.5756, 2, 2.944, "up down", shared169],
+          ["ACKNACK", "unicast", 191.25372354324537, 0.3827, 2, 4.424, "up down", shared169],
+          ["ACKNACK for others", "unicast", 191.25372354324537, 0.3827, 5, 0.2049, "up down", shared169],
+          ["Liveliness", "unicast", 180.00607650876952, 0.7241, 2, 1, "up down", shared170],
+          ["Liveliness at start", "unicast", 170.0050484920951, 0.7527, 2, 1, "up down", shared169],
+          ["Liveliness for others", "unicast", 170.0050484920951, 0.7527, 5, 0.08333, "up down", shared169],
+          ["Liveliness Heartbeat", "unicast", 179.9840521928235, 0.2759, 2, 1, "up down", shared170],
+          ["Liveliness Heartbeat at start", "unicast", 156.0150305307656, 0.4258, 2, 2.556, "up down", shared169],
+          ["Liveliness ACKNACK", "unicast", 128, 1, 2, 1, "up down", shared170],
+          ["Liveliness ACKNACK at start", "unicast", 190.60377358490564, 0.265, 2, 2.296, "up down", shared169],
+          ["Liveliness ACKNACK for others", "unicast", 190.60377358490564, 0.265, 5, 0.09271, "up down", shared169],
+          ["Type lookup Heartbeat", "unicast", 134.67330119732546, 0.6431, 2, 3, "up down", shared169],
+          ["Type lookup ACKNACK", "unicast", 185.2367491166078, 0.283, 2, 2, "up down", shared169],
+          ["Type lookup ACKNACK for others", "unicast", 185.2367491166078, 0.283, 5, 0.3631, "up down", shared169],
+          ["User Heartbeat", "unicast", 147.20074005550418, 0.5405, 6, 1.542, "up down", shared169],
+          ["User ACKNACK", "unicast", 166.51716247139586, 0.437, 6, 2.208, "up down", shared169],
         ],
       },
       "Cyclone DDS multicast SEDP, calmer announcements": {
@@ -1771,40 +2149,40 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Cyclone DDS",
         "tables": [],
-        "about": shared93,
+        "about": shared96,
         "measured": [8, 12, 10],
         "variant": false,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared83,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared86,
         "degree": 3,
         "messages": [
-          shared172,
-          ["SPDP directed", "unicast", 492.4140969162995, 0.9988, 1, 0.8, "up down", shared166],
-          ["SEDP", "unicast", 1040.4988009592325, 0.2085, 2, 0.3719, "up down", shared167],
-          ["SEDP multicast", "multicast", 965.8901890189019, 0.2222, 2, 0.23, "up down", shared167],
-          ["Heartbeat multicast", "multicast", 215.89285714285714, 0.28, 0, 1.833, "up down", shared167],
-          ["Heartbeat", "unicast", 213.31594018453706, 0.3143, 1, 3.333, "up down", shared167],
-          ["ACKNACK", "unicast", 200.7060146149522, 0.3558, 1, 4.517, "up down", shared167],
-          ["ACKNACK for others", "unicast", 200.7060146149522, 0.3558, 3, 0.1494, "up down", shared167],
-          ["Liveliness", "multicast", 180.02209944751382, 0.724, 0, 1, "up down", shared168],
-          ["Liveliness at start", "multicast", 152.05954502568403, 0.9539, 0, 0.8333, "up down", shared167],
-          ["Liveliness unicast", "unicast", 510.6666666666667, 0.15, 1, 0.5, "up down", shared167],
-          ["Liveliness Heartbeat", "multicast", 179.94202898550725, 0.276, 0, 1, "up down", shared168],
-          ["Liveliness Heartbeat at start", "multicast", 201.4570446735395, 0.2328, 0, 1, "up down", shared167],
-          ["Liveliness Heartbeat unicast", "unicast", 219.65142364106987, 0.2318, 1, 1.75, "up down", shared167],
-          shared171,
-          ["Liveliness ACKNACK at start", "unicast", 186.30392156862746, 0.2856, 1, 2.379, "up down", shared167],
-          ["Liveliness ACKNACK for others", "unicast", 186.30392156862746, 0.2856, 3, 0.08854, "up down", shared167],
-          ["Type lookup Heartbeat", "multicast", 207.01075268817203, 0.2325, 0, 2, "up down", shared167],
-          ["Type lookup Heartbeat unicast", "unicast", 249.3997682502897, 0.1726, 1, 1.167, "up down", shared167],
-          ["Type lookup ACKNACK", "unicast", 210.50383141762453, 0.2088, 1, 2, "up down", shared167],
-          ["Type lookup ACKNACK for others", "unicast", 210.50383141762453, 0.2088, 3, 0.3274, "up down", shared167],
-          ["User Heartbeat", "unicast", 176.79097672186225, 0.4167, 4, 0.7917, "up down", shared167],
-          ["User Heartbeat multicast", "multicast", 122.00209989500526, 0.6667, 4, 0.1667, "up down", shared167],
-          ["User ACKNACK", "unicast", 167.19174466042716, 0.4167, 4, 2.167, "up down", shared167],
+          shared174,
+          ["SPDP directed", "unicast", 492.4140969162995, 0.9988, 1, 0.8, "up down", shared168],
+          ["SEDP", "unicast", 1040.4988009592325, 0.2085, 2, 0.3719, "up down", shared169],
+          ["SEDP multicast", "multicast", 965.8901890189019, 0.2222, 2, 0.23, "up down", shared169],
+          ["Heartbeat multicast", "multicast", 215.89285714285714, 0.28, 0, 1.833, "up down", shared169],
+          ["Heartbeat", "unicast", 213.31594018453706, 0.3143, 1, 3.333, "up down", shared169],
+          ["ACKNACK", "unicast", 200.7060146149522, 0.3558, 1, 4.517, "up down", shared169],
+          ["ACKNACK for others", "unicast", 200.7060146149522, 0.3558, 3, 0.1494, "up down", shared169],
+          ["Liveliness", "multicast", 180.02209944751382, 0.724, 0, 1, "up down", shared170],
+          ["Liveliness at start", "multicast", 152.05954502568403, 0.9539, 0, 0.8333, "up down", shared169],
+          ["Liveliness unicast", "unicast", 510.6666666666667, 0.15, 1, 0.5, "up down", shared169],
+          ["Liveliness Heartbeat", "multicast", 179.94202898550725, 0.276, 0, 1, "up down", shared170],
+          ["Liveliness Heartbeat at start", "multicast", 201.4570446735395, 0.2328, 0, 1, "up down", shared169],
+          ["Liveliness Heartbeat unicast", "unicast", 219.65142364106987, 0.2318, 1, 1.75, "up down", shared169],
+          shared173,
+          ["Liveliness ACKNACK at start", "unicast", 186.30392156862746, 0.2856, 1, 2.379, "up down", shared169],
+          ["Liveliness ACKNACK for others", "unicast", 186.30392156862746, 0.2856, 3, 0.08854, "up down", shared169],
+          ["Type lookup Heartbeat", "multicast", 207.01075268817203, 0.2325, 0, 2, "up down", shared169],
+          ["Type lookup Heartbeat unicast", "unicast", 249.3997682502897, 0.1726, 1, 1.167, "up down", shared169],
+          ["Type lookup ACKNACK", "unicast", 210.50383141762453, 0.2088, 1, 2, "up down", shared169],
+          ["Type lookup ACKNACK for others", "unicast", 210.50383141762453, 0.2088, 3, 0.3274, "up down", shared169],
+          ["User Heartbeat", "unicast", 176.79097672186225, 0.4167, 4, 0.7917, "up down", shared169],
+          ["User Heartbeat multicast", "multicast", 122.00209989500526, 0.6667, 4, 0.1667, "up down", shared169],
+          ["User ACKNACK", "unicast", 167.19174466042716, 0.4167, 4, 2.167, "up down", shared169],
         ],
       },
       "Fast DDS, calmer announcements": {
@@ -1812,31 +2190,31 @@ const DISCOSTORM = (() => {
         "family": "DDS",
         "product": "Fast DDS",
         "tables": [],
-        "about": shared113,
+        "about": shared116,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared116,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared119,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared173],
-          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared167],
-          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared174],
-          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared167],
-          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared167],
-          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared167],
-          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared167],
-          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared167],
-          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared167],
-          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared167],
-          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared167],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared167],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared167],
-          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared167],
-          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared167],
+          ["SPDP", "multicast", 580, 1, 0, 1, "up down", shared175],
+          ["SPDP at discovery", "multicast", 580, 1, 1, 1, "up down", shared169],
+          ["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", shared176],
+          ["SPDP unicast at discovery", "unicast", 580, 1, 2, 1, "up down", shared169],
+          ["SPDP unicast for others", "unicast", 580, 1, 3, 0.5, "up down", shared169],
+          ["SEDP", "unicast", 821.0093457943925, 0.6313, 4, 1, "up down", shared169],
+          ["Heartbeat", "unicast", 184.9, 1, 2, 2, "up down", shared169],
+          ["Heartbeat of data", "unicast", 184.9, 1, 2, 1.893, "up down", shared169],
+          ["Heartbeat of endpoints", "unicast", 184.9, 1, 4, 0.02679, "up down", shared169],
+          ["ACKNACK", "unicast", 189.6, 1, 2, 2, "up down", shared169],
+          ["ACKNACK of data", "unicast", 189.6, 1, 2, 2.583, "up down", shared169],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 2, 1.25, "up down", shared169],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 2, 1.25, "up down", shared169],
+          ["User Heartbeat", "unicast", 192, 1, 5, 1.4, "up down", shared169],
+          ["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", shared169],
         ],
       },
       "Zenoh, periods of Zenoh peer, static peers": {
@@ -1849,45 +2227,45 @@ const DISCOSTORM = (() => {
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared161,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared163,
         "degree": 2,
-        "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", shared77], shared138],
+        "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", shared80], shared140],
       },
       "static endpoints, calmer announcements": {
         "group": null,
         "family": "DDS",
         "product": "Fast DDS",
         "tables": [],
-        "about": shared139,
+        "about": shared141,
         "measured": [8, 8, 84],
         "variant": false,
         "lease": 100,
         "repeats": true,
-        "outlooks": shared162,
-        "windows": shared163,
-        "units": shared143,
+        "outlooks": shared164,
+        "windows": shared165,
+        "units": shared145,
         "degree": 3,
         "messages": [
-          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared173],
-          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared167],
-          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared167],
-          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared174],
-          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared167],
-          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared167],
-          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared167],
-          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared175],
-          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared167],
-          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared167],
-          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared175],
-          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared167],
-          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared167],
-          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared167],
-          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared167],
-          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared167],
-          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared167],
-          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared167],
+          ["SPDP", "multicast", 589.2, 1, 0, 1, "up down", shared175],
+          ["SPDP at discovery", "multicast", 589.2, 1, 1, 1, "up down", shared169],
+          ["SPDP of endpoints", "multicast", 589.2, 1, 2, 1, "up down", shared169],
+          ["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", shared176],
+          ["SPDP unicast at discovery", "unicast", 589.2, 1, 3, 1, "up down", shared169],
+          ["SPDP unicast for others", "unicast", 589.2, 1, 4, 0.5, "up down", shared169],
+          ["SPDP unicast of endpoints", "unicast", 589.2, 1, 5, 0.6542, "up down", shared169],
+          ["Listed", "multicast", 59.47, 0, 2, 1, "up down", shared177],
+          ["Listed at discovery", "multicast", 59.47, 0, 6, 0.8987, "up down", shared169],
+          ["Listed of endpoints", "multicast", 59.47, 0, 7, 0.8987, "up down", shared169],
+          ["Listed unicast", "unicast", 59.47, 0, 5, 1, "up down", shared177],
+          ["Listed unicast at discovery", "unicast", 59.47, 0, 5, 0.9528, "up down", shared169],
+          ["Listed unicast for others", "unicast", 59.47, 0, 8, 0.4764, "up down", shared169],
+          ["Listed unicast of endpoints", "unicast", 59.47, 0, 9, 0.6233, "up down", shared169],
+          ["Liveliness Heartbeat", "unicast", 192, 1, 3, 1.167, "up down", shared169],
+          ["Liveliness ACKNACK", "unicast", 188, 1, 3, 1.167, "up down", shared169],
+          ["User Heartbeat", "unicast", 192, 1, 10, 1.33, "up down", shared169],
+          ["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", shared169],
         ],
       },
       "Zenoh peer, static peers": {
@@ -1895,33 +2273,33 @@ const DISCOSTORM = (() => {
         "family": "Zenoh",
         "product": "Zenoh",
         "tables": [],
-        "about": shared144,
+        "about": shared146,
         "measured": [8, 12, 60],
         "variant": false,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared176,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared178,
         "degree": 3,
         "messages": [
-          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared77],
-          shared177,
-          shared178,
+          ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", shared80],
           shared179,
-          ["OAM", "unicast", 163.4251497005988, 0.835, 0, 1, "up down", shared77],
-          ["OAM for others", "unicast", 163.4251497005988, 0.835, 1, 0.625, "up down", shared77],
-          ["Declare", "unicast", 106.65917220235053, 0.1957, 2, 0.5, "up down", shared77],
-          ["Declare key expression", "unicast", 229.04217991787982, 0.8037, 3, 0.5, "up down", shared77],
-          ["Declare key expression of matching", "unicast", 229.04217991787982, 0.8037, 4, 0.5, "up down", shared77],
-          ["Declare final", "unicast", 176, 0.05, 0, 1, "up down", shared77],
-          ["Frame", "unicast", 112.31961259079904, 0.2478, 0, 1, "up down", shared77],
-          ["Frame of endpoints", "unicast", 112.31961259079904, 0.2478, 2, 0.6083, "up down", shared77],
           shared180,
           shared181,
-          ["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", shared137],
-          ["TCP ACK at start", "unicast", 76, 1, 0, 2.496, "up down", shared77],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2188, "up down", shared77],
+          ["OAM", "unicast", 163.4251497005988, 0.835, 0, 1, "up down", shared80],
+          ["OAM for others", "unicast", 163.4251497005988, 0.835, 1, 0.625, "up down", shared80],
+          ["Declare", "unicast", 106.65917220235053, 0.1957, 2, 0.5, "up down", shared80],
+          ["Declare key expression", "unicast", 229.04217991787982, 0.8037, 3, 0.5, "up down", shared80],
+          ["Declare key expression of matching", "unicast", 229.04217991787982, 0.8037, 4, 0.5, "up down", shared80],
+          ["Declare final", "unicast", 176, 0.05, 0, 1, "up down", shared80],
+          ["Frame", "unicast", 112.31961259079904, 0.2478, 0, 1, "up down", shared80],
+          ["Frame of endpoints", "unicast", 112.31961259079904, 0.2478, 2, 0.6083, "up down", shared80],
+          shared182,
+          shared183,
+          ["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", shared139],
+          ["TCP ACK at start", "unicast", 76, 1, 0, 2.496, "up down", shared80],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.2188, "up down", shared80],
         ],
       },
       "Zenoh peer, tokens, static peers": {
@@ -1929,36 +2307,36 @@ const DISCOSTORM = (() => {
         "family": "Zenoh",
         "product": "Zenoh",
         "tables": [],
-        "about": shared154,
+        "about": shared156,
         "measured": [8, 12, 60],
         "variant": true,
         "lease": 10,
         "repeats": true,
-        "outlooks": shared66,
-        "windows": shared67,
-        "units": shared176,
+        "outlooks": shared69,
+        "windows": shared70,
+        "units": shared178,
         "degree": 3,
         "messages": [
-          ["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", shared77],
-          shared177,
-          shared178,
+          ["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", shared80],
           shared179,
-          ["OAM", "unicast", 179.4287333522244, 0.7058, 0, 1, "up down", shared77],
-          ["OAM for others", "unicast", 179.4287333522244, 0.7058, 1, 0.6493, "up down", shared77],
-          ["Declare", "unicast", 167.6030534351145, 0.0655, 2, 0.5, "up down", shared77],
-          ["Declare token", "unicast", 175.50248756218906, 0.0603, 2, 1, "up down", shared77],
-          ["Declare token of node", "unicast", 175.50248756218906, 0.0603, 0, 1, "up down", shared77],
-          ["Declare key expression", "unicast", 362.8385800401876, 0.5972, 3, 1.5, "up down", shared77],
-          ["Declare key expression of matching", "unicast", 362.8385800401876, 0.5972, 4, 2.5, "up down", shared77],
-          ["Declare key expression of node", "unicast", 362.8385800401876, 0.5972, 0, 1, "up down", shared77],
-          ["Declare final", "unicast", 159.33333333333334, 0.06, 0, 1, "up down", shared77],
-          ["Frame", "unicast", 142.56804733727813, 0.1352, 0, 2, "up down", shared77],
-          ["Frame of endpoints", "unicast", 142.56804733727813, 0.1352, 2, 1, "up down", shared77],
           shared180,
           shared181,
-          ["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", shared137],
-          ["TCP ACK at start", "unicast", 76, 1, 0, 3.325, "up down", shared77],
-          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.4208, "up down", shared77],
+          ["OAM", "unicast", 179.4287333522244, 0.7058, 0, 1, "up down", shared80],
+          ["OAM for others", "unicast", 179.4287333522244, 0.7058, 1, 0.6493, "up down", shared80],
+          ["Declare", "unicast", 167.6030534351145, 0.0655, 2, 0.5, "up down", shared80],
+          ["Declare token", "unicast", 175.50248756218906, 0.0603, 2, 1, "up down", shared80],
+          ["Declare token of node", "unicast", 175.50248756218906, 0.0603, 0, 1, "up down", shared80],
+          ["Declare key expression", "unicast", 362.8385800401876, 0.5972, 3, 1.5, "up down", shared80],
+          ["Declare key expression of matching", "unicast", 362.8385800401876, 0.5972, 4, 2.5, "up down", shared80],
+          ["Declare key expression of node", "unicast", 362.8385800401876, 0.5972, 0, 1, "up down", shared80],
+          ["Declare final", "unicast", 159.33333333333334, 0.06, 0, 1, "up down", shared80],
+          ["Frame", "unicast", 142.56804733727813, 0.1352, 0, 2, "up down", shared80],
+          ["Frame of endpoints", "unicast", 142.56804733727813, 0.1352, 2, 1, "up down", shared80],
+          shared182,
+          shared183,
+          ["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", shared139],
+          ["TCP ACK at start", "unicast", 76, 1, 0, 3.325, "up down", shared80],
+          ["TCP ACK of endpoints", "unicast", 76, 1, 2, 0.4208, "up down", shared80],
         ],
       },
     },
