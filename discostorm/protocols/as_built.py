@@ -95,4 +95,5 @@ def _message(row: dict[str, str], known: Mapping[str, Any], family: str) -> Mess
         kind=row["kind"],
         role=typed(Role, row["role"]),
         informs=row["informs"] == "yes",
+        inside=row.get("inside") or None,
     )
