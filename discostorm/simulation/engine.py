@@ -526,123 +526,6 @@ def transmit(cell, time, slot):
         send_unicast(cell, station, time, end)
 
 
-@shared
-def refill(cell, station, time):
-    """Let a host that holds no frame take its next one, whose age does not matter."""
-    its = cell.stations[station]
-    entry = cell.pool[its.head]
-    if like_last(its) and frames_of(entry.frame) > 1:
-        entry.frame += BATCHES  # one frame less; all else of the frame before stays
-        held = cell.window[station, 0]
-        held.frame, held.tries = make_like_last(its), 0
-        its.held = 1
-    else:
-        load(cell, station, time)
-
-
-@shared
-def storm(cell, slot, until, most):
-    """Let hosts collide, one time after the other, until anything else is next; return how often.
-
-    It does what `transmit` and `collide` do; but in a storm nearly all that happens is this, so
-    that what many need is looked up once. Before it changes anything of a collision it makes sure
-    that only hosts send, a frame each, and that the next transmission begins before their
-    timeouts end, whatever they send: then they stand in the wheel at once, behind it.
-    """
-    now, radio = cell.now[0], cell.radio[0]
-    if radio.mpdus > 1 or radio.heard > 0 or radio.lifetime < NEVER or not radio.edca:
-        return np.int64(0)
-    if now.strays > 0 or now.logged < cell.log.size:
-        return np.int64(0)
-    stations, window, kinds = cell.stations, cell.window, cell.kinds
-    wheel, behind, airtime, mask = cell.wheel, cell.behind, cell.airtime, cell.wheel.size - 1
-    attempts, slot_ticks, aifs = radio.attempts, radio.slot, radio.aifs
-    least, widest = radio.cw_min + 1, radio.cw_max + 1
-    shortest, longest = NEVER, np.int64(0)
-    for kind in range(now.kinds):
-        shortest, longest = min(shortest, kinds[kind].time_up), max(longest, kinds[kind].time_up)
-    # So many slots may stay empty before the next transmission.
-    empty = (radio.timeout - (longest - shortest) - 1) // slot_ticks
-    access_point = stations[now.hosts]
-    never = access_point.send_slot if access_point.waits else np.int64(-1)
-    begin, base, waiting, random = now.slot, now.base, now.waiting, np.uint64(now.random)
-    open_frames, queued, drained, clock = now.open, now.queued, now.drained, now.clock
-    steps, collided, retried = np.int64(0), np.int64(0), np.int64(0)
-    busy, dropped = np.int64(0), np.int64(0)
-    event = cell.events[0].time if now.events > 0 else NEVER
-    end_of_all = min(until + 1, now.sample, event)
-    while steps < most and open_frames > 0:
-        time = base + (slot - begin) * slot_ticks
-        station = np.int64(wheel[slot & mask])
-        if time >= end_of_all or slot == never or behind[station] < 0:
-            break
-        following = slot + 1
-        while wheel[following & mask] < 0 and following <= slot + empty + 1:
-            following += 1
-        late = following - slot - 1
-        if late > empty or time + longest + aifs + late * slot_ticks >= event:
-            break
-        wheel[slot & mask] = -1
-        begin, clock = slot + 1, time
-        steps += 1
-        slot = following
-        last, shown = np.int64(0), np.int64(0)
-        while station >= 0:
-            its, held = stations[station], window[station, 0]
-            if not its.held:
-                refill(cell, station, time)
-            after = np.int64(behind[station])
-            kind = kind_of(held.frame)
-            length = kinds[kind].time_up
-            last = max(last, length)
-            shown = max(shown, np.int64(0) if held.frame & STEADY else length)
-            airtime[kind, FAILED] += length * PARTS
-            failures = its.failures + 1 if its.failures < attempts else np.int64(0)
-            its.failures = failures
-            retried += held.tries > 0
-            held.tries += 1
-            waiting -= 1
-            collided += 1
-            random = next_random(random)
-            slots = scaled(random, min(least << failures, widest))
-            if held.tries >= attempts:
-                if not held.frame & STEADY:
-                    times = receivers(cell, held.frame)
-                    open_frames -= 1
-                    dropped += times
-                    its.missed += times
-                its.held = 0
-                its.length -= 1
-                queued -= 1
-                if its.length > 0:
-                    refill(cell, station, time)
-            if its.held:  # nobody asks for the slot of a station that waits
-                entry = (slot + 1 + slots) & mask
-                behind[station] = wheel[entry]
-                wheel[entry] = station
-                waiting += 1
-            else:
-                its.send_slot, its.waits = begin + slots, 0
-            station = after
-        busy += last
-        base = time + last + aifs
-        if shown:
-            drained = max(drained, time + shown)
-    if steps > 0:
-        now.slot, now.base, now.idle, now.clock, now.ahead = begin, base, base - aifs, clock, slot
-        now.waiting, now.random = waiting, np.int64(random)
-        now.open, now.queued, now.drained = open_frames, queued, drained
-        now.collisions += steps
-        now.collided += collided
-        now.ppdus += collided
-        now.mpdus += collided
-        now.retried += retried
-        now.host_retry += dropped
-        now.busy += busy
-        now.wasted += busy
-    return steps
-
-
 def _advance(digest):
     """Return the loop of a run, compiled from the sources with this digest."""
 
@@ -676,15 +559,11 @@ def _advance(digest):
                 return OVER
             sample(cell, time)
             now.clock = time
-            steps = np.int64(0)
             if happens:
                 happen(cell, time, next_event(cell))
             else:
-                if slot >= 0 and cell.behind[cell.wheel[slot & (cell.wheel.size - 1)]] >= 0:
-                    steps = storm(cell, slot, until, share)
-                if steps == 0:
-                    transmit(cell, time, slot)
-            share -= max(steps, 1)
+                transmit(cell, time, slot)
+            share -= 1
         return SHARE
 
     return advance
