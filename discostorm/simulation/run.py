@@ -11,7 +11,8 @@ from discostorm.fleet import Fleet, Hosts
 from discostorm.messages import Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
-from discostorm.simulation.engine import MEMORY, OVER, PARTS, advance
+from discostorm.simulation.engine import MEMORY, OVER, advance
+from discostorm.simulation.exchange import PARTS
 from discostorm.simulation.middleware import (
     check_items,
     check_table,
