@@ -30,7 +30,7 @@ from discostorm.simulation._memory import available
 from discostorm.simulation.cell import SUCCESS, Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
-from discostorm.simulation.run import Plan, finish, one_run, plan_runs
+from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import TICK, hosts_of, ticks
 
 FLEET = data_path("fleets/nav2_laptop.toml")
@@ -48,19 +48,19 @@ def plan(
     loss: Any = 0.0,
     recovery: bool = False,
     until: float = 1e5,
-) -> Plan:
+) -> Setup:
     """Return a plan without limits of the queues whose radio the test may change."""
-    return plan_runs(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
+    return set_up(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
 
 
-def cell_of(what: Plan, seed: int = 0) -> Cell:
+def cell_of(what: Setup, seed: int = 0) -> Cell:
     return what.cell(np.random.SeedSequence(seed))[0]
 
 
 # ---------------------------------------------------------------- the closed form, exactly
 
 
-def drained(what: Plan) -> int:
+def drained(what: Setup) -> int:
     """Return when the last frame is over if each back-off is its mean, also the first [ticks]."""
     waiting = int(what.radio["cw_min"][0]) * int(what.radio["slot"][0]) // 2
     what.radio["cw_min"] = what.radio["cw_max"] = 0
@@ -225,7 +225,7 @@ def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit)
         assert found == pytest.approx(unit.count(fleet), rel=1e-12)
 
 
-def made(what: Plan, seed: int) -> NDArray[np.int64]:
+def made(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return how many frames of each row each run hands to the queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
     cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
@@ -417,7 +417,7 @@ def bianchi(stations: int, success: float, collision: float, slot: float) -> flo
     return good / ((1 - busy) * slot + good * success + (busy - good) * collision)
 
 
-def saturated(what: Plan, stations: int, seconds: float) -> float:
+def saturated(what: Setup, stations: int, seconds: float) -> float:
     """Return how many frames a second arrive when all but the last host send all the time."""
     cell = cell_of(what)
     cell = finish(cell, ticks(seconds), what.reserve)
@@ -458,7 +458,7 @@ def frozen(stations: int, success: float, collision: float, slot: float) -> floa
 
 def saturation_plan(
     stations: int, endpoints: int, radio: ds.Radio = RADIO, payload: ds.Payload = SEDP.payload
-) -> Plan:
+) -> Setup:
     starts = np.zeros(stations + 1)
     starts[-1] = 1e4  # only there to be sent to
     row = replace(SEDP, hops=("up",), answers=None, payload=payload)
@@ -925,21 +925,6 @@ def test_long_runs_are_announced(
     seconds, megabytes = what.estimate()
     assert 5 < seconds < 200
     assert 500 < megabytes < 10_000
-
-
-def test_a_storm_is_what_its_collisions_are_one_by_one() -> None:
-    """While transmissions are noted down each is worked out alone, else many in one go."""
-    for table in (ds.DDS, ds.PROTOCOLS["Fast DDS"]):
-        what = plan(ds.Fleet.swarm(30, 1, 4), table, RADIO.wifi())
-        cell, alone = cell_of(what), cell_of(what)
-        alone = alone._replace(log=np.zeros(500_000, alone.log.dtype))
-        cell, alone = (finish(one, ticks(1e4), what.reserve) for one in (cell, alone))
-        assert cell.log.size < alone.now["logged"][0] < alone.log.size
-        for name in set(cell.now.dtype.names or ()) - {"logged", "free"}:
-            assert cell.now[name] == alone.now[name], name
-        assert cell.now["collided"][0] > 5_000
-        np.testing.assert_array_equal(cell.airtime, alone.airtime)
-        np.testing.assert_array_equal(cell.stations["missed"], alone.stations["missed"])
 
 
 def test_long_runs_are_estimated_by_how_long_they_are() -> None:
