@@ -86,6 +86,39 @@ def test_a_new_file_of_protocols_is_found_everywhere(tmp_path: Path) -> None:
     assert json.loads(printed)[0]["protocol"] == "Made up"
 
 
+PRODUCT = """
+import json
+import discostorm as ds
+
+fleet = ds.Fleet.swarm(3, 2, 10)
+new, old = ds.PROTOCOLS["Rust DDS"], ds.PROTOCOLS["Fast DDS"]
+print(json.dumps({
+    "names": list(ds.PROTOCOLS),
+    "same": (new.messages, new.family, new.timers) == (old.messages, old.family, old.timers),
+    "plan": ds.plan(fleet, new).utilization == ds.plan(fleet, old).utilization,
+}))
+"""
+
+
+def test_another_measured_product_is_rows_of_data_alone(tmp_path: Path) -> None:
+    """Here of what Fast DDS sends; what another does is counted by a program of the lab."""
+    shutil.copytree(ROOT / "discostorm", tmp_path / "discostorm")
+    for name in ("vendors/products", "vendors/as_built", "measured/as_built"):
+        path = tmp_path / "discostorm" / "data" / f"{name}.csv"
+        lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
+        new = [
+            line.replace("Fast DDS,", "Rust DDS,", 1) for line in lines if line[:9] == "Fast DDS,"
+        ]
+        path.write_text("".join(lines + new), encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-c", PRODUCT], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    found = json.loads(done.stdout)
+    others = [name for name in found.pop("names") if name != "Rust DDS"]
+    assert others == list(ds.PROTOCOLS)
+    assert found == {"same": True, "plan": True}
+
+
 def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "discostorm", tmp_path / "discostorm")
     text = PROTOCOL.replace('"Made up"', '"DDS"')

@@ -111,6 +111,9 @@ class Message:
         airtime do not need it, the simulator needs it for recovery.
     informs : bool, optional
         Whether who receives it knows its sender from then on; if left out, announcements alone do.
+    inside : str, optional
+        The message in whose frames it is, if `frames` is 0. The simulator needs it where more than
+        one message of its phase has frames.
 
     Raises
     ------
@@ -135,6 +138,7 @@ class Message:
     kind: str = ""
     role: Role | None = None
     informs: bool | None = None
+    inside: str | None = None
 
     def __post_init__(self) -> None:
         for name in ("name", "phase", "kind"):
@@ -159,6 +163,12 @@ class Message:
         if self.informs is None:
             object.__setattr__(self, "informs", self.role == "announcement")
         _checks.instance("informs", self.informs, bool)
+        if self.inside is not None:
+            _checks.instance("inside", self.inside, str)
+            if self.frames:
+                raise ValueError(
+                    f"inside must be None where frames is above 0; got {self.inside!r}"
+                )
 
     @property
     def payload_symbol(self) -> sp.Symbol:

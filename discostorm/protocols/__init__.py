@@ -1,7 +1,7 @@
-"""The protocols: tables of messages, one file a family.
+"""The protocols: tables of messages.
 
-`PROTOCOLS` holds each table that a file of this folder defines, by its name: the paper's
-first, then the others in the order of their files.
+`PROTOCOLS` holds, by their names, the paper's tables, those of products of which `as_built` reads
+the rows, and each table that another file of this folder defines.
 """
 
 from collections.abc import Mapping
@@ -10,18 +10,25 @@ from pkgutil import iter_modules
 from types import MappingProxyType
 
 from discostorm.messages import Basis, Protocol
+from discostorm.protocols.as_built import as_built, described
 from discostorm.protocols.paper import DDS, ZENOH
+
+#: Where the tables of files are among those of rows, whose column `place` says where they are.
+_FILES = 50
 
 
 def _tables() -> dict[str, Protocol]:
-    names = sorted(module.name for module in iter_modules(__path__))
+    placed = [
+        (int(row["place"]), as_built(name)) for name, row in described().items() if row["place"]
+    ]
+    for file in sorted(module.name for module in iter_modules(__path__)):
+        for key, value in vars(import_module(f"{__name__}.{file}")).items():
+            if isinstance(value, Protocol) and not key.startswith("_"):
+                placed.append((0 if file == "paper" else _FILES, value))
     found: dict[str, Protocol] = {}
-    for name in sorted(names, key=lambda name: name != "paper"):
-        for key, value in vars(import_module(f"{__name__}.{name}")).items():
-            if not isinstance(value, Protocol) or key.startswith("_"):
-                continue
-            if found.setdefault(value.name, value) != value:
-                raise ValueError(f"protocols must have names that differ; got two {value.name!r}")
+    for _, table in sorted(placed, key=lambda pair: pair[0]):
+        if found.setdefault(table.name, table) != table:
+            raise ValueError(f"protocols must have names that differ; got two {table.name!r}")
     return found
 
 

@@ -41,11 +41,11 @@ def _row(
     *,
     schedule: Schedule = ONCE,
     answers: str | None = None,
-    inside: bool = True,
+    inside: str | None = None,
     per_unit: float = 1,
     role: Role = "other",
 ) -> Message:
-    """Return a row of which the data file says the size; inside another's frame or not."""
+    """Return a row of which the data file says the size; with a frame, or inside another's."""
     size, source = _VALUE[quantity], f"data/hybrid/parameters.csv, {quantity}"
     return Message(
         name,
@@ -58,27 +58,32 @@ def _row(
         schedule,
         answers=answers,
         frames=0.0 if inside else 1.0,
+        inside=inside,
         role=role,
     )
 
 
-#: A set announces all that it tells of.
+def _told(name: str, quantity: str, unit: Unit) -> Message:
+    """Return a row of what a set tells of, which the set announces."""
+    return _row(name, "Sets", quantity, unit, role="announcement", inside="Announce")
+
+
 _SETS = (
-    _row("Announce", "Sets", "header", HOST, inside=False, role="announcement"),
-    _row("Process", "Sets", "process", PROCESS, role="announcement"),
+    _row("Announce", "Sets", "header", HOST, role="announcement"),
+    _told("Process", "process", PROCESS),
 )
 _REST = (
     # Of all hosts that are about to show what they hold, the first does; the others hear it.
-    _row("Digest", "Digests", "header", FLEET, answers="Announce", inside=False),
-    _row("Listed", "Digests", "listed", HOST, answers="Announce"),
-    _row("Heartbeat", "Heartbeats", "header", HOST, schedule=_BEATS, inside=False),
-    _row("Claimed", "Heartbeats", "claimed", HOST_PAIR, schedule=_BEATS),
+    _row("Digest", "Digests", "header", FLEET, answers="Announce"),
+    _row("Listed", "Digests", "listed", HOST, answers="Announce", inside="Digest"),
+    _row("Heartbeat", "Heartbeats", "header", HOST, schedule=_BEATS),
+    _row("Claimed", "Heartbeats", "claimed", HOST_PAIR, schedule=_BEATS, inside="Heartbeat"),
 )
 
 #: No two hosts run the same software.
 HYBRID = Protocol(
     "hybrid",
-    (*_SETS, _row("Endpoint", "Sets", "endpoint", ENDPOINT, role="announcement"), *_REST),
+    (*_SETS, _told("Endpoint", "endpoint", ENDPOINT), *_REST),
     lease=_VALUE["lease"],
     basis="proposal",
     timers=_TIMERS,
@@ -89,8 +94,8 @@ HYBRID_ALIKE = Protocol(
     "hybrid, alike",
     (
         *_SETS,
-        _row("Software", "Sets", "software", HOST, role="announcement"),
-        _row("Endpoint", "Sets", "endpoint", KIND_ENDPOINT, role="announcement"),
+        _told("Software", "software", HOST),
+        _told("Endpoint", "endpoint", KIND_ENDPOINT),
         *_REST,
     ),
     lease=_VALUE["lease"],

@@ -8,12 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
-from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
-from inspect import signature
-from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -208,38 +203,29 @@ def _where(protocol: Protocol, message: Message) -> str:
 def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
     """Return the octets in each frame of a message that rows without frames put inside it.
 
-    They are in frames of the same phase, of the row that is most like theirs, alike in each.
+    They are alike in each frame of the row that theirs names, or of the only one of their phase.
     """
     shares = shares_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
         if message.frames:
             continue
-        outer = [m for m in protocol.messages if m.frames and m.phase == message.phase]
-        if not outer:
+        framed = [m for m in protocol.messages if m.frames]
+        outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
+        if len(outer) != 1:
             raise ValueError(
-                f"{_where(protocol, message)}: frames must be above 0 for one message of the phase "
-                f"{message.phase!r} to be simulated; got none"
+                f"{_where(protocol, message)}: inside must be the one message of the phase "
+                f"{message.phase!r} in whose frames it is, to be simulated; "
+                f"got {message.inside!r} of {[m.name for m in outer]}"
             )
-        carrier = protocol.messages.index(max(outer, key=partial(_alike, message)))
-        alone = Protocol("inside", (replace(message, frames=1.0),))
+        carrier = protocol.messages.index(outer[0])
+        alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
         counts = [
             _sent(shares_of(alone, hosts), hosts, 0),
             _sent(shares, hosts, carrier),
         ]
         octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
     return octets
-
-
-def _alike(one: Message, other: Message) -> tuple[int, ...]:
-    """Return how much two rows have in common: by what, and how much of their names' ends."""
-    same = (
-        one.cast == other.cast,
-        one.answers == other.answers,
-        one.schedule.period == other.schedule.period,
-    )
-    ends = zip(reversed(one.name), reversed(other.name), strict=False)
-    return (*same, len(list(takewhile(lambda pair: pair[0] == pair[1], ends))))
 
 
 def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
@@ -465,46 +451,3 @@ def grown(cell: Cell) -> Cell:
     events = np.zeros(2 * cell.events.size, _cell.EVENT)
     events[: cell.events.size] = cell.events
     return cell._replace(pool=pool, events=events)
-
-
-def told(start: Any) -> float | list[float] | str:
-    """Return what was given as starts, in words if they are drawn."""
-    if not hasattr(start, "rvs") and not callable(start):
-        number_or_list: float | list[float] = np.asarray(start, dtype=np.float64).tolist()
-        return number_or_list
-    if hasattr(start, "dist"):  # of SciPy, with its parameters
-        given = [*map(repr, start.args), *(f"{key}={value!r}" for key, value in start.kwds.items())]
-        return f"scipy.stats.{start.dist.name}({', '.join(given)})"
-    if "__str__" in vars(type(start)):
-        return str(start)
-    named = start if hasattr(start, "__qualname__") else type(start)
-    return f"{named.__module__}.{named.__qualname__}"
-
-
-def _check_call(start: Callable[..., Any], *given: Any) -> None:
-    """Refuse a function that does not take what it is given."""
-    with suppress(ValueError):  # some that are compiled do not say what they take
-        try:
-            signature(start).bind(*given)
-        except TypeError as error:
-            raise TypeError(
-                "start must be a function of a numpy.random.Generator and a number of hosts; "
-                f"got one that does not take these: {error}"
-            ) from error
-
-
-def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
-    """Return when each host starts [s]; see `discostorm.simulate`."""
-    if hasattr(start, "rvs"):
-        drawn = start.rvs(size=hosts, random_state=rng)
-    elif callable(start):
-        _check_call(start, rng, hosts)
-        drawn = start(rng, hosts)
-    else:
-        drawn = start
-    found = _checks.numbers("start", drawn, 0, _checks.MOST_SECONDS)
-    if np.ndim(found) and np.shape(found) != (hosts,):
-        raise ValueError(
-            f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"
-        )
-    return np.broadcast_to(np.asarray(found, dtype=np.float64), (hosts,))
