@@ -138,7 +138,7 @@ class Remedy:
     def _plural(self) -> bool:
         """Whether the change is told in the plural: several of them, or things without article."""
         first = self.what.split()[0]
-        one = first in ("a", "another", "the") or is_doing(self.what)
+        one = first in ("a", "an", "another", "the") or is_doing(self.what)
         return self.kind == "combination" or not one
 
     def caution(self) -> str:
