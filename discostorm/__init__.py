@@ -17,9 +17,10 @@ if TYPE_CHECKING:
         Schedule,
         Unit,
     )
+    from discostorm.model import breakdown, utilization
     from discostorm.planner import Plan, Remedy, Share, plan
     from discostorm.protocols import DDS, PROTOCOLS, ZENOH
-    from discostorm.scalability import breakdown, saturation_hosts, utilization
+    from discostorm.saturation import saturation_hosts
     from discostorm.simulation import Simulation, simulate
     from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
@@ -70,7 +71,8 @@ _OF_MODULE = {
     "messages": "ENDPOINT_PAIR ONCE PAIR PROCESS Message Payload Protocol Schedule Unit",
     "planner": "Plan Remedy Share plan",
     "protocols": "DDS PROTOCOLS ZENOH",
-    "scalability": "breakdown saturation_hosts utilization",
+    "model": "breakdown utilization",
+    "saturation": "saturation_hosts",
     "simulation": "Simulation simulate",
     "wifi": "PAPER WIFI Aggregation Link Padding Radio Wifi",
 }
@@ -88,7 +90,8 @@ _MODULES = frozenset(
         "paper",
         "planner",
         "protocols",
-        "scalability",
+        "model",
+        "saturation",
         "simulation",
         "timeline",
         "uncertainty",

@@ -166,19 +166,18 @@ def test_saturation() -> None:
     (half,) = read_csv(run(*arguments, "--limit|0.5", "--protocol|dds", "--csv"))
     assert float(half["hosts"]) == ds.saturation_hosts(ds.DDS, 2, 10, limit=0.5)
     beside, _ = read_json(run(*arguments, "--beside|fleet.toml", "--limit|40", "--json"))
-    others = ds.Fleet.from_toml("fleet.toml")
-    assert beside["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10, limit=40, beside=others)
+    others = ds.Fleet.from_toml("fleet.toml").groups
+    both = ds.Fleet((ds.HostGroup(1, 2, 10), *others))
+    assert beside["hosts"] == ds.saturation_hosts(ds.DDS, limit=40, fleet=both)
 
 
 def test_saturation_of_each_group_of_a_fleet() -> None:
-    robots, laptop = ds.Fleet.from_toml("fleet.toml").groups
+    fleet = ds.Fleet.from_toml("fleet.toml")
     found = read_json(run("saturation|fleet.toml|--limit|999|--protocol|dds|--json"))
     assert [row["group"] for row in found] == ["robots", "laptop"]
-    for row, (group, other) in zip(found, [(robots, laptop), (laptop, robots)], strict=True):
+    for row, group in zip(found, fleet.groups, strict=True):
         assert (row["processes"], row["endpoints"]) == (group.processes, group.endpoints)
-        assert row["hosts"] == ds.saturation_hosts(
-            ds.DDS, group.processes, group.endpoints, limit=999, beside=ds.Fleet((other,))
-        )
+        assert row["hosts"] == ds.saturation_hosts(ds.DDS, limit=999, fleet=fleet, group=group.name)
     beside = run("saturation|fleet.toml|--limit|999|--protocol|dds|--json|--beside|fleet.toml")
     for row, more in zip(found, read_json(beside), strict=True):
         assert more["hosts"] < row["hosts"]
@@ -231,24 +230,6 @@ def test_all_commands_count_what_ros_2_shares_in_a_fleet_file() -> None:
     # What a file says of its nodes gives way to an option.
     fewer = read_json(run("plan|fleet.toml|--json|--nodes|1,1", server))["utilization"]
     assert fewer < planned
-
-
-@pytest.mark.parametrize("command", ["utilization", "saturation", "breakdown"])
-def test_a_line_says_that_what_ros_2_shares_is_not_counted(command: str, folder: Path) -> None:
-    line, server = "what ROS 2 shares between all", "--protocol|Fast DDS Discovery Server"
-    (folder / "own.toml").write_text(ROBOTS)
-    assert f"\nNo names match: {line}" in run(command, "own.toml", server).output
-    assert line not in run(command, "own.toml").output  # the paper's tables count no names
-    assert line not in run(command, "own.toml|--csv", server).output
-    assert line not in run(command, "fleet.toml", server).output
-    counts = "--processes|1|--endpoints|30" + "|--hosts|3" * (command != "saturation")
-    assert line in run(command, counts, server).output
-    (folder / "own.toml").write_text("matching = 0.5\n" + ROBOTS)
-    assert f"\nWhat{line[4:]}" in run(command, "own.toml", server).output
-    (folder / "own.toml").write_text("matching = 1\n" + ROBOTS)
-    assert line not in run(command, "own.toml", server).output
-    (folder / "own.toml").write_text(ROBOTS + "nodes = 13\n" + LAPTOP)
-    assert f"\nOf laptop, {line}" in run(command, "own.toml", server).output
 
 
 def test_matching_is_one_number_for_all_on_the_channel(folder: Path) -> None:

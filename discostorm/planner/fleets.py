@@ -5,11 +5,11 @@ from dataclasses import replace
 from typing import Any
 
 from discostorm import _checks
-from discostorm.fleet import Fleet, HostGroup, check_nodes
+from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.planner.changes import Change
 from discostorm.planner.known import family, row_of
-from discostorm.robots import likely_nodes, parameter_service_endpoints, shared_endpoints
+from discostorm.ros2 import check_nodes, likely_nodes, parameter_service_endpoints, shared_endpoints
 
 #: Parts that a fleet is split into.
 PARTS = (2, 3)

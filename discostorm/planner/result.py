@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import measured, words
 from discostorm.fleet import Fleet
-from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.changes import AIR
 from discostorm.planner.known import of_paper, product
 from discostorm.planner.remedy import NOTHING, Remedy
@@ -262,6 +262,7 @@ class Plan:
         )
         if self.protocol.name in MEASURED | ARRANGED:
             endpoints = max(group.endpoints for group in self.fleet.groups)
+            matched = Unit("matched endpoint").count(self.fleet)
             sizes = (hosts, self.fleet.processes(), endpoints)
             most = measured.largest(self.protocol.name)
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
@@ -271,7 +272,7 @@ class Plan:
                 f"{words.many(most[1], 'process', 'es')} of up to "
                 f"{words.many(most[2], 'endpoint')} that began all at once"
                 f"{', so that this fleet is extrapolated' * beyond}; here "
-                f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} of the "
+                f"{words.percent(matched / (ENDPOINT.count(self.fleet) or 1))} of the "
                 "endpoints match in every process."
             )
         if self.protocol.repeats:

@@ -11,6 +11,7 @@ from typing import Any, Literal
 from discostorm import _checks, words
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.messages import PAPER_WINDOW, Protocol, Unit
+from discostorm.model import burst, message_costs, unit_costs, utilization, without_each
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, nodes_of, of_group, of_ros2, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
@@ -19,7 +20,6 @@ from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
 from discostorm.planner.tables import sessions_note, table_changes
 from discostorm.protocols import DDS
-from discostorm.scalability import burst, message_costs, unit_costs, utilization, without_each
 from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
 
@@ -167,7 +167,7 @@ class Costs:
         for unit in prices:
             if unit not in units:
                 units[unit] = float(unit.count(setting.fleet))
-        return sum(price * units[unit] for unit, price in prices.items())
+        return float(sum(price * units[unit] for unit, price in prices.items()))
 
     @staticmethod
     def repeated(setting: Setting) -> float:

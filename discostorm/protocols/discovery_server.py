@@ -20,36 +20,18 @@ Two servers know nothing of each other: each is told everything, and passes on e
 
 from dataclasses import replace
 
-from discostorm.messages import (
-    AWAY,
-    ENDPOINT,
-    ENDPOINT_AWAY,
-    HOPS,
-    MATCHED_ENDPOINT,
-    MATCHED_ENDPOINT_AWAY,
-    MATCHED_PROCESS_PAIR,
-    MATCHED_PROCESS_PAIR_AWAY,
-    PROCESS,
-    Message,
-)
+from discostorm.messages import AWAY, HOPS, Message
 from discostorm.protocols.as_built import as_built
 
 DISCOVERY_SERVER = as_built("Fast DDS Discovery Server", "mitigations")
 TWO_DISCOVERY_SERVERS = as_built("Fast DDS Discovery Server, two", "mitigations")
-
-_AWAY = {
-    PROCESS: AWAY,
-    ENDPOINT: ENDPOINT_AWAY,
-    MATCHED_PROCESS_PAIR: MATCHED_PROCESS_PAIR_AWAY,
-    MATCHED_ENDPOINT: MATCHED_ENDPOINT_AWAY,
-}
 
 
 def _on_a_robot(message: Message) -> Message:
     """Return a row of a wired server as it is if the server is on one of the robots."""
     if message.hops == HOPS:
         return message
-    return replace(message, unit=_AWAY[message.unit], hops=HOPS)
+    return replace(message, unit=AWAY[message.unit], hops=HOPS)
 
 
 DISCOVERY_SERVER_ON_A_ROBOT = replace(

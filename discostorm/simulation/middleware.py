@@ -85,7 +85,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
         return _cell.DISCOVERY
     if message.answers is None:
         once = message.schedule.period == np.inf
-        to_all = message.unit.receivers is None
+        to_all = not message.unit.to_each
         sent_by_clock = to_all or message.phase in phases or not once
         return _cell.CLOCK if sent_by_clock else _cell.DISCOVERY
     answered = protocol.message(message.answers)
@@ -116,7 +116,7 @@ def _informs(protocol: Protocol) -> set[str]:
     for message in protocol.messages:
         if _trigger(protocol, message) == _cell.DISCOVERY and message.answers is not None:
             answered = protocol.message(message.answers)
-            if answered.unit.receivers is None:  # all of the phase announce the same
+            if not answered.unit.to_each:  # all of the phase announce the same
                 informing |= {m.name for m in protocol.messages if m.phase == answered.phase}
             else:
                 informing |= {m.name for m in protocol.messages if m.kind == answered.kind}

@@ -5,8 +5,9 @@ from inspect import isfunction
 from types import ModuleType
 from typing import Any
 
+from discostorm.model import utilization
 from discostorm.paper.quantities import found, frames, swarms
-from discostorm.scalability import saturation_hosts, utilization
+from discostorm.saturation import saturation_hosts
 
 
 def _public(module: ModuleType) -> dict[str, Callable[..., Any]]:

@@ -9,10 +9,10 @@ from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
+from discostorm.model import message_costs, utilization
 from discostorm.paper import enumeration
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.protocols.defaults import defaults, products
-from discostorm.scalability import message_costs, utilization
 from discostorm.wifi import Radio
 
 
