@@ -22,7 +22,7 @@ from discostorm.data import data_path, read_data
 from discostorm.measured import WINDOWS, Point, arrangements, misses, points, products, times
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import FAMILIES, as_built, schedule
+from discostorm.protocols.as_built import ROWS, as_built, schedule
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
@@ -244,7 +244,7 @@ def fitted(family: str) -> Iterator[list[str]]:
 
 def missed(family: str) -> list[list[str]]:
     """Return the rows of the table of exceptions of a family."""
-    tables = [PROTOCOLS.get(name) or as_built(name, family) for name in NAMES[family]()]
+    tables = [PROTOCOLS.get(name) or as_built(name) for name in NAMES[family]()]
     return [list(row.values()) for table in tables for row in misses(table)]
 
 
@@ -263,7 +263,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
     parser.add_argument("--misses", action="store_true", help="what the tables as they are miss")
     told = parser.parse_args()
-    for family in FAMILIES:
+    for family in ROWS.values():
         if told.misses:
             kind = "misses" if family == "as_built" else "mitigation_misses"
             write(told.out / f"{kind}.csv", MISSES, missed(family))

@@ -268,7 +268,7 @@ def test_what_is_inside_a_frame_makes_it_longer() -> None:
     inside = 3 * rows["Process"].payload.nominal + 21 * rows["Endpoint"].payload.nominal
     assert octets["Announce"] == round(rows["Announce"].frame_bytes + inside)
     lonely = ds.Protocol("lonely", (replace(rows["Process"], schedule=ds.Schedule((0.0,))),))
-    with pytest.raises(ValueError, match="message 'Process': frames must be above 0 for one"):
+    with pytest.raises(ValueError, match="message 'Process': inside must be the one message"):
         plan(fleet, lonely, RADIO.wifi())
 
 
@@ -300,7 +300,7 @@ def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
     spdp, *others = ds.DDS.messages
     again = ds.Schedule((0.0, 0.1), 3.0)
     unicast = replace(spdp, cast="unicast", unit=PAIR, schedule=again)
-    table = ds.Protocol("peers", (unicast, *others))
+    table = replace(ds.DDS, name="peers", messages=(unicast, *others))
     found = ds.simulate(SWARM, table, RADIO.wifi(), loss=0.05, runs=2)
     assert np.isfinite(found.convergence_time).all()
 
@@ -309,11 +309,81 @@ def test_answers_in_a_circle_are_refused() -> None:
     spdp, sedp, heartbeat, acknack = ds.DDS.messages
     rows = (
         *(spdp, sedp, heartbeat),
-        replace(acknack, name="ping", phase="Ping", answers="pong"),
-        replace(acknack, name="pong", phase="Ping", answers="ping"),
+        acknack,
+        replace(acknack, name="ping", role="other", answers="pong"),
+        replace(acknack, name="pong", role="other", answers="ping"),
     )
     with pytest.raises(ValueError, match="must not lead back to itself; got ping answers pong"):
-        ds.simulate(SWARM, ds.Protocol("own", rows), RADIO.wifi())
+        ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
+
+
+def renamed(table: ds.Protocol) -> ds.Protocol:
+    """Return a table in which everything has another name, in another alphabetical order."""
+    names: dict[str | None, str | None] = {None: None}
+    names |= {m.name: f"M{len(table.messages) - n}" for n, m in enumerate(table.messages)}
+    rows = (
+        replace(
+            message,
+            name=names[message.name],
+            phase=f"of {message.phase[::-1]}",
+            kind=f"like {message.kind[::-1]}",
+            answers=names[message.answers],
+            inside=names[message.inside],
+        )
+        for message in table.messages
+    )
+    return replace(table, name="mine", messages=tuple(rows))
+
+
+@pytest.mark.parametrize("name", ds.PROTOCOLS)
+def test_names_decide_nothing(name: str) -> None:
+    """Not even whose timers a table has: it says itself what the simulator needs to know."""
+    table, fleet = ds.PROTOCOLS[name], ds.Fleet((ds.HostGroup(2, 2, 5), ds.HostGroup(1, 1, 8)), 0.5)
+    told: Any = {"loss": 0.1, "until": 4.0, "recovery": name in BY_ONESELF}
+    found, again = (
+        ds.simulate(fleet, one, RADIO.wifi(), **told) for one in (table, renamed(table))
+    )
+    assert replace(again, protocol=table) == found
+    assert found.counts["arrived"] > 0
+
+
+@pytest.mark.parametrize(
+    ("change", "wanted"),
+    [
+        (
+            lambda t: replace(t, messages=(*t.messages[:1], replace(t.messages[1], role=None))),
+            "its message 'SEDP' has no role; give each message of the table one",
+        ),
+        (lambda t: replace(t, timers=None), "it has no timers; give it some, such as"),
+        (
+            lambda t: replace(t, messages=tuple(replace(m, role="other") for m in t.messages)),
+            "its processes announce themselves to servers",
+        ),
+    ],
+)
+def test_a_table_that_does_not_say_what_recovery_takes_is_refused_by_name(
+    change: Callable[[ds.Protocol], ds.Protocol], wanted: str
+) -> None:
+    table = change(replace(ds.DDS, name="mine"))
+    with pytest.raises(
+        ValueError, match=f"recovery must be False for the protocol 'mine': {wanted}"
+    ):
+        ds.simulate(SWARM, table, RADIO.wifi())
+    assert ds.simulate(SWARM, table, RADIO.wifi(), recovery=False).counts["arrived"] > 0
+
+
+def test_data_and_heartbeats_that_cannot_be_repaired_are_refused() -> None:
+    spdp, sedp, heartbeat, acknack = ds.DDS.messages
+    for rows, wanted in (
+        ((spdp, replace(sedp, cast="multicast", unit=PROCESS)), "'SEDP': unit must have receivers"),
+        ((spdp, sedp, heartbeat), "must have none, or one message each.*got 'Heartbeat'"),
+        (
+            (spdp, sedp, heartbeat, replace(acknack, answers="SEDP")),
+            "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
+        ),
+    ):
+        with pytest.raises(ValueError, match=wanted):
+            ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
 
 
 # ---------------------------------------------------------------- saturation
@@ -459,7 +529,7 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
     # Only the access point sends, so nothing collides; what is lost Wi-Fi does not repeat.
     what = plan(
         ds.Fleet.swarm(2, 1, items),
-        ds.Protocol("repair", rows),
+        replace(ds.DDS, name="repair", messages=rows),
         RADIO.wifi(),
         start=[0.0, 0.01],
         recovery=True,
@@ -720,7 +790,7 @@ def test_what_cannot_be_simulated_is_refused() -> None:
     table = ds.Protocol("own", (replace(SEDP, unit=PROCESS, answers=None),))
     with pytest.raises(ValueError, match=r"'SEDP': cast must be 'multicast', or hops only one"):
         ds.simulate(SWARM, table, wifi)
-    twice = ds.Protocol("own", (ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
+    twice = replace(ds.DDS, messages=(ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
     with pytest.raises(ValueError, match="a process must send at most 16384 to each other"):
         ds.simulate(ds.Fleet.swarm(2, 1, 16_000), twice, wifi)
 
@@ -751,7 +821,7 @@ def test_rows_that_cannot_be_simulated_are_refused(
 def test_tables_that_cannot_be_simulated_are_refused() -> None:
     wifi = RADIO.wifi()
     spdp = ds.DDS.message("SPDP")
-    table = ds.Protocol("own", (spdp, replace(SEDP, answers="Z")))
+    table = replace(ds.DDS, name="own", messages=(spdp, replace(SEDP, answers="Z")))
     wanted = "^protocol 'own', message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$"
     with pytest.raises(ValueError, match=wanted):
         ds.simulate(SWARM, table, wifi)

@@ -10,11 +10,12 @@ from discostorm.messages.message import (
     Hop,
     Message,
     Payload,
+    Role,
     Transport,
     header_bytes,
     hop_airtime,
 )
-from discostorm.messages.protocol import Protocol
+from discostorm.messages.protocol import Basis, Family, Protocol, Timers
 from discostorm.messages.schedule import ONCE, PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import (
     AWAY,
@@ -50,12 +51,16 @@ __all__ = [
     "PROCESS",
     "UNITS",
     "UNMATCHED",
+    "Basis",
+    "Family",
     "Hop",
     "Hosts",
     "Message",
     "Payload",
     "Protocol",
+    "Role",
     "Schedule",
+    "Timers",
     "Transport",
     "Unit",
     "checked_window",

@@ -19,6 +19,9 @@ LEAST_PER_UNIT = 1e-9
 
 Transport = Literal["UDP", "TCP"]
 
+#: What a message is for; see `Message`.
+Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
+
 #: From a host to the access point, and from there on.
 Hop = Literal["up", "down"]
 HOPS: tuple[Hop, ...] = ("up", "down")
@@ -100,14 +103,25 @@ class Message:
         always inside the frame of another row, and costs the air its bits alone.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
+    role : {"announcement", "data", "heartbeat", "acknowledgement", "other"}, optional
+        What it is for. An announcement tells of a process or a host, or answers what does. Data
+        tell of endpoints, each time for the first time. The heartbeat asks a process which of the
+        data have arrived, and is repeated until all have; the acknowledgement answers it.
+        Whatever else is sent, such as liveliness, is other. None if it is not known: counts and
+        airtime do not need it, the simulator needs it for recovery.
+    informs : bool, optional
+        Whether who receives it knows its sender from then on; if left out, announcements alone do.
+    inside : str, optional
+        The message in whose frames it is, if `frames` is 0. The simulator needs it where more than
+        one message of its phase has frames.
 
     Raises
     ------
     ValueError
-        If `cast`, `transport`, `per_unit`, `hops` or `frames` is none of the above.
+        If `cast`, `transport`, `per_unit`, `hops`, `frames` or `role` is none of the above.
     TypeError
-        If a name is not text, `payload` not a Payload, `unit` not a Unit, or `schedule` not
-        a Schedule.
+        If a name is not text, `payload` not a Payload, `unit` not a Unit, `schedule` not
+        a Schedule, or `informs` neither True nor False.
     """
 
     name: str
@@ -122,6 +136,9 @@ class Message:
     answers: str | None = None
     frames: float = 1.0
     kind: str = ""
+    role: Role | None = None
+    informs: bool | None = None
+    inside: str | None = None
 
     def __post_init__(self) -> None:
         for name in ("name", "phase", "kind"):
@@ -141,6 +158,17 @@ class Message:
             raise ValueError(f"hops must be 'up', 'down' or both, each once; got {self.hops}")
         if self.answers is not None:
             _checks.instance("answers", self.answers, str)
+        if self.role is not None:
+            _checks.choice("role", self.role, get_args(Role), ", or None")
+        if self.informs is None:
+            object.__setattr__(self, "informs", self.role == "announcement")
+        _checks.instance("informs", self.informs, bool)
+        if self.inside is not None:
+            _checks.instance("inside", self.inside, str)
+            if self.frames:
+                raise ValueError(
+                    f"inside must be None where frames is above 0; got {self.inside!r}"
+                )
 
     @property
     def payload_symbol(self) -> sp.Symbol:

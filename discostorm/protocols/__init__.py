@@ -1,7 +1,7 @@
-"""The protocols: tables of messages, one file a family.
+"""The protocols: tables of messages.
 
-`PROTOCOLS` holds each table that a file of this folder defines, by its name: the paper's
-first, then the others in the order of their files.
+`PROTOCOLS` holds, by their names, the paper's tables, those of products of which `as_built` reads
+the rows, and each table that another file of this folder defines.
 """
 
 from collections.abc import Mapping
@@ -9,30 +9,42 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import MappingProxyType
 
-from discostorm.data import read_data
-from discostorm.messages import Protocol
+from discostorm.messages import Basis, Protocol
+from discostorm.protocols.as_built import as_built, described
 from discostorm.protocols.paper import DDS, ZENOH
+
+#: Where the tables of files are among those of rows, whose column `place` says where they are.
+_FILES = 50
 
 
 def _tables() -> dict[str, Protocol]:
-    names = sorted(module.name for module in iter_modules(__path__))
+    placed = [
+        (int(row["place"]), as_built(name)) for name, row in described().items() if row["place"]
+    ]
+    for file in sorted(module.name for module in iter_modules(__path__)):
+        for key, value in vars(import_module(f"{__name__}.{file}")).items():
+            if isinstance(value, Protocol) and not key.startswith("_"):
+                placed.append((0 if file == "paper" else _FILES, value))
     found: dict[str, Protocol] = {}
-    for name in sorted(names, key=lambda name: name != "paper"):
-        for key, value in vars(import_module(f"{__name__}.{name}")).items():
-            if not isinstance(value, Protocol) or key.startswith("_"):
-                continue
-            if found.setdefault(value.name, value) != value:
-                raise ValueError(f"protocols must have names that differ; got two {value.name!r}")
+    for _, table in sorted(placed, key=lambda pair: pair[0]):
+        if found.setdefault(table.name, table) != table:
+            raise ValueError(f"protocols must have names that differ; got two {table.name!r}")
     return found
 
 
 #: Every protocol by its name, such as ``PROTOCOLS["Fast DDS"]``.
 PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
 
+
+def _of_basis(basis: Basis) -> frozenset[str]:
+    every = (table for known in PROTOCOLS.values() for table in (known, known.wired) if table)
+    return frozenset(table.name for table in every if table.basis == basis)
+
+
 #: The names of those that say what products really send; the others have the paper's counts.
-MEASURED = frozenset(row["protocol"] for row in read_data("vendors/products.csv"))
+MEASURED = _of_basis("measured")
 
 #: The names of those that say what products send when they are arranged against the storm.
-ARRANGED = frozenset(row["protocol"] for row in read_data("vendors/arrangements.csv"))
+ARRANGED = _of_basis("arranged")
 
 __all__ = ["ARRANGED", "DDS", "MEASURED", "PROTOCOLS", "ZENOH"]

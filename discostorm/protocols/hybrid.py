@@ -20,13 +20,17 @@ from discostorm.messages import (
     Message,
     Payload,
     Protocol,
+    Role,
     Schedule,
+    Timers,
     Unit,
 )
 
 _ROWS = {row["quantity"]: row for row in read_data("hybrid/parameters.csv")}
 _VALUE = {name: float(row["value"]) for name, row in _ROWS.items()}
 _BEATS = Schedule((_VALUE["heartbeat"],), _VALUE["heartbeat"])
+#: Who misses a set learns so from a Heartbeat, and has it sent again.
+_TIMERS = Timers(_VALUE["heartbeat"], _VALUE["heartbeat"])
 
 
 def _row(
@@ -37,10 +41,11 @@ def _row(
     *,
     schedule: Schedule = ONCE,
     answers: str | None = None,
-    inside: bool = True,
+    inside: str | None = None,
     per_unit: float = 1,
+    role: Role = "other",
 ) -> Message:
-    """Return a row of which the data file says the size; inside another's frame or not."""
+    """Return a row of which the data file says the size; with a frame, or inside another's."""
     size, source = _VALUE[quantity], f"data/hybrid/parameters.csv, {quantity}"
     return Message(
         name,
@@ -53,26 +58,35 @@ def _row(
         schedule,
         answers=answers,
         frames=0.0 if inside else 1.0,
+        inside=inside,
+        role=role,
     )
 
 
+def _told(name: str, quantity: str, unit: Unit) -> Message:
+    """Return a row of what a set tells of, which the set announces."""
+    return _row(name, "Sets", quantity, unit, role="announcement", inside="Announce")
+
+
 _SETS = (
-    _row("Announce", "Sets", "header", HOST, inside=False),
-    _row("Process", "Sets", "process", PROCESS),
+    _row("Announce", "Sets", "header", HOST, role="announcement"),
+    _told("Process", "process", PROCESS),
 )
 _REST = (
     # Of all hosts that are about to show what they hold, the first does; the others hear it.
-    _row("Digest", "Digests", "header", FLEET, answers="Announce", inside=False),
-    _row("Listed", "Digests", "listed", HOST, answers="Announce"),
-    _row("Heartbeat", "Heartbeats", "header", HOST, schedule=_BEATS, inside=False),
-    _row("Claimed", "Heartbeats", "claimed", HOST_PAIR, schedule=_BEATS),
+    _row("Digest", "Digests", "header", FLEET, answers="Announce"),
+    _row("Listed", "Digests", "listed", HOST, answers="Announce", inside="Digest"),
+    _row("Heartbeat", "Heartbeats", "header", HOST, schedule=_BEATS),
+    _row("Claimed", "Heartbeats", "claimed", HOST_PAIR, schedule=_BEATS, inside="Heartbeat"),
 )
 
 #: No two hosts run the same software.
 HYBRID = Protocol(
     "hybrid",
-    (*_SETS, _row("Endpoint", "Sets", "endpoint", ENDPOINT), *_REST),
+    (*_SETS, _told("Endpoint", "endpoint", ENDPOINT), *_REST),
     lease=_VALUE["lease"],
+    basis="proposal",
+    timers=_TIMERS,
 )
 
 #: The hosts of a group run the same software: one tells its description, the others its hash.
@@ -80,9 +94,11 @@ HYBRID_ALIKE = Protocol(
     "hybrid, alike",
     (
         *_SETS,
-        _row("Software", "Sets", "software", HOST),
-        _row("Endpoint", "Sets", "endpoint", KIND_ENDPOINT),
+        _told("Software", "software", HOST),
+        _told("Endpoint", "endpoint", KIND_ENDPOINT),
         *_REST,
     ),
     lease=_VALUE["lease"],
+    basis="proposal",
+    timers=_TIMERS,
 )

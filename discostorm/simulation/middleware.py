@@ -1,19 +1,13 @@
-"""How a middleware recovers: what each message of its table is for, its timers and its lease."""
+"""How a middleware recovers: when each message of its table is sent, its timers and its lease.
+
+What a message is for says its role, see `discostorm.messages.Message`; when it is sent follows from
+that, from what it answers and from its schedule.
+"""
 
 import numpy as np
 
 from discostorm import _checks
-from discostorm.data import read_data
-from discostorm.messages import (
-    ENDPOINT_PAIR,
-    HOPS,
-    HOST,
-    MATCHED_WRITER,
-    PAIR,
-    UNMATCHED,
-    Message,
-    Protocol,
-)
+from discostorm.messages import HOPS, HOST, PAIR, Message, Protocol, Role
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Records
 from discostorm.simulation.traffic import Shares, ticks
@@ -23,13 +17,74 @@ from discostorm.wifi.channel import TICK
 RTO_FIRST = 1.0
 #: Least and most of the timer [s] (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
 RTO_LEAST, RTO_MOST = 0.2, 120.0
-#: Whose timers a table has that names none: by the transport of its endpoints.
-FAMILY = {"UDP": "Fast DDS", "TCP": "Zenoh"}
+
+#: What a message is to the inner loops; announcements they tell by what they inform of.
+_ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _cell.ACKNACK}
 
 
-def _defaults(product: str) -> dict[str, float]:
-    rows = read_data("vendors/middleware_defaults.csv")
-    return {row["quantity"]: float(row["value"]) for row in rows if row["product"] == product}
+def check_table(protocol: Protocol) -> None:
+    """Refuse a table that does not say all that recovery takes."""
+    refused = f"recovery must be False for the protocol {protocol.name!r}: "
+    for message in protocol.messages:
+        if message.role is None:
+            raise ValueError(
+                f"{refused}its message {message.name!r} has no role; give each message of the "
+                "table one, see discostorm.messages.Message"
+            )
+    if protocol.timers is None:
+        raise ValueError(
+            f"{refused}it has no timers; give it some, such as discostorm.DDS.timers or "
+            "discostorm.messages.Timers()"
+        )
+    if not _announcements(protocol):
+        raise ValueError(
+            f"{refused}its processes announce themselves to servers, routers or listed hosts "
+            "instead of to each other, and who learns what from these, and when, is not simulated"
+        )
+    _check_answers(protocol)
+    _check_repair(protocol)
+
+
+def _check_answers(protocol: Protocol) -> None:
+    """Refuse messages that answer what the table does not have."""
+    names = [message.name for message in protocol.messages]
+    for message in protocol.messages:
+        if message.answers is not None:
+            name = f"protocol {protocol.name!r}, message {message.name!r}: answers"
+            _checks.choice(name, message.answers, names, ", or None")
+
+
+def _check_repair(protocol: Protocol) -> None:
+    """Refuse data that are not for each process, and heartbeats without one that answers."""
+    for message in _of_role(protocol, "data"):
+        if not message.unit.to_each:
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {message.name!r}: unit must have receivers "
+                f"for what has the role 'data' to be simulated with recovery; "
+                f"got {message.unit.name!r}"
+            )
+    asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
+    if len(asking) > 1 or [m.name for m in asking] != [m.answers for m in answering]:
+        told = [f"{m.name!r} ({m.role})" for m in (*asking, *answering)]
+        raise ValueError(
+            f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
+            f"none, or one message each, the second of which answers the first; got "
+            f"{', '.join(told)}"
+        )
+
+
+def _of_role(protocol: Protocol, role: Role) -> list[Message]:
+    return [message for message in protocol.messages if message.role == role]
+
+
+def _announcements(protocol: Protocol) -> list[Message]:
+    """Return what the clock sends to those that are not known: to all or, if nothing is, to each.
+
+    What goes to servers, routers or listed hosts makes nobody known to each other.
+    """
+    by_clock = [m for m in _of_role(protocol, "announcement") if m.answers is None and m.frames]
+    to_all = [m for m in by_clock if m.cast == "multicast"]
+    return to_all or [m for m in by_clock if m.unit == PAIR and m.hops == HOPS]
 
 
 def clock_only(protocol: Protocol) -> Protocol:
@@ -40,59 +95,20 @@ def clock_only(protocol: Protocol) -> Protocol:
     return Protocol(protocol.name, rows)
 
 
-def _announcements(protocol: Protocol) -> list[Message]:
-    """Return what the clock sends to all, in the first phase that has such messages.
-
-    If nothing is multicast, that is what goes to each, known or not, from the first phase on:
-    nobody is known from what comes after announcements to others, such as servers or hosts.
-    """
-    by_clock = [m for m in protocol.messages if m.answers is None and m.frames]
-    found = [m for m in by_clock if m.cast == "multicast"]
-    if not found:
-        first = {m.phase for m in by_clock[:1]}
-        found = [m for m in by_clock if m.unit == PAIR and m.hops == HOPS and m.phase in first]
-    return [m for m in found if m.phase == found[0].phase]
-
-
-def check_answers(protocol: Protocol) -> None:
-    """Refuse messages that answer what the table does not have."""
-    names = [message.name for message in protocol.messages]
-    for message in protocol.messages:
-        if message.answers is not None:
-            name = f"protocol {protocol.name!r}, message {message.name!r}: answers"
-            _checks.choice(name, message.answers, names, ", or None")
-
-
-def check_announced(protocol: Protocol) -> None:
-    """Refuse to let those recover who do not announce themselves to each other."""
-    if not _announcements(protocol):
-        raise ValueError(
-            f"recovery must be False for the protocol {protocol.name!r}: its processes announce "
-            "themselves to servers, routers or listed hosts instead of to each other, and who "
-            "learns what from these, and when, is not simulated"
-        )
-
-
-def _phases(protocol: Protocol) -> set[str]:
-    return {message.phase for message in _announcements(protocol)}
-
-
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return when a message is sent: by the clock, in answer to each, or on discovery."""
-    phases = _phases(protocol)
-    heartbeat = _heartbeat(protocol)
-    if message in _data(protocol) or (heartbeat is not None and message == heartbeat[0]):
+    if message.role in ("data", "heartbeat"):
         return _cell.DISCOVERY
+    announcing = message.role == "announcement"
     if message.answers is None:
         once = message.schedule.period == np.inf
-        to_all = not message.unit.to_each
-        sent_by_clock = to_all or message.phase in phases or not once
-        return _cell.CLOCK if sent_by_clock else _cell.DISCOVERY
+        by_clock = announcing or not message.unit.to_each or not once
+        return _cell.CLOCK if by_clock else _cell.DISCOVERY
     answered = protocol.message(message.answers)
-    if message.phase in phases:
+    if announcing:
         # With a schedule of its own it is for those that were not known.
         return _cell.ANSWER if _at_times_of(message, answered) else _cell.DISCOVERY
-    return _cell.DISCOVERY if answered.phase in phases else _cell.ANSWER
+    return _cell.DISCOVERY if answered.role == "announcement" else _cell.ANSWER
 
 
 def _at_times_of(message: Message, answered: Message) -> bool:
@@ -101,88 +117,44 @@ def _at_times_of(message: Message, answered: Message) -> bool:
     return set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
 
 
-def _when(protocol: Protocol, message: Message) -> int:
+def _when(message: Message, answered: Message) -> int:
     """Return which of the messages it answers it does: all, the later ones, or the first."""
-    assert message.answers is not None
-    own, other = message.schedule, protocol.message(message.answers).schedule
-    if message.phase not in _phases(protocol) or own == other:
+    own, other = message.schedule, answered.schedule
+    if message.role != "announcement" or own == other:
         return _cell.ALWAYS
     return _cell.LATER if own.starts[0] > other.starts[0] else _cell.FIRST
-
-
-def _informs(protocol: Protocol) -> set[str]:
-    """Return the messages from which a process learns of another."""
-    informing = set()
-    for message in protocol.messages:
-        if _trigger(protocol, message) == _cell.DISCOVERY and message.answers is not None:
-            answered = protocol.message(message.answers)
-            if not answered.unit.to_each:  # all of the phase announce the same
-                informing |= {m.name for m in protocol.messages if m.phase == answered.phase}
-            else:
-                informing |= {m.name for m in protocol.messages if m.kind == answered.kind}
-    if not informing:
-        informing = {message.name for message in _announcements(protocol)}
-    # Who sends on a connection has one.
-    return informing | {m.name for m in _data(protocol) if m.transport == "TCP"}
-
-
-#: What is sent for each endpoint but tells nothing of it, by the last word of its kind.
-_CONTROL = ("Heartbeat", "ACKNACK", "ACK", "KeepAlive", "Frame")
-
-
-def _data(protocol: Protocol) -> list[Message]:
-    """Return what tells of endpoints."""
-    phases = _phases(protocol)
-    return [
-        message
-        for message in protocol.messages
-        if message.unit in (ENDPOINT_PAIR, UNMATCHED, MATCHED_WRITER)
-        and message.frames
-        and message.phase not in phases
-        and not message.kind.endswith(_CONTROL)
-    ]
-
-
-def _heartbeat(protocol: Protocol) -> tuple[Message, Message] | None:
-    """Return the Heartbeat of the endpoints' announcements, and what acknowledges."""
-    phases = {message.phase for message in _data(protocol) if message.transport == "UDP"}
-    for acknack in protocol.messages:
-        if acknack.answers is not None and acknack.unit == PAIR and acknack.phase in phases:
-            heartbeat = protocol.message(acknack.answers)
-            if heartbeat.phase in phases and heartbeat.unit == PAIR:
-                return heartbeat, acknack
-    return None
 
 
 def fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
-    pair, data, informs = _heartbeat(protocol), _data(protocol), _informs(protocol)
-    announced = _announcements(protocol)
+    announcements = _announcements(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
+        record["role"] = _ROLES.get(str(message.role), _cell.OTHER)
         record["trigger"] = _trigger(protocol, message)
-        record["to_unknown"] = message in announced
-        record["informs"] = message.name in informs
+        record["to_unknown"] = message in announcements
+        record["informs"] = message.informs
         record["of_host"] = message.unit == HOST
         record["tcp"] = message.transport == "TCP"
         record["answers"] = -1
         if message.answers is not None:
+            answered = protocol.message(message.answers)
             record["answers"] = names.index(message.answers)
-            record["when"] = _when(protocol, message)
-            answered = protocol.message(message.answers).schedule
+            record["when"] = _when(message, answered)
+            times = answered.schedule
             # Half-way to the second time, as queues delay what is sent at first.
-            second = (*answered.starts, answered.starts[-1] + answered.period)[1]
-            record["since"] = ticks((answered.starts[0] + second) / 2)
+            second = (*times.starts, times.starts[-1] + times.period)[1]
+            record["since"] = ticks((times.starts[0] + second) / 2)
             starts = message.schedule.starts
             if record["trigger"] == _cell.DISCOVERY and len(starts) > 1:
                 record["gap_number"] = len(starts) - 1
                 record["gap_first"] = ticks(starts[1] - starts[0])
-        if message in data:
-            record["role"] = _cell.DATA
-        elif pair is not None and message.name == pair[0].name:
-            record["role"] = _cell.HEARTBEAT
-        elif pair is not None and message.name == pair[1].name:
-            record["role"] = _cell.ACKNACK
+    _check_circles(protocol, kinds)
+
+
+def _check_circles(protocol: Protocol, kinds: Records) -> None:
+    """Refuse answers that lead back to what they answer."""
+    names = [message.name for message in protocol.messages]
     for row in range(kinds.size):
         chain = [row]
         while kinds["trigger"][row] == _cell.ANSWER:
@@ -207,20 +179,14 @@ def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
 
 
 def repair_record(protocol: Protocol) -> Records:
-    """Return the timers of a middleware; see `FAMILY`."""
+    """Return the timers of a middleware."""
     if protocol.lease < TICK:
         raise ValueError(
             f"protocol {protocol.name!r}: lease must be at least {TICK:g} s to be simulated; "
             f"got {protocol.lease:g}"
         )
-    data = _data(protocol)
-    transport = data[0].transport if data else "UDP"
-    name = protocol.name.rpartition("periods of ")[2]
-    products = {row["protocol"]: row["defaults"] for row in read_data("vendors/products.csv")}
-    vendor = _defaults(products.get(name, name)) or _defaults(FAMILY[transport])
-    names = [message.name for message in protocol.messages]
-    pair = _heartbeat(protocol)
-    record = np.zeros(1, _cell.REPAIRS)
+    timers = protocol.timers
+    assert timers is not None  # see `check_table`
     seconds = {
         "lease": protocol.lease,
         "rto_first": RTO_FIRST,
@@ -228,15 +194,17 @@ def repair_record(protocol: Protocol) -> Records:
         "rto_most": RTO_MOST,
     }
     if all(message.schedule.period == np.inf for message in _announcements(protocol)):
-        period = vendor.get("announcement_period", vendor.get("scout_first", 0.0))
-        seconds["announce_first"] = period
-        seconds["announce_most"] = vendor.get("scout_most", period)
-    if pair is not None:
-        period = vendor.get("heartbeat_period", vendor.get("heartbeat_first", 1.0))
-        seconds["heartbeat_first"] = period
-        seconds["heartbeat_most"] = vendor.get("heartbeat_most", period)
-        record["heartbeat"], record["acknack"] = (names.index(m.name) for m in pair)
-        record["topics"] = max(1, round(pair[0].per_unit * pair[0].frames))
+        seconds["announce_first"] = timers.announce_first
+        seconds["announce_most"] = timers.announce_most
+    record = np.zeros(1, _cell.REPAIRS)
+    names = [message.name for message in protocol.messages]
+    for heartbeat in _of_role(protocol, "heartbeat"):
+        (acknowledgement,) = _of_role(protocol, "acknowledgement")
+        seconds["heartbeat_first"] = timers.heartbeat_first
+        seconds["heartbeat_most"] = timers.heartbeat_most
+        record["heartbeat"] = names.index(heartbeat.name)
+        record["acknack"] = names.index(acknowledgement.name)
+        record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
     for name, value in seconds.items():
         record[name] = ticks(value)
     return record

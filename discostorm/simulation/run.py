@@ -11,11 +11,11 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Hosts, Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
-from discostorm.simulation.engine import MEMORY, OVER, PARTS, advance
+from discostorm.simulation.engine import MEMORY, OVER, advance
+from discostorm.simulation.exchange import PARTS
 from discostorm.simulation.middleware import (
-    check_announced,
-    check_answers,
     check_items,
+    check_table,
     clock_only,
     fill_kinds,
     repair_record,
@@ -142,8 +142,7 @@ def plan_runs(
     kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
     repairs, table = None, protocol
     if recovery:
-        check_answers(protocol)
-        check_announced(protocol)
+        check_table(protocol)
         fill_kinds(protocol, kinds)
         check_items(protocol, kinds, shares)
         repairs, table = repair_record(protocol), clock_only(protocol)

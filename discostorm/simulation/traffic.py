@@ -11,9 +11,7 @@ messages that share frames the frames are sent: x is that of their parts.
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 from inspect import signature
-from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -182,38 +180,29 @@ def _where(protocol: Protocol, message: Message) -> str:
 def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
     """Return the octets in each frame of a message that rows without frames put inside it.
 
-    They are in frames of the same phase, of the row that is most like theirs, alike in each.
+    They are alike in each frame of the row that theirs names, or of the only one of their phase.
     """
     shares = shares_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
         if message.frames:
             continue
-        outer = [m for m in protocol.messages if m.frames and m.phase == message.phase]
-        if not outer:
+        framed = [m for m in protocol.messages if m.frames]
+        outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
+        if len(outer) != 1:
             raise ValueError(
-                f"{_where(protocol, message)}: frames must be above 0 for one message of the phase "
-                f"{message.phase!r} to be simulated; got none"
+                f"{_where(protocol, message)}: inside must be the one message of the phase "
+                f"{message.phase!r} in whose frames it is, to be simulated; "
+                f"got {message.inside!r} of {[m.name for m in outer]}"
             )
-        carrier = protocol.messages.index(max(outer, key=partial(_alike, message)))
-        alone = Protocol("inside", (replace(message, frames=1.0),))
+        carrier = protocol.messages.index(outer[0])
+        alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
         counts = [
             _sent(shares_of(alone, hosts), hosts, 0),
             _sent(shares, hosts, carrier),
         ]
         octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
     return octets
-
-
-def _alike(one: Message, other: Message) -> tuple[int, ...]:
-    """Return how much two rows have in common: by what, and how much of their names' ends."""
-    same = (
-        one.cast == other.cast,
-        one.answers == other.answers,
-        one.schedule.period == other.schedule.period,
-    )
-    ends = zip(reversed(one.name), reversed(other.name), strict=False)
-    return (*same, len(list(takewhile(lambda pair: pair[0] == pair[1], ends))))
 
 
 def _sent(shares: Shares, hosts: Hosts, row: int) -> float:

@@ -1,0 +1,262 @@
+"""The exchange of frames: how long it takes, what comes of it, and what a collision does.
+
+What a station sends before its data, such as an RTS, would belong into `lengths`.
+"""
+
+import numpy as np
+
+from discostorm.simulation._compile import njit, shared
+from discostorm.simulation.cell import (
+    AIR,
+    COLLISION,
+    ERROR,
+    NEVER,
+    RETRY,
+    STEADY,
+    SUCCESS,
+    below,
+    kind_of,
+    uniform,
+)
+from discostorm.simulation.medium import back_off, draw, enter, first_to_send, wait
+from discostorm.simulation.queues import change_length, lose, receiver, take_after
+from discostorm.simulation.sending import (
+    MISSING,
+    aggregates,
+    deliver,
+    is_multicast,
+    keep,
+    pass_on,
+    ppdu,
+)
+
+#: Columns of `Cell.airtime`, which counts in parts of a tick.
+UP, DOWN, FAILED = range(3)
+PARTS = 1024
+
+
+@njit
+def lengths(cell, station):
+    """Return how long a station sends: until its data end, and until nobody answers if others do.
+
+    The two are the same, as a station begins with its data.
+    """
+    length = ppdu(cell, station)
+    return length, length
+
+
+@shared
+def note(cell, station, start, end, outcome):
+    """Record a transmission."""
+    now, sent = cell.now[0], cell.stations[station].sent
+    column = FAILED if outcome != SUCCESS else (UP if station < now.hosts else DOWN)
+    burst = sent == 0
+    if sent == 1:  # by far the most
+        held = cell.window[station, 0]
+        now.ppdus += 1
+        now.mpdus += 1
+        now.retried += held.tries > 0
+        cell.airtime[kind_of(held.frame), column] += (end - start) * PARTS
+        burst = not held.frame & STEADY
+    elif sent == 0:
+        now.requests += 1
+        cell.airtime[now.kinds, column] += (end - start) * PARTS
+    else:
+        now.ppdus += 1
+        now.mpdus += sent
+        each = (end - start) * PARTS // sent
+        for place in range(sent):
+            held = cell.window[station, place]
+            now.retried += held.tries > 0
+            cell.airtime[kind_of(held.frame), column] += each
+            burst |= not held.frame & STEADY
+    if burst:
+        now.drained = max(now.drained, end)
+    if now.logged < cell.log.size:
+        row = cell.log[now.logged]
+        now.logged += 1
+        row.start, row.end, row.station, row.frames = start, end, station, sent
+        row.kind = kind_of(cell.window[station, 0].frame) if sent else -1
+        row.outcome = outcome
+
+
+@njit
+def count_failure(cell, station):
+    """Note that nothing came back to a station."""
+    radio, its = cell.radio[0], cell.stations[station]
+    # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
+    its.failures = its.failures + 1 if its.failures < radio.attempts else 0
+    for place in range(its.sent):
+        held = cell.window[station, place]
+        if aggregates(cell, station):
+            cell.pool[held.number].tries += 1
+        else:
+            held.tries += 1
+    if its.sent > 1:
+        its.must_ask = 1
+    # Under a block acknowledgement frames are repeated until they arrive or are too old.
+    elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
+        lose(cell, cell.window[station, 0].frame, station, RETRY)
+        its.held = 0
+        change_length(cell, station, -1)
+
+
+@shared
+def send_request(cell, station, time, end):
+    """Let a station ask, undisturbed, what has arrived of an A-MPDU: nothing has."""
+    now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
+    now.idle = end + radio.sifs + radio.block_ack
+    now.base = now.idle + radio.aifs
+    now.busy += end - time + radio.block_ack
+    note(cell, station, time, now.idle, SUCCESS)
+    its.must_ask, its.failures = 0, 0
+    back_off(cell, station, now.base)
+
+
+@shared
+def take_arrived(cell, to):
+    """Take what has arrived of the access point's last frames to a host off its queue."""
+    station = cell.now[0].hosts
+    last = np.int64(-1)
+    for place in range(cell.stations[station].sent):
+        held = cell.window[station, place]
+        if held.came & MISSING:
+            last = held.number
+            cell.pool[last].tries += 1
+        else:
+            take_after(cell, to, last)
+
+
+@shared
+def send_multicast(cell, time, end):
+    """Let the access point send to all at once; nobody acknowledges."""
+    now = cell.now[0]
+    station = now.hosts
+    its, frame = cell.stations[station], cell.window[station, 0].frame
+    now.idle = end
+    now.base = end + cell.radio[0].aifs
+    now.busy += end - time
+    note(cell, station, time, end, SUCCESS)
+    its.held, its.failures = 0, 0
+    change_length(cell, station, -1)
+    back_off(cell, station, now.base)
+    deliver(cell, station, frame, end, its.sent == 1)
+
+
+@njit
+def send_unicast(cell, station, time, end):
+    """Let a station send undisturbed to one receiver, which answers unless all is damaged."""
+    now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
+    answer = radio.ack if its.sent == 1 else radio.block_ack
+    # Who hears the frame leaves time for the answer, whether it comes or not (NAV).
+    now.idle = end + radio.sifs + answer
+    now.base = now.idle + radio.aifs
+    link = station
+    if station == now.hosts:
+        link = receiver(cell, cell.window[station, 0].frame)
+    loss = cell.stations[link].loss
+    in_order = now.per_receiver and station < now.hosts
+    good = np.int64(0)
+    for place in range(its.sent):
+        held = cell.window[station, place]
+        if loss > 0 and uniform(now) < loss:
+            held.came |= MISSING
+        else:
+            cell.senders[good].frame = held.frame
+            if in_order:
+                cell.ordered[station, held.number % radio.window] = held.frame
+            good += 1
+    if good == 0:
+        for place in range(its.sent):
+            cell.window[station, place].came &= ~MISSING
+        now.busy += end - time
+        note(cell, station, time, end, ERROR)
+        count_failure(cell, station)
+        back_off(cell, station, end + radio.timeout + radio.aifs)
+        return
+    now.busy += end - time + answer
+    note(cell, station, time, now.idle, SUCCESS)
+    its.failures = 0
+    if aggregates(cell, station):
+        take_arrived(cell, link)
+    else:
+        kept = np.int64(0)
+        for place in range(its.held):
+            held = cell.window[station, place]
+            if place >= its.sent or held.came & MISSING:
+                held.tries += held.came >= MISSING
+                held.came &= ~MISSING
+                keep(cell, station, place, kept)
+                kept += 1
+        its.held = kept
+    change_length(cell, station, -good)
+    back_off(cell, station, now.base)
+    alone = its.sent == 1
+    if in_order:
+        pass_on(cell, station, end, alone)
+        return
+    for place in range(good):
+        deliver(cell, station, cell.senders[place].frame, end, alone)
+
+
+@njit
+def send(cell, station, time):
+    """Let a station send undisturbed."""
+    alone, _ = lengths(cell, station)
+    if cell.stations[station].sent == 0:
+        send_request(cell, station, time, time + alone)
+    elif is_multicast(cell, station):
+        send_multicast(cell, time, time + alone)
+    else:
+        send_unicast(cell, station, time, time + alone)
+
+
+@shared
+def collide(cell, count, time):
+    """Let several stations send at once: nothing arrives."""
+    now, radio = cell.now[0], cell.radio[0]
+    last = np.int64(0)
+    for place in range(count):
+        sender = cell.senders[place]
+        _, together = lengths(cell, sender.station)
+        sender.end = time + together
+        last = max(last, sender.end)
+    free = last
+    if radio.heard > 0:
+        # Who takes a collision for one frame with errors leaves time for an answer (EIFS).
+        free = max(last, cell.senders[below(now, count)].end + radio.heard)
+    now.idle = last
+    now.base = free + radio.aifs
+    now.collisions += 1
+    now.collided += count
+    now.busy += last - time
+    now.wasted += last - time
+    least = NEVER
+    for place in range(count):
+        sender = cell.senders[place]
+        station, base = sender.station, last + radio.aifs
+        its, held = cell.stations[station], cell.window[station, 0]
+        note(cell, station, time, sender.end, COLLISION)
+        if is_multicast(cell, station):
+            # Nobody would have acknowledged it: the sender does not know.
+            lose(cell, held.frame, station, AIR)
+            its.held, its.failures = 0, 0
+            change_length(cell, station, -1)
+        else:
+            count_failure(cell, station)
+            base = max(sender.end + radio.timeout, last) + radio.aifs
+        sender.slots, sender.base = draw(cell, station), base
+        if its.length == 0 or base == now.base:
+            wait(cell, station, base, sender.slots)
+            sender.base = NEVER
+        least = min(least, sender.base)
+    if least == NEVER:
+        return
+    slot = first_to_send(cell, least)
+    for place in range(count):
+        sender = cell.senders[place]
+        if sender.base < NEVER:
+            if slot >= 0:
+                enter(cell, sender.station, slot + radio.edca + sender.slots)
+            else:
+                wait(cell, sender.station, sender.base, sender.slots)
