@@ -33,6 +33,7 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
+        "paper/verdicts",
     ),
 }
 WITHOUT = {
