@@ -33,7 +33,6 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
-        "paper/verdicts",
     ),
 }
 WITHOUT = {
