@@ -17,10 +17,11 @@ if TYPE_CHECKING:
         Schedule,
         Unit,
     )
+    from discostorm.model import breakdown, utilization
     from discostorm.planner import Plan, Remedy, Share
     from discostorm.planner.plan import plan
     from discostorm.protocols import DDS, PROTOCOLS, ZENOH
-    from discostorm.scalability import breakdown, saturation_hosts, utilization
+    from discostorm.saturation import saturation_hosts
     from discostorm.simulation import Simulation, simulate
     from discostorm.wifi import PAPER, WIFI, Aggregation, Link, Padding, Radio, Wifi
 
@@ -72,7 +73,8 @@ _OF_MODULE = {
     "planner": "Plan Remedy Share",
     "planner.plan": "plan",
     "protocols": "DDS PROTOCOLS ZENOH",
-    "scalability": "breakdown saturation_hosts utilization",
+    "model": "breakdown utilization",
+    "saturation": "saturation_hosts",
     "simulation": "Simulation simulate",
     "wifi": "PAPER WIFI Aggregation Link Padding Radio Wifi",
 }
@@ -90,7 +92,8 @@ _MODULES = frozenset(
         "paper",
         "planner",
         "protocols",
-        "scalability",
+        "model",
+        "saturation",
         "simulation",
         "timeline",
         "uncertainty",

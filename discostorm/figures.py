@@ -30,8 +30,9 @@ from discostorm._numeric import evaluate
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol
+from discostorm.model import utilization
 from discostorm.protocols import ARRANGED, DDS, PROTOCOLS, ZENOH
-from discostorm.scalability import saturation_hosts, utilization
+from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER
 
 #: What the paper draws.

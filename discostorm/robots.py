@@ -1,48 +1,13 @@
 """Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
 
-from functools import cache
-
-from discostorm import _checks
 from discostorm.data import read_data
-from discostorm.fleet import (
-    HostGroup,
+from discostorm.fleet import HostGroup
+from discostorm.ros2 import (
+    endpoints_of_a_node as endpoints_of_a_node,
+    likely_nodes as likely_nodes,
     parameter_service_endpoints as parameter_service_endpoints,
     shared_endpoints as shared_endpoints,
 )
-
-
-def likely_nodes(endpoints: float) -> float:
-    """Return how many nodes a process of so many endpoints has if nobody says: as ready-made ones.
-
-    At least one where the endpoints are enough for its parameter services, else none; more in the
-    ratio of all processes of ``fleets/robots.csv`` that have nodes.
-
-    Parameters
-    ----------
-    endpoints : float
-        Endpoints of the process [1].
-
-    Returns
-    -------
-    float
-        How many [1].
-
-    Examples
-    --------
-    >>> likely_nodes(10), likely_nodes(20), round(likely_nodes(678))
-    (0.0, 1.0, 24)
-    """
-    given = _checks.number("endpoints", endpoints, 0, _checks.MOST)
-    if given < parameter_service_endpoints():
-        return 0.0
-    return max(1.0, given / endpoints_of_a_node())
-
-
-@cache
-def endpoints_of_a_node() -> float:
-    """Return how many endpoints the processes of ready-made robots have for each node [1]."""
-    rows = [row for row in read_data("fleets/robots.csv") if int(row["nodes"])]
-    return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)
 
 
 def robots() -> dict[str, HostGroup]:

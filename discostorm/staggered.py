@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
-from discostorm.scalability import burst
+from discostorm.model import burst
 from discostorm.timeline import drain_time
 from discostorm.wifi import PAPER, Wifi
 

@@ -20,7 +20,7 @@ from discostorm import _checks
 from discostorm._numeric import Value, evaluate
 from discostorm.fleet import COUNTS, Fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
-from discostorm.scalability import burst, utilization
+from discostorm.model import burst, utilization
 from discostorm.wifi import PAPER, Wifi
 
 #: Airtime of a burst [s], and the utilization of the steady state [1].

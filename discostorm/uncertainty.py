@@ -23,7 +23,8 @@ from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
-from discostorm.scalability import by_symbol, saturation_hosts, utilization_at
+from discostorm.model import by_symbol, utilization_at
+from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Link, Wifi
 
 if TYPE_CHECKING:

@@ -8,11 +8,6 @@ import textwrap
 HUGE = 1e6
 #: What is said of a fleet of one host.
 ALONE = "A single host has nobody to find: what it sends reaches no other host."
-#: What is said of tables that depend on names where nobody says what ROS 2 shares.
-UNSHARED = (
-    "what ROS 2 shares between all processes is not counted; `discostorm plan` counts it, or say "
-    "`shared` or `nodes` in a fleet file."
-)
 #: How discovery is recorded so that nothing of it is lost; the chapter on captures says why.
 RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 

@@ -247,14 +247,14 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("utilization, 1000 groups / 100", lambda: on_groups(lambda f: ds.utilization(ds.DDS, f)), 11),
     (
         "saturation beside 1000 groups / 100",
-        lambda: on_groups(lambda f: ds.saturation_hosts(ds.DDS, 2, 10, limit=1e9, beside=f)),
+        lambda: on_groups(lambda f: ds.saturation_hosts(ds.DDS, limit=1e9, fleet=f)),
         12,
     ),
     ("bounds, 1000 groups / 100", lambda: on_groups(lambda f: bounds(ds.DDS, f)), 11),
     ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 12),
     (
-        "import discostorm.scalability / import sympy",
-        lambda: ratio(python("import discostorm.scalability"), python("import sympy"), rounds=7),
+        "import discostorm.model / import sympy",
+        lambda: ratio(python("import discostorm.model"), python("import sympy"), rounds=7),
         1.4,
     ),
     (

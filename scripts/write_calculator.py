@@ -29,7 +29,7 @@ from discostorm.robots import (
     robots,
     shared_endpoints,
 )
-from discostorm.scalability import solve_hosts
+from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"

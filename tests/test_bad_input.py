@@ -290,7 +290,8 @@ def test_fleet() -> None:
 def test_the_content_of_a_fleet_file_is_bytes_of_any_kind() -> None:
     content = b"[[groups]]\nhosts = 7\nprocesses = 2\nendpoints = 10\n"
     for kind in (bytes, bytearray, memoryview):
-        assert ds.Fleet.from_bytes(kind(content), "it") == ds.Fleet.swarm(7, 2, 10)
+        fleet = ds.Fleet((ds.HostGroup(7, 2, 10, shared=2),))
+        assert ds.Fleet.from_bytes(kind(content), "it") == fleet
     for value in (content.decode(), None, [1]):
         text = f"content must be bytes, a bytearray or a memoryview; got {value!r}"[:60]
         fails(TypeError, text, ds.Fleet.from_bytes, content=value, name="it")

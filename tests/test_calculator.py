@@ -122,9 +122,7 @@ def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[
     Of the middleware chosen, and how many hosts fit and how long a start takes with each of some.
     """
     fleet, wifi = fleet_of(entries), channel(entries)
-    one, others = fleet_of(entries, 1), beside(entries)
-    _, processes, endpoints = fleet.groups[0].counts()
-    shared = fleet.groups[0].shared
+    one = fleet_of(entries, 1)
     numbers: dict[str, float] = {}
     for name in names:
         protocol = PROTOCOLS[name]
@@ -139,17 +137,7 @@ def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[
                 continue
             full = math.nan
             if ds.utilization(protocol, one, wifi=wifi, window=seconds) <= 1:
-                full = float(
-                    ds.saturation_hosts(
-                        protocol,
-                        processes,
-                        endpoints,
-                        wifi,
-                        beside=others,
-                        window=seconds,
-                        shared=shared,
-                    )
-                )
+                full = float(ds.saturation_hosts(protocol, wifi=wifi, fleet=one, window=seconds))
             numbers[f"{name} saturation {window}"] = full
     front = entries["middleware"]
     protocol = PROTOCOLS[front]

@@ -24,7 +24,7 @@ from discostorm import figures, notebook
 from discostorm.cli import main, output
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
-from discostorm.paper.claims import ledger
+from discostorm.paper.claims import VERDICTS, ledger
 from discostorm.words import RECORD
 
 NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
@@ -166,19 +166,18 @@ def test_saturation() -> None:
     (half,) = read_csv(run(*arguments, "--limit|0.5", "--protocol|dds", "--csv"))
     assert float(half["hosts"]) == ds.saturation_hosts(ds.DDS, 2, 10, limit=0.5)
     beside, _ = read_json(run(*arguments, "--beside|fleet.toml", "--limit|40", "--json"))
-    others = ds.Fleet.from_toml("fleet.toml")
-    assert beside["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10, limit=40, beside=others)
+    others = ds.Fleet.from_toml("fleet.toml").groups
+    both = ds.Fleet((ds.HostGroup(1, 2, 10), *others))
+    assert beside["hosts"] == ds.saturation_hosts(ds.DDS, limit=40, fleet=both)
 
 
 def test_saturation_of_each_group_of_a_fleet() -> None:
-    robots, laptop = ds.Fleet.from_toml("fleet.toml").groups
+    fleet = ds.Fleet.from_toml("fleet.toml")
     found = read_json(run("saturation|fleet.toml|--limit|999|--protocol|dds|--json"))
     assert [row["group"] for row in found] == ["robots", "laptop"]
-    for row, (group, other) in zip(found, [(robots, laptop), (laptop, robots)], strict=True):
+    for row, group in zip(found, fleet.groups, strict=True):
         assert (row["processes"], row["endpoints"]) == (group.processes, group.endpoints)
-        assert row["hosts"] == ds.saturation_hosts(
-            ds.DDS, group.processes, group.endpoints, limit=999, beside=ds.Fleet((other,))
-        )
+        assert row["hosts"] == ds.saturation_hosts(ds.DDS, limit=999, fleet=fleet, group=group.name)
     beside = run("saturation|fleet.toml|--limit|999|--protocol|dds|--json|--beside|fleet.toml")
     for row, more in zip(found, read_json(beside), strict=True):
         assert more["hosts"] < row["hosts"]
@@ -231,24 +230,6 @@ def test_all_commands_count_what_ros_2_shares_in_a_fleet_file() -> None:
     # What a file says of its nodes gives way to an option.
     fewer = read_json(run("plan|fleet.toml|--json|--nodes|1,1", server))["utilization"]
     assert fewer < planned
-
-
-@pytest.mark.parametrize("command", ["utilization", "saturation", "breakdown"])
-def test_a_line_says_that_what_ros_2_shares_is_not_counted(command: str, folder: Path) -> None:
-    line, server = "what ROS 2 shares between all", "--protocol|Fast DDS Discovery Server"
-    (folder / "own.toml").write_text(ROBOTS)
-    assert f"\nNo names match: {line}" in run(command, "own.toml", server).output
-    assert line not in run(command, "own.toml").output  # the paper's tables count no names
-    assert line not in run(command, "own.toml|--csv", server).output
-    assert line not in run(command, "fleet.toml", server).output
-    counts = "--processes|1|--endpoints|30" + "|--hosts|3" * (command != "saturation")
-    assert line in run(command, counts, server).output
-    (folder / "own.toml").write_text("matching = 0.5\n" + ROBOTS)
-    assert f"\nWhat{line[4:]}" in run(command, "own.toml", server).output
-    (folder / "own.toml").write_text("matching = 1\n" + ROBOTS)
-    assert line not in run(command, "own.toml", server).output
-    (folder / "own.toml").write_text(ROBOTS + "nodes = 13\n" + LAPTOP)
-    assert f"\nOf laptop, {line}" in run(command, "own.toml", server).output
 
 
 def test_matching_is_one_number_for_all_on_the_channel(folder: Path) -> None:
@@ -347,14 +328,13 @@ def test_claims() -> None:
     assert float(seven) == ds.saturation_hosts(ds.DDS, 2, 10)
     assert ours["A host sends one SPDP message for each of its processes."] == "N_P"
     assert ours["Hosts on one channel contend for airtime."] == ""
-    some = read_json(run("claims", "--verdict|contradicted", "--json"))
+    holds, fails = (VERDICTS[outcome]["verdict"] for outcome in ("holds", "fails"))
+    some = read_json(run("claims", f"--verdict|{fails}", "--json"))
     assert {row["id"]: row["ours"] for row in some}[1] == 1.0
-    assert [row["id"] for row in some] == list(
-        expected.index[expected["verdict"] == "contradicted"]
-    )
-    human = run("claims", "--verdict|contradicted").output
+    assert [row["id"] for row in some] == list(expected.index[expected["verdict"] == fails])
+    human = run("claims", f"--verdict|{fails}").output
     counts = expected["verdict"].value_counts()
-    assert f"{len(expected)} claims: {counts['reproduced']} reproduced" in human
+    assert f"{len(expected)} claims: {counts[holds]} {holds}" in human
     assert max(map(len, human.splitlines())) <= 79
 
 

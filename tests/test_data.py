@@ -10,7 +10,7 @@ import discostorm as ds
 from discostorm.data import data_path, read_data
 from discostorm.messages import header_bytes
 from discostorm.notation import NOTATION, payload_symbol
-from discostorm.scalability import saturation
+from discostorm.saturation import saturation
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 

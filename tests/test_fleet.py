@@ -18,16 +18,17 @@ from discostorm.data import data_path, read_data
 from discostorm.messages import ENDPOINT_PAIR, PAIR, PROCESS
 from discostorm.notation import N_E, N_H, N_P
 from discostorm.paper.enumeration import walk
-from discostorm.robots import laptop, robots
-from discostorm.scalability import saturation
+from discostorm.robots import laptop, likely_nodes, robots
+from discostorm.saturation import saturation
 
 #: Hosts, processes and endpoints of each group.
 Groups = Sequence[tuple[Any, Any, Any]]
 
 PROTOCOLS = (ds.DDS, ds.ZENOH)
 
-#: Neither text nor a group.
+#: Neither text nor a group, nor a fleet.
 WRONG: Any = 5
+WRONG_FLEET: Any = 3
 protocols = st.sampled_from(PROTOCOLS)
 
 # Groups of hosts, processes and endpoints; small enough to walk the protocol.
@@ -141,10 +142,10 @@ def test_symbols_may_stand_for_some_of_the_counts() -> None:
 def test_saturation_beside_a_fleet_is_where_utilization_meets_the_limit(
     protocol: ds.Protocol, processes: int, endpoints: int, counts: Groups, spare: float
 ) -> None:
-    beside = fleet_of(counts)
     host = (1, processes, endpoints)
     limit = ds.utilization(protocol, fleet_of([host, *counts])) + spare
-    hosts = ds.saturation_hosts(protocol, processes, endpoints, limit=limit, beside=beside)
+    fleet = fleet_of([host, *counts])
+    hosts = ds.saturation_hosts(protocol, limit=limit, fleet=fleet)
     assert hosts >= 1
     full = fleet_of([(hosts, processes, endpoints), *counts])
     # Rounding of the root, then of a sum over the groups.
@@ -154,8 +155,8 @@ def test_saturation_beside_a_fleet_is_where_utilization_meets_the_limit(
 @pytest.mark.parametrize("protocol", PROTOCOLS, ids=ids)
 def test_saturation_beside_like_hosts_counts_the_rest_of_the_swarm(protocol: ds.Protocol) -> None:
     swarm = ds.saturation_hosts(protocol, 2, 10)
-    beside = ds.Fleet.swarm(hosts=3, processes=2, endpoints=10)
-    rest = ds.saturation_hosts(protocol, 2, 10, beside=beside)
+    fleet = fleet_of([(1, 2, 10), (3, 2, 10)])
+    rest = ds.saturation_hosts(protocol, fleet=fleet)
     assert rest == pytest.approx(swarm - 3, rel=1e-13)
     assert saturation(protocol).free_symbols >= {N_P, N_E}
 
@@ -163,24 +164,37 @@ def test_saturation_beside_like_hosts_counts_the_rest_of_the_swarm(protocol: ds.
 def test_a_byte_order_mark_is_passed_over(tmp_path: Path) -> None:
     file = tmp_path / "fleet.toml"
     file.write_text("[[groups]]\nhosts = 1\nprocesses = 2\nendpoints = 3\n", encoding="utf-8-sig")
-    assert ds.Fleet.from_toml(file).groups == (ds.HostGroup(1, 2, 3),)
+    assert ds.Fleet.from_toml(file).groups == (ds.HostGroup(1, 2, 3, shared=2),)
 
 
 def test_saturation_beside_a_fleet_broadcasts_and_names_what_is_wrong() -> None:
-    laptop = ds.Fleet.swarm(1, 1, [[0], [90]])
-    found = np.asarray(ds.saturation_hosts(ds.DDS, 1, [10, 100, 678], beside=laptop))
+    laptop = ds.HostGroup(1, 1, [[0], [90]], name="laptop")
+    fleet = ds.Fleet((ds.HostGroup(1, 1, [10, 100, 678], name="robots"), laptop))
+    found = np.asarray(ds.saturation_hosts(ds.DDS, fleet=fleet))
     assert found.shape == (2, 3)
     assert (found[0] > found[1]).all()
-    with pytest.raises(TypeError, match="beside must be a Fleet; got 3"):
-        ds.saturation_hosts(ds.DDS, 1, 10, beside=3)  # type: ignore[arg-type]
+    assert (found == ds.saturation_hosts(ds.DDS, fleet=fleet, group="robots")).all()
+    assert (found != ds.saturation_hosts(ds.DDS, fleet=fleet, group=1)).all()
+    with pytest.raises(TypeError, match="fleet must be a Fleet; got 3"):
+        ds.saturation_hosts(ds.DDS, fleet=WRONG_FLEET)
+    with pytest.raises(ValueError, match="group must be 'robots' or 'laptop'; got 'robot'"):
+        ds.saturation_hosts(ds.DDS, fleet=fleet, group="robot")
+    with pytest.raises(ValueError, match=r"group must be a whole number .* at most 1; got 2"):
+        ds.saturation_hosts(ds.DDS, fleet=fleet, group=2)
+    with pytest.raises(TypeError, match="processes must be left out when hosts is a Fleet; got 2"):
+        ds.saturation_hosts(ds.DDS, 2, fleet=fleet)
     with pytest.raises(
         ValueError, match=r"limit .* single host beside the fleet with DDS, 3\.\d+; got 1\.0"
     ):
-        ds.saturation_hosts(ds.DDS, 1, 678, beside=ds.Fleet.swarm(3, 1, 678))
-    with pytest.raises(ValueError, match=r"broadcast.*utilization \(2, 1\), limit \(3, 3\)"):
-        ds.saturation_hosts(ds.DDS, 1, 10, beside=laptop, limit=np.ones((3, 3)))
-    with pytest.raises(TypeError, match="endpoints must be a number here, not an expression"):
-        ds.saturation_hosts(ds.DDS, 1, 10, beside=ds.Fleet.swarm(1, 1, N_E))
+        ds.saturation_hosts(ds.DDS, fleet=fleet_of([(1, 1, 678), (3, 1, 678)]))
+    with pytest.raises(
+        ValueError, match=r"broadcast.*groups\[1\].endpoints \(2, 1\), limit \(3, 3\)"
+    ):
+        ds.saturation_hosts(ds.DDS, fleet=fleet, limit=np.ones((3, 3)))
+    with pytest.raises(TypeError, match=r"endpoints must be a number here, not an"):
+        ds.saturation_hosts(ds.DDS, fleet=fleet_of([(1, 1, 10), (1, 1, N_E)]))
+    with pytest.raises(TypeError, match=r"no parameter 'beside' since 0\.3\.0; use fleet="):
+        ds.saturation_hosts(ds.DDS, 1, 10, beside=fleet)
 
 
 def test_repr_reads_well_and_makes_the_same_group() -> None:
@@ -248,7 +262,9 @@ def test_a_fleet_is_read_from_toml(tmp_path: Path) -> None:
         """,
         encoding="utf-8",
     )
-    expected = ds.Fleet((ds.HostGroup(10, 1, 678, name="Roboter äöü"), ds.HostGroup(1, 2, 90.5)))
+    # Each group shares what ROS 2 makes for a process and for the likely number of its nodes.
+    robots = ds.HostGroup(10, 1, 678, name="Roboter äöü", shared=2 + 2 * likely_nodes(678))
+    expected = ds.Fleet((robots, ds.HostGroup(1, 2, 90.5, shared=2 + 2 * likely_nodes(90.5))))
     assert ds.Fleet.from_toml(path) == ds.Fleet.from_toml(str(path)) == expected
 
 
@@ -291,10 +307,11 @@ def test_what_is_shared_may_stand_in_the_file(tmp_path: Path) -> None:
     assert pickle.loads(pickle.dumps(group)) == group
     assert repr(group) == "HostGroup(hosts=2, processes=1, endpoints=50, shared=4)"
     # Of 50 endpoints 4 match by themselves, and of the others the fleet's part.
-    assert fleet.matched() == 2 * 4
-    assert ds.Fleet(fleet.groups, matching=0.5).matched() == 2 * (4 + 46 / 2)
+    matched = ds.Unit("matched endpoint")
+    assert matched.count(fleet) == 2 * 4
+    assert matched.count(ds.Fleet(fleet.groups, matching=0.5)) == 2 * (4 + 46 / 2)
     table = ds.PROTOCOLS["Fast DDS Discovery Server"]
-    full = ds.saturation_hosts(table, 1, 50, shared=4)
+    full = ds.saturation_hosts(table, fleet=fleet)
     whole = replace(group, hosts=full)
     assert ds.utilization(table, ds.Fleet((whole,))) == pytest.approx(1, rel=1e-9)
     assert full < ds.saturation_hosts(table, 1, 50)

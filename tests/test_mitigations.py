@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 import discostorm as ds
 from discostorm import measured
 from discostorm.data import read_data
-from discostorm.messages import HOPS, UNITS
+from discostorm.messages import HOPS
+from discostorm.model import burst
 from discostorm.protocols import ARRANGED
-from discostorm.scalability import burst
 
 TABLES = {name: ds.PROTOCOLS[name] for name in measured.arrangements()}
 SERVERS = [name for name in TABLES if "Discovery Server" in name]
@@ -163,24 +163,6 @@ def test_a_wired_server_takes_one_hop_and_one_on_a_robot_two() -> None:
     alone = ds.Fleet(ds.Fleet.swarm(1, 3, 10).groups, matching=1)
     assert float(ds.utilization(robot, alone)) == 0
     assert float(ds.utilization(wired, alone)) > 0
-
-
-def test_a_robot_with_the_server_can_be_left_out() -> None:
-    """The server is then on a host of the next group."""
-    groups = (ds.HostGroup(1, 3, 10), ds.HostGroup(4, 2, 5))
-    rest = ds.Fleet(groups).without(range(2))
-    alone = [ds.Fleet(groups[1:]), ds.Fleet(groups[:1])]
-    assert rest.away().tolist() == [fleet.away() for fleet in alone]
-
-
-def test_a_kind_of_host_that_is_left_out_is_none_any_more() -> None:
-    groups = (ds.HostGroup(1, 3, 10, shared=2), ds.HostGroup(4, 2, 5), ds.HostGroup(2, 1, 7))
-    rest = ds.Fleet(groups).without(range(3))
-    for number in range(3):
-        others = ds.Fleet(tuple(g for i, g in enumerate(groups) if i != number))
-        for unit in UNITS.values():
-            count = np.broadcast_to(unit.count(rest), 3)[number]
-            assert count == pytest.approx(unit.count(others), rel=1e-12), unit.name
 
 
 def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,7 +14,7 @@ from numpy.typing import ArrayLike
 import discostorm as ds
 from discostorm import _numeric, notation
 from discostorm.notation import N_E, N_H, N_P
-from discostorm.scalability import saturation
+from discostorm.saturation import saturation
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 each_protocol = pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
@@ -301,9 +300,9 @@ def test_a_fleet_counts_what_enumeration_counts(groups: list[tuple[int, int, int
     fleet = ds.Fleet(tuple(ds.HostGroup(*group) for group in groups))
     hosts = [(p, e) for h, p, e in groups for _ in range(h)]
     ordered = [(a, b) for i, a in enumerate(hosts) for j, b in enumerate(hosts) if i != j]
-    assert fleet.processes() == sum(p for p, _ in hosts)
-    assert fleet.pairs() == sum(a[0] * b[0] for a, b in ordered)
-    assert fleet.endpoint_pairs() == sum(a[0] * a[1] * b[0] for a, b in ordered)
+    assert ds.PROCESS.count(fleet) == sum(p for p, _ in hosts)
+    assert ds.PAIR.count(fleet) == sum(a[0] * b[0] for a, b in ordered)
+    assert ds.ENDPOINT_PAIR.count(fleet) == sum(a[0] * a[1] * b[0] for a, b in ordered)
 
 
 # What the arguments may look like
@@ -376,13 +375,12 @@ def test_arguments_stay_as_they_were() -> None:
 @pytest.mark.parametrize(
     "shape",
     [
-        (2 * _numeric._BLOCK + 3,),
-        (_numeric._BLOCK // 2 + 1, 3),
-        (3, _numeric._BLOCK + 1),
-        (2, _numeric._BLOCK + 1),
+        (65_539,),
+        (16_385, 3),
+        (3, 32_769),
     ],
 )
-def test_blocks_join_to_what_scalars_give(shape: tuple[int, ...]) -> None:
+def test_many_swarms_give_what_each_alone_gives(shape: tuple[int, ...]) -> None:
     hosts = np.linspace(1, 50, int(np.prod(shape))).reshape(shape)
     column = np.linspace(1, 9, shape[0]).reshape(-1, *[1] * (len(shape) - 1))
     result = ds.utilization(ds.DDS, hosts, column, 10)
@@ -440,19 +438,37 @@ def test_what_grows_linearly_is_solved() -> None:
     assert ds.utilization(announced, hosts, 2, 10) == pytest.approx(1, rel=1e-12)
 
 
-def with_count(count: Any) -> ds.Protocol:
-    return ds.Protocol("own", (replace(ds.DDS.messages[0], unit=ds.Unit("own", count)),))
+def with_unit(unit: ds.Unit) -> ds.Protocol:
+    return ds.Protocol("own", (replace(ds.DDS.messages[0], unit=unit),))
 
 
 def test_what_does_not_grow_is_not_solved() -> None:
-    own = with_count(lambda _: 1)
+    own = with_unit(ds.Unit("fleet"))
     assert ds.utilization(own, 3, 2, 10) > 0
     with pytest.raises(ValueError, match="utilization must grow with hosts"):
         ds.saturation_hosts(own, 2, 10, limit=100)
 
 
-def test_what_grows_as_the_fourth_power_is_solved_in_numbers_alone() -> None:
-    own = with_count(lambda fleet: sum(group.hosts**4 for group in fleet.groups))
+@pytest.mark.parametrize(
+    "unit",
+    [
+        ds.Unit("host", "other host", "link"),
+        ds.Unit("process", "remote process", "third process"),
+        ds.Unit("matched endpoint of others", "server"),
+    ],
+    ids=str,
+)
+def test_what_grows_faster_than_the_square_is_solved_in_numbers_only(unit: ds.Unit) -> None:
+    own = with_unit(unit)
+    fleet = ds.Fleet((ds.HostGroup(1, 2, 10), ds.HostGroup(3, 1, 90)), matching=0.5)
+    for limit in (1, 100, 1e9):
+        hosts = ds.saturation_hosts(own, limit=limit, fleet=fleet)
+        grown = replace(fleet, groups=(replace(fleet.groups[0], hosts=hosts), fleet.groups[1]))
+        assert ds.utilization(own, grown) == pytest.approx(limit, rel=1e-12)
+
+
+def test_what_grows_as_the_fourth_power_is_not_solved_in_symbols() -> None:
+    own = with_unit(ds.Unit("host", "other host", "link"))
     hosts = ds.saturation_hosts(own, 2, 10, limit=[1, 100])
     assert ds.utilization(own, hosts, 2, 10) == pytest.approx([1, 100], rel=1e-12)
     with pytest.raises(ValueError, match="utilization must grow with hosts, at most as"):

@@ -142,9 +142,10 @@ def test_saturation_of_a_fourth_power_is_where_utilization_is_one() -> None:
     roots = (powers - 1).roots()
     (wanted,) = roots[np.isreal(roots) & (roots.real > 1)].real
     assert ds.saturation_hosts(table, 2, 10) == pytest.approx(wanted, rel=1e-6)
-    beside = ds.Fleet((ds.HostGroup(2, 1, 90),), matching=0.5)
-    full = ds.saturation_hosts(table, 2, 10, beside=beside)
-    both = ds.Fleet((ds.HostGroup(full, 2, 10), *beside.groups), matching=0.5)
+    laptops = ds.HostGroup(2, 1, 90)
+    mixed = ds.Fleet((ds.HostGroup(1, 2, 10), laptops), matching=0.5)
+    full = ds.saturation_hosts(table, fleet=mixed)
+    both = ds.Fleet((ds.HostGroup(full, 2, 10), laptops), matching=0.5)
     assert ds.utilization(table, both) == pytest.approx(1, rel=1e-12)
 
 

@@ -13,7 +13,7 @@ import pytest
 import discostorm as ds
 from discostorm import staggered
 from discostorm.data import read_data
-from discostorm.scalability import burst
+from discostorm.model import burst
 from discostorm.simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[1]

@@ -23,7 +23,6 @@ import discostorm as ds
 from discostorm import simulation, staggered
 from discostorm.cli import main
 from discostorm.data import data_path
-from discostorm.fleet import Hosts
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
 from discostorm.simulation._compile import shown
 from discostorm.simulation._memory import available
@@ -214,14 +213,13 @@ FLEETS = [
 def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit) -> None:
     for fleet in FLEETS:
         hosts, found = hosts_of(fleet), 0.0
-        assert unit.senders is not None
-        sent = unit.senders(hosts)
+        sent, received = unit.senders(hosts), unit.receivers(hosts)
         for sender, here in enumerate(hosts.host_of):
-            if unit.receivers is None:
+            if received is None:
                 found += sent[sender]
                 continue
             for receiver, there in enumerate(hosts.host_of):
-                found += sent[sender] * unit.receivers(hosts)[receiver] * (here != there)
+                found += sent[sender] * received[receiver] * (here != there)
         assert found == pytest.approx(unit.count(fleet), rel=1e-12)
 
 
@@ -274,18 +272,10 @@ def test_what_is_inside_a_frame_makes_it_longer() -> None:
         plan(fleet, lonely, RADIO.wifi())
 
 
-def only_server(hosts: Hosts) -> NDArray[np.int64]:
-    return np.arange(hosts.every.size) == 0  # type: ignore[return-value]
-
-
-def only_clients(hosts: Hosts) -> NDArray[np.int64]:
-    return hosts.host_of > 0  # type: ignore[return-value]
-
-
 @pytest.mark.parametrize("hops", [("up",), ("down",), ("up", "down")])
 def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) -> None:
     fleet = ds.Fleet.swarm(5, 2, 10)
-    to_server = ds.Unit("client", lambda _: 8.0, only_clients, only_server)
+    to_server = ds.Unit("process", "server")
     row = replace(SEDP, unit=to_server, per_unit=3, hops=hops, answers=None)
     found = ds.simulate(fleet, ds.Protocol("own", (row,)), RADIO.wifi(), queue=None, recovery=False)
     assert found.counts["expected"] == found.counts["arrived"] == 3 * 8
@@ -797,23 +787,12 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         ds.simulate(ds.Fleet.symbolic(1), ds.DDS, wifi)
     with pytest.raises(ValueError, match="wifi must have a radio"):
         ds.simulate(SWARM, ds.DDS, replace(wifi, radio=None))
-    odd = ds.Unit("odd", ds.Fleet.pairs)
-    table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
-    with pytest.raises(ValueError, match=r"message 'SEDP': unit must declare its senders.*'odd'"):
-        ds.simulate(SWARM, table, wifi)
-    odd = ds.Unit("odd", ds.Fleet.processes, PROCESS.senders)
-    table = ds.Protocol("own", (replace(SEDP, unit=odd, answers=None),))
+    table = ds.Protocol("own", (replace(SEDP, unit=PROCESS, answers=None),))
     with pytest.raises(ValueError, match=r"'SEDP': cast must be 'multicast', or hops only one"):
         ds.simulate(SWARM, table, wifi)
     twice = replace(ds.DDS, messages=(ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
     with pytest.raises(ValueError, match="a process must send at most 16384 to each other"):
         ds.simulate(ds.Fleet.swarm(2, 1, 16_000), twice, wifi)
-
-
-def told_by(senders: Any, receivers: Any = None) -> ds.Unit:
-    """Return a unit whose functions return these."""
-    one = None if receivers is None else lambda _: receivers
-    return ds.Unit("own", lambda _: 10.0, lambda _: senders, one)
 
 
 @pytest.mark.parametrize(
@@ -828,28 +807,6 @@ def told_by(senders: Any, receivers: Any = None) -> ds.Unit:
             {"payload": ds.Payload(65_472, 0, 1e9, "own")},
             ValueError,
             "its frames must have at most 65535 B with headers to be simulated; got 65536",
-        ),
-        (
-            {"unit": told_by(np.ones(3))},
-            ValueError,
-            r"senders must be a number for each of the 10 processes; got shape \(3,\)",
-        ),
-        ({"unit": told_by(np.full(10, np.nan))}, ValueError, "senders must be .*; got nan"),
-        (
-            {"unit": told_by(-np.ones(10))},
-            ValueError,
-            r"senders must be .* of at least 0 and at most 1e\+09; got -1",
-        ),
-        ({"unit": told_by(["a"] * 10)}, TypeError, "senders must be a finite number of"),
-        (
-            {"unit": told_by(np.ones(10), np.ones(11))},
-            ValueError,
-            r"receivers must be a number for each of the 10 processes; got shape \(11,\)",
-        ),
-        (
-            {"unit": told_by(np.ones(10), np.full(10, 0.5))},
-            ValueError,
-            "receivers must be 0 or 1; got 0.5",
         ),
     ],
 )

@@ -15,8 +15,8 @@ import discostorm as ds
 from discostorm import timeline
 from discostorm.data import data_path
 from discostorm.messages import ONCE, PROCESS, Message, Payload, Protocol, Schedule
+from discostorm.model import burst
 from discostorm.protocols.defaults import defaults
-from discostorm.scalability import burst
 
 FAST_DDS, CYCLONE_DDS, ZENOH_PEER = PRODUCTS = tuple(
     ds.PROTOCOLS[name]

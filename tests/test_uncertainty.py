@@ -15,8 +15,9 @@ import sympy as sp
 from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
-from discostorm import notation as nt, scalability, uncertainty
+from discostorm import notation as nt, uncertainty
 from discostorm.data import read_data
+from discostorm.saturation import saturation
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 both = pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
@@ -206,7 +207,7 @@ def test_each_limit_is_held_against_its_own_swarm(protocol: ds.Protocol) -> None
 def test_slopes_are_finite_differences_of_the_closed_form(protocol: ds.Protocol) -> None:
     table = uncertainty.sensitivity(protocol, 2, 10)
     values = protocol.values() | ds.PAPER.values()
-    closed = ds.lambdify([nt.N_P, nt.N_E, nt.U_LIMIT, *values], scalability.saturation(protocol))
+    closed = ds.lambdify([nt.N_P, nt.N_E, nt.U_LIMIT, *values], saturation(protocol))
     hosts = ds.saturation_hosts(protocol, 2, 10)
     for symbol, value in values.items():
         step = 1e-4 * value
@@ -257,7 +258,7 @@ def test_samples_stay_in_the_bounds_and_spread_as_the_slopes_say(protocol: ds.Pr
     low, high = uncertainty.bounds(protocol, 7, 2, 10)
     assert low <= sampled.min() <= sampled.max() <= high
 
-    closed = ds.lambdify([nt.N_P, nt.N_E, nt.U_LIMIT, *drawn], scalability.saturation(protocol))
+    closed = ds.lambdify([nt.N_P, nt.N_E, nt.U_LIMIT, *drawn], saturation(protocol))
     hosts = np.asarray(closed(2, 10, 1, *drawn.values()))
     middle = {name: sum(ends) / 2 for name, ends in ranges.items()}
     table = uncertainty.sensitivity(protocol, 2, 10, values=middle)

@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import _numeric, notation as nt, wifi as wf
 from discostorm._numeric import evaluate
 from discostorm.data import data_path, read_data
-from discostorm.scalability import saturation
+from discostorm.saturation import saturation
 
 Key = tuple[str, int, int, int, int]
 

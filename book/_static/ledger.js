@@ -8,7 +8,8 @@ window.addEventListener("DOMContentLoaded", () => {
   const names = heads.map((head) => head.textContent.trim());
   const column = (name) => names.indexOf(name);
   const text = (row, index) => row.cells[index].textContent.trim();
-  const verdict = (row) => text(row, column("verdict")).replace(/^\S+ /, "");
+  // The sign before the word, which may be another one.
+  const verdict = (row) => text(row, column("verdict"))[0];
   // A place such as "Sec. IV-B" or "Abstract, Sec. I" belongs to its first part.
   const section = (row) => text(row, column("where")).split(",")[0];
   const make = (name, properties, ...children) => {
@@ -41,7 +42,7 @@ window.addEventListener("DOMContentLoaded", () => {
     count.value = `${rows.filter((row) => !row.hidden).length} of ${rows.length} claims`;
   };
   const buttons = [...new Set(rows.map((row) => text(row, column("verdict"))))].map((label) => {
-    const name = label.replace(/^\S+ /, "");
+    const name = label[0];
     const button = make("button", { type: "button", textContent: label });
     button.dataset.verdict = name;
     button.setAttribute("aria-pressed", "false");

@@ -21,6 +21,7 @@ from discostorm.fleet import COUNTS, Count, Fleet, HostGroup, reject_symbols
 from discostorm.messages import (
     ENDPOINT_PAIR,
     MATCHED_WRITER,
+    PAIR,
     UNMATCHED,
     Message,
     Protocol,
@@ -352,7 +353,7 @@ class Capture:
         groups = seen.fleet.groups
         if 0 < announced < 1:
             groups = tuple(replace(g, endpoints=g.endpoints / announced) for g in groups)
-        if announced > 1 and (pairs := seen.count(Fleet.pairs)) > 0:
+        if announced > 1 and (pairs := seen.count(PAIR.count)) > 0:
             # A token for each endpoint and for the node.
             tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
             groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
@@ -372,7 +373,7 @@ class Capture:
         else:
             answers = rows[rows["kind"] == "User ACKNACK"]
             saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-            most = all_.count(Fleet.matched_writers)
+            most = all_.count(MATCHED_WRITER.count)
         share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
         return replace(seen, fleet=Fleet(groups, share))
 

@@ -11,7 +11,7 @@ import discostorm as ds
 from discostorm.cli.fleets import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, seconds, working
-from discostorm.scalability import message_costs
+from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
 
@@ -61,4 +61,4 @@ def breakdown(
         },
     )
     if output.for_people:
-        members.tell_assumed(protocols)
+        members.tell_alone()

@@ -9,12 +9,15 @@ import click
 
 from discostorm.cli.options import output_options
 from discostorm.cli.output import Output, live, print_rows, working
+from discostorm.data import read_data
+
+VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv")]
 
 
 @click.command(short_help="The paper's claims and their verdicts.")
 @click.option(
     "--verdict",
-    type=click.Choice(["reproduced", "qualified", "contradicted", "not checkable"]),
+    type=click.Choice(VERDICTS),
     help="Only claims with this verdict.",
 )
 @output_options
@@ -39,5 +42,5 @@ def claims(verdict: str | None, output: Output) -> None:
         chosen = [{name: row[name] for name in shown} for row in chosen]
     print_rows(chosen, output)
     if output.for_people:
-        found = ", ".join(f"{counts[known]} {known}" for known in ledger.VERDICTS)
+        found = ", ".join(f"{counts[known]} {known}" for known in VERDICTS)
         click.echo(f"\n{len(rows)} claims: {found}.")

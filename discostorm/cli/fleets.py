@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, BinaryIO
 
@@ -12,8 +12,6 @@ import click
 import discostorm as ds
 from discostorm import words
 from discostorm.cli.options import numbers, packed
-from discostorm.cli.output import visible
-from discostorm.scalability import depends_on_names
 
 hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
 several_hosts_option = click.option(
@@ -21,9 +19,8 @@ several_hosts_option = click.option(
 )
 
 _MATCHING = (
-    "Tables of what products send depend on what matches. A group of a fleet file that tells "
-    "`nodes` shares what ROS 2 does, one that tells `shared` so much; else nothing is shared, and "
-    "a line says so."
+    "Measured models depend on which endpoints match. The processes of a fleet file share ROS 2's "
+    "own topics unless the file says `shared`; hosts given by --hosts share nothing."
 )
 
 
@@ -46,11 +43,10 @@ class Members:
         hosts = self.arguments["hosts"]
         return hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**self.arguments)
 
-    def tell_assumed(self, protocols: Iterable[ds.Protocol]) -> None:
-        """Say that one is alone, and what nobody says."""
+    def tell_alone(self) -> None:
+        """Say that one is alone."""
         if self.alone:
             click.echo(f"\n{words.ALONE}")
-        tell_unshared(self.fleet, protocols)
 
 
 def read(file: str) -> ds.Fleet:
@@ -65,21 +61,6 @@ def says_what_matches(command: click.Command) -> click.Command:
     assert command.help
     command.help = command.help.replace("{matching}", _MATCHING)
     return command
-
-
-def tell_unshared(fleet: ds.Fleet, protocols: Iterable[ds.Protocol]) -> None:
-    """Say that nobody says what ROS 2 shares, if it matters to a protocol."""
-    unknown = [
-        name
-        for name, group in zip(fleet.names, fleet.groups, strict=True)
-        if group.nodes is None and not group.shared
-    ]
-    if not unknown or fleet.matching == 1 or not any(map(depends_on_names, protocols)):
-        return
-    start = f"Of {words.listed(unknown)}, "
-    if len(unknown) == len(fleet.groups):
-        start = "" if fleet.matching else "No names match: "
-    click.echo("\n" + visible(words.wrapped(words.capitalized(start + words.UNSHARED))))
 
 
 def standard_input() -> BinaryIO:

@@ -16,11 +16,9 @@ from discostorm.cli.fleets import (
     file_or_counts,
     read,
     says_what_matches,
-    tell_unshared,
 )
 from discostorm.cli.options import output_options, packed, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_rows, working
-from discostorm.scalability import hosts_of_group
 from discostorm.wifi import Wifi
 
 
@@ -120,14 +118,23 @@ def saturation(
         {"limit": percent, "hosts": _hosts},
         {"hosts": "saturated at hosts", "fit": "hosts that fit"},
     )
-    if output.for_people:
-        tell_unshared(kinds[0].fleet, protocols)
 
 
 def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
     """Return at how many hosts of a kind the channel is full; None if one is too many."""
     group = kind.fleet.groups[kind.index]
-    hosts = hosts_of_group(protocol, kind.fleet, kind.index, wifi, limit)
+    one = replace(group, hosts=1)
+    groups = (*kind.fleet.groups[: kind.index], one, *kind.fleet.groups[kind.index + 1 :])
+    hosts = None
+    if (
+        ds.utilization(protocol, replace(kind.fleet, groups=groups), wifi=wifi) <= limit
+        or limit <= 0
+    ):
+        hosts = float(
+            ds.saturation_hosts(
+                protocol, wifi=wifi, limit=limit, fleet=kind.fleet, group=kind.index
+            )
+        )
     return kind.columns | {
         "processes": float(group.processes),
         "endpoints": float(group.endpoints),

@@ -51,7 +51,7 @@ def utilization(
                 )
     print_rows(rows, output, {"utilization": percent, "fits": _yes})
     if output.for_people:
-        members.tell_assumed(protocols)
+        members.tell_alone()
 
 
 def _yes(value: bool) -> str:

@@ -4,9 +4,6 @@
 `protocol` the table.
 """
 
-from typing import TYPE_CHECKING, Any
-
-from discostorm.messages import units
 from discostorm.messages.message import (
     HOPS,
     LEAST_PER_UNIT,
@@ -19,84 +16,46 @@ from discostorm.messages.message import (
     hop_airtime,
 )
 from discostorm.messages.protocol import Basis, Family, Protocol, Timers
-from discostorm.messages.schedule import ONCE, PAPER_WINDOW, Schedule
+from discostorm.messages.schedule import ONCE, PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import (
     AWAY,
     ENDPOINT,
-    ENDPOINT_AWAY,
-    ENDPOINT_HOST,
     ENDPOINT_PAIR,
-    ENDPOINT_PROCESS,
-    ENDPOINT_THIRD,
     FLEET,
-    FLOOD,
     HOST,
     HOST_PAIR,
     KIND_ENDPOINT,
-    LISTED,
-    LISTED_PAIR,
-    MATCHED_ENDPOINT,
-    MATCHED_ENDPOINT_AWAY,
-    MATCHED_HOST,
-    MATCHED_PAIR,
-    MATCHED_PROCESS_PAIR,
-    MATCHED_PROCESS_PAIR_AWAY,
     MATCHED_WRITER,
     PAIR,
     PROCESS,
-    PROCESS_HOST,
-    PROCESS_PAIR,
-    THIRD,
     UNITS,
     UNMATCHED,
-    UNMATCHED_ENDPOINT,
-    UNMATCHED_HOST,
-    WRITER,
-    OfProcesses,
+    Hosts,
     Unit,
 )
 
 __all__ = [
     "AWAY",
     "ENDPOINT",
-    "ENDPOINT_AWAY",
-    "ENDPOINT_HOST",
     "ENDPOINT_PAIR",
-    "ENDPOINT_PROCESS",
-    "ENDPOINT_THIRD",
     "FLEET",
-    "FLOOD",
     "HOPS",
     "HOST",
     "HOST_PAIR",
     "KIND_ENDPOINT",
     "LEAST_PER_UNIT",
-    "LISTED",
-    "LISTED_PAIR",
-    "MATCHED_ENDPOINT",
-    "MATCHED_ENDPOINT_AWAY",
-    "MATCHED_HOST",
-    "MATCHED_PAIR",
-    "MATCHED_PROCESS_PAIR",
-    "MATCHED_PROCESS_PAIR_AWAY",
     "MATCHED_WRITER",
     "ONCE",
     "PAIR",
     "PAPER_WINDOW",
     "PROCESS",
-    "PROCESS_HOST",
-    "PROCESS_PAIR",
-    "THIRD",
     "UNITS",
     "UNMATCHED",
-    "UNMATCHED_ENDPOINT",
-    "UNMATCHED_HOST",
-    "WRITER",
     "Basis",
     "Family",
     "Hop",
+    "Hosts",
     "Message",
-    "OfProcesses",
     "Payload",
     "Protocol",
     "Role",
@@ -104,13 +63,7 @@ __all__ = [
     "Timers",
     "Transport",
     "Unit",
+    "checked_window",
     "header_bytes",
     "hop_airtime",
 ]
-
-
-if not TYPE_CHECKING:
-
-    def __getattr__(name: str) -> Any:
-        # What was pickled when this was one module names the functions of its units here.
-        return getattr(units, name)

@@ -20,12 +20,13 @@ _ROUNDING = 1e-9
 _MOST_ROUNDS = 1e8
 
 
-def checked_window(window: sp.Expr | float) -> Any:
-    """Return a window [s] in symbols, or as a number above zero."""
+def checked_window(window: sp.Expr | ArrayLike) -> Any:
+    """Return a window [s] in symbols, or as numbers above zero."""
     if isinstance(window, sp.Expr) and window.free_symbols:
         return window
     span = np.inf if window is sp.oo else window
-    return _checks.number("window", span, _checks.LEAST_SECONDS, endless=True)
+    check = _checks.numbers if isinstance(span, (np.ndarray, list, tuple)) else _checks.number
+    return check("window", span, _checks.LEAST_SECONDS, endless=True)
 
 
 @dataclass(frozen=True)
@@ -107,12 +108,12 @@ class Schedule:
     def mean(self, window: Any) -> Any:
         """Return how many are sent in an average second of the first `window` seconds [1/s].
 
-        As an upper bound, see `extra`. The window may be a sympy expression [s].
+        As an upper bound, see `extra`. The window may be an array or a sympy expression [s].
         """
         span = checked_window(window)
-        if isinstance(span, sp.Expr):
-            return plain(self.extra) / span + plain(self.per_second)
-        return plain(self.extra / span + self.per_second)
+        if isinstance(span, float):
+            return plain(self.extra / span + self.per_second)
+        return plain(self.extra) / span + plain(self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
         """Return how many are sent from 0 up to and including a time.

@@ -1,234 +1,341 @@
-"""What messages are counted by: what one of it is called, how many a fleet has, who sends them."""
+"""What messages are counted by: one of what, to whom, and how many of them a fleet has.
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any
+A unit has two or three parts. *What* is sent for: a process, an endpoint, a host. *To* whom each
+goes: to all at once, or once to each remote process, host or server. A *factor* multiplies both
+where a third party has a say. `Unit.count` counts them in a fleet of groups; `Unit.senders` and
+`Unit.receivers` name them, process by process, for those who follow each message.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm.fleet import Count, Fleet, Hosts
+from discostorm._numeric import plain
+from discostorm.fleet import Count, Fleet, HostGroup
 
-#: Takes the hosts one by one, returns a number for each of their processes.
-OfProcesses = Callable[[Hosts], NDArray[Any]]
+What = Literal[
+    "process",
+    "endpoint",
+    "matched endpoint",
+    "unmatched endpoint",
+    "matched writer",
+    "matched endpoint of others",
+    "listed endpoint",
+    "endpoint of a kind of host",
+    "matched endpoint of a host",
+    "host",
+    "fleet",
+]
+To = Literal["all", "other process", "remote process", "other host", "server"]
+Factor = Literal["third process", "match", "matched process", "link"]
+
+
+@dataclass(frozen=True, eq=False)
+class Hosts:
+    """A fleet of whole numbers, host by host, for those who name everybody.
+
+    Parameters
+    ----------
+    processes, endpoints : ndarray
+        Processes on each host, and endpoints of each of its processes [1].
+    group : ndarray, optional
+        The number of each host's group; all of one if left out.
+    matching : float, optional
+        That of the fleet [1].
+    shared : ndarray, optional
+        Of each host's processes, the endpoints that match in every other process [1].
+    """
+
+    processes: NDArray[np.int64]
+    endpoints: NDArray[np.int64]
+    group: NDArray[np.int64] | None = None
+    matching: float = 0.0
+    shared: NDArray[np.float64] | None = None
+
+    @property
+    def first(self) -> NDArray[np.int64]:
+        """The number of the first process of each host."""
+        return np.cumsum(self.processes) - self.processes
+
+    @property
+    def host_of(self) -> NDArray[np.int64]:
+        """The host of each process."""
+        return np.repeat(np.arange(self.processes.size), self.processes)
+
+    @property
+    def endpoints_of(self) -> NDArray[np.int64]:
+        """The endpoints of each process [1]."""
+        return self.endpoints[self.host_of]
+
+    @property
+    def matched_of(self) -> NDArray[np.float64]:
+        """How many of the endpoints of each process match one in every other [1]."""
+        shared = 0.0 * self.endpoints if self.shared is None else self.shared
+        shared = shared[self.host_of]
+        matched: NDArray[np.float64] = shared + (self.endpoints_of - shared) * self.matching
+        return matched
+
+    @property
+    def matches(self) -> bool:
+        """Whether anything matches."""
+        return self.matching > 0 or (self.shared is not None and bool(self.shared.any()))
+
+    @property
+    def every(self) -> NDArray[np.int64]:
+        """1 for each process."""
+        return np.ones(self.host_of.size, np.int64)
+
+    @property
+    def speakers(self) -> NDArray[np.int64]:
+        """1 for the first process of each host, 0 for others."""
+        return np.isin(np.arange(self.host_of.size), self.first).astype(np.int64)
+
+    @property
+    def of_first_hosts(self) -> NDArray[np.int64]:
+        """1 for each process on the first host of each group, 0 for others."""
+        group = np.zeros_like(self.processes) if self.group is None else self.group
+        _, first = np.unique(group, return_index=True)
+        return np.isin(self.host_of, first).astype(np.int64)
 
 
 @dataclass(frozen=True)
 class Unit:
     """What a message is sent once, twice or more for; a fleet says how many there are.
 
-    Who sends and who receives matters to those who name each message, such as `simulate`.
-    The sum of the senders' numbers, for pairs over the receivers on other hosts, is the count.
-
     Parameters
     ----------
-    name : str
-        What one of them is called.
-    count : callable
-        Takes a `Fleet`, returns how many of them it has [1].
-    senders : callable, optional
-        Takes `discostorm.fleet.Hosts`, returns for each process how many of them it sends for
-        [1]: in all, or to each receiver.
-    receivers : callable, optional
-        Takes the same, returns 1 for each process that receives from each on another host, else
-        0. None if it is no unit of pairs: what is sent for it is for all, or for a peer that is
-        wired to the access point.
+    what : str
+        What there is one of. Half of the matched endpoints are taken for writers. A *listed
+        endpoint* is in the list of its process each time that the process makes an endpoint: of
+        :math:`N_E` endpoints :math:`N_E (N_E + 1) / 2` times. *Endpoint of a kind of host* counts
+        one host of each group, *matched endpoint of a host* one process of each host.
+    to : str, optional
+        Who it is sent to: ``all`` at once if left out; to each ``other process``, but in one
+        message for all; to each ``remote process``, on other hosts; to each ``other host``; to a
+        ``server`` on a host of the first group, from the other hosts.
+    factor : str, optional
+        What multiplies the count: each ``third process``; 1 if anything in the fleet matches and
+        else 0 (``match``); each other process if anything matches (``matched process``); each end
+        of a link that a further host hears of (``link``).
+
+    Raises
+    ------
+    ValueError
+        If a part is none of these.
+
+    Examples
+    --------
+    >>> Unit("endpoint", "remote process").count(Fleet.swarm(3, 2, 10))
+    240.0
     """
 
-    name: str
-    # How a function is shown has its address in it, which is another one each time.
-    count: Callable[[Fleet], Count] = field(repr=False)
-    senders: OfProcesses | None = field(default=None, repr=False)
-    receivers: OfProcesses | None = field(default=None, repr=False)
+    what: What
+    to: To = "all"
+    factor: Factor | None = None
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        if not callable(self.count):
-            raise TypeError(
-                f"count must take a Fleet and return how many; got {_checks.short(self.count)}"
-            )
-        for side in ("senders", "receivers"):
-            if not (getattr(self, side) is None or callable(getattr(self, side))):
-                raise TypeError(
-                    f"{side} must take Hosts and return a number for each process; "
-                    f"got {getattr(self, side)!r}"
-                )
+        _checks.choice("what", self.what, get_args(What))
+        _checks.choice("to", self.to, get_args(To))
+        if self.factor is not None:
+            _checks.choice("factor", self.factor, get_args(Factor), ", or None")
+
+    @property
+    def name(self) -> str:
+        """What one of them is called, in data files as well."""
+        names = {unit: name for name, unit in UNITS.items()}
+        own = f"{self.what} to {self.to}" + (f" by {self.factor}" if self.factor else "")
+        return names.get(self, own)
+
+    @property
+    def to_each(self) -> bool:
+        """Whether each receiver gets its own, rather than all the same."""
+        return self.to not in ("all", "other process")
+
+    def count(self, fleet: Fleet) -> Count:
+        """Return how many of them a fleet has: a number, array or expression, as its counts."""
+        total: Count = 0
+        for index, group in enumerate(fleet.groups):
+            own = _holders(self.what, fleet, index, away=self.to == "server")
+            own = own * _receivers(self.to, fleet, index)
+            total = total + own * _each(self.what, fleet, group)
+        return total if self.factor is None else total * _factor(self.factor, fleet)
+
+    def senders(self, hosts: Hosts) -> NDArray[Any]:
+        """Return for how many of them each process sends: to all, or to each receiver [1]."""
+        every, speakers = hosts.every, hosts.speakers
+        others = hosts.every.size - 1
+        matched = hosts.matched_of
+        sent: dict[What, NDArray[Any]] = {
+            "process": every,
+            "endpoint": hosts.endpoints_of,
+            "matched endpoint": matched,
+            "unmatched endpoint": hosts.endpoints_of - matched,
+            "matched writer": matched / 2,
+            "matched endpoint of others": matched.sum() - matched,
+            "listed endpoint": hosts.endpoints_of * (hosts.endpoints_of + 1) / 2,
+            "endpoint of a kind of host": hosts.endpoints_of * hosts.of_first_hosts,
+            "matched endpoint of a host": speakers * matched,
+            "host": speakers,
+            "fleet": np.eye(1, every.size, dtype=np.int64).ravel(),
+        }
+        remote_hosts = hosts.processes.size - 1
+        times: dict[Factor | None, float] = {
+            None: 1,
+            "third process": every.size - 2,
+            "match": hosts.matches,
+            "matched process": others * hosts.matches,
+            "link": remote_hosts * (remote_hosts - 1),
+        }
+        if self.to == "other process":
+            return sent[self.what] * others * times[self.factor]
+        if self.to == "server":
+            return sent[self.what] * times[self.factor] * (hosts.host_of > 0)
+        return sent[self.what] * times[self.factor]
+
+    def receivers(self, hosts: Hosts) -> NDArray[Any] | None:
+        """Return 1 for each process that receives from each on another host, else 0.
+
+        None if each goes to all at once.
+        """
+        if self.to == "remote process":
+            return hosts.every
+        if self.to == "other host":
+            return hosts.speakers
+        if self.to == "server":
+            return np.eye(1, hosts.every.size, dtype=np.int64).ravel()
+        return None
 
 
-def _every(hosts: Hosts) -> NDArray[Any]:
-    return hosts.every
+def _holders(what: What, fleet: Fleet, index: int, away: bool) -> Count:
+    """Return how many processes or hosts of a group have some, perhaps away from the server."""
+    group = fleet.groups[index]
+    if what in ("host", "matched endpoint of a host"):
+        return group.hosts
+    if what == "endpoint of a kind of host":
+        return group.processes
+    if what == "fleet":
+        return int(index == 0)
+    if away and index == 0:
+        return (group.hosts - 1) * group.processes
+    return fleet.processes_of[index]
 
 
-def _speakers(hosts: Hosts) -> NDArray[Any]:
-    return hosts.speakers
+def _each(what: What, fleet: Fleet, group: HostGroup) -> Count:
+    """Return how many of them one process or host of a group has."""
+    shared = plain(group.shared) if isinstance(group.shared, float) else group.shared
+    matched = shared + (group.endpoints - shared) * plain(fleet.matching)
+    if what in ("endpoint", "endpoint of a kind of host"):
+        return group.endpoints
+    if what in ("matched endpoint", "matched endpoint of a host"):
+        return matched
+    if what == "unmatched endpoint":
+        return (group.endpoints - shared) * plain(1 - fleet.matching)
+    if what == "matched writer":
+        return matched / 2
+    if what == "matched endpoint of others":
+        return Unit("matched endpoint").count(fleet) - matched
+    if what == "listed endpoint":
+        return group.endpoints * (group.endpoints + 1) / 2
+    return 1
 
 
-def _endpoints(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of
+def _receivers(to: To, fleet: Fleet, index: int) -> Count:
+    """Return how many of these a process or host of a group sends to."""
+    if to == "other process":
+        return fleet.processes() - 1
+    if to == "remote process":
+        return fleet.remote_of[index]
+    if to == "other host":
+        return fleet.hosts() - 1
+    return 1
 
 
-def _others(hosts: Hosts) -> NDArray[Any]:
-    return hosts.every * (hosts.every.size - 1)
+def _factor(factor: Factor, fleet: Fleet) -> Count:
+    if factor == "third process":
+        return fleet.processes() - 2
+    if factor == "match":
+        return fleet.matches()
+    if factor == "matched process":
+        return (fleet.processes() - 1) * fleet.matches()
+    others = fleet.hosts() - 1
+    return others * (others - 1)
 
 
-def _thirds(hosts: Hosts) -> NDArray[Any]:
-    return hosts.every * (hosts.every.size - 2)
+#: All of them by what data files call them.
+UNITS = {
+    "process": Unit("process"),
+    "ordered pair of processes on different hosts": Unit("process", "remote process"),
+    "endpoint and process on another host": Unit("endpoint", "remote process"),
+    "endpoint": Unit("endpoint"),
+    "ordered pair of processes": Unit("process", "other process"),
+    # What a third process occasions between two.
+    "ordered pair of processes on different hosts and third process": Unit(
+        "process", "remote process", "third process"
+    ),
+    "endpoint, process on another host and third process": Unit(
+        "endpoint", "remote process", "third process"
+    ),
+    "matched writer and process on another host": Unit("matched writer", "remote process"),
+    "host": Unit("host"),
+    "ordered pair of hosts": Unit("host", "other host"),
+    "endpoint of a kind of host": Unit("endpoint of a kind of host"),
+    "fleet": Unit("fleet"),
+    "unmatched endpoint and process on another host": Unit("unmatched endpoint", "remote process"),
+    "endpoint and other process": Unit("endpoint", "other process"),
+    "two endpoints of a process, or one twice": Unit("listed endpoint"),
+    "two endpoints of a process, or one twice, and process on another host": Unit(
+        "listed endpoint", "remote process"
+    ),
+    "unmatched endpoint": Unit("unmatched endpoint"),
+    "matched writer": Unit("matched writer"),
+    # What routers, one a host, tell each other of what is behind them.
+    "process and other host": Unit("process", "other host"),
+    "endpoint and other host": Unit("endpoint", "other host"),
+    "unmatched endpoint and other host": Unit("unmatched endpoint", "other host"),
+    "matched endpoint of a host and other host": Unit("matched endpoint of a host", "other host"),
+    # The news of a link that each router passes on to all others.
+    "end of a link, host that hears of it and other that it tells": Unit(
+        "host", "other host", "link"
+    ),
+    # What a server passes on from one to another, wherever they run.
+    "ordered pair of matched processes": Unit("process", "other process", "match"),
+    "ordered pair of matched processes on different hosts": Unit(
+        "process", "remote process", "match"
+    ),
+    "matched endpoint and other process": Unit("matched endpoint", "other process"),
+    # With a server on a robot, messages of that robot's own processes take no air.
+    "process away from the server": Unit("process", "server"),
+    "endpoint away from the server": Unit("endpoint", "server"),
+    "ordered pair of matched processes, one away from the server": Unit(
+        "process", "server", "matched process"
+    ),
+    "matched endpoint and other process away from the server": Unit(
+        "matched endpoint of others", "server"
+    ),
+}
 
-
-def _endpoint_thirds(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * (hosts.every.size - 2)
-
-
-def _matched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.matched_of / 2
-
-
-def _unmatched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of - hosts.matched_of
-
-
-def _of_kinds(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * hosts.of_first_hosts
-
-
-def _once(hosts: Hosts) -> NDArray[Any]:
-    return np.eye(1, hosts.every.size, dtype=np.int64).ravel()
-
-
-def _endpoint_processes(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * (hosts.every.size - 1)
-
-
-def _listed(hosts: Hosts) -> NDArray[Any]:
-    return hosts.endpoints_of * (hosts.endpoints_of + 1) / 2
-
-
-def _if_matched(hosts: Hosts) -> NDArray[Any]:
-    return hosts.every * hosts.matches
-
-
-def _matched_others(hosts: Hosts) -> NDArray[Any]:
-    return _others(hosts) * hosts.matches
-
-
-def _matched_endpoints(hosts: Hosts) -> NDArray[Any]:
-    return hosts.matched_of * (hosts.every.size - 1)
-
-
-def _away(hosts: Hosts) -> NDArray[Any]:
-    away: NDArray[Any] = hosts.every * (hosts.host_of > 0)
-    return away
-
-
-def _endpoints_away(hosts: Hosts) -> NDArray[Any]:
-    away: NDArray[Any] = hosts.endpoints_of * (hosts.host_of > 0)
-    return away
-
-
-def _matched_others_away(hosts: Hosts) -> NDArray[Any]:
-    others: NDArray[Any] = _matched_others(hosts) * _away(hosts)
-    return others
-
-
-def _matched_endpoints_away(hosts: Hosts) -> NDArray[Any]:
-    others = hosts.matched_of.sum() - hosts.matched_of
-    passed: NDArray[Any] = others * _away(hosts)
-    return passed
-
-
-def _matched_behind(hosts: Hosts) -> NDArray[Any]:
-    return hosts.speakers * hosts.matched_of
-
-
-def _floods(hosts: Hosts) -> NDArray[Any]:
-    others = hosts.processes.size - 1
-    return hosts.speakers * (others * (others - 1))
-
-
-PROCESS = Unit("process", Fleet.processes, _every)
-PAIR = Unit("ordered pair of processes on different hosts", Fleet.pairs, _every, _every)
-ENDPOINT_PAIR = Unit(
-    "endpoint and process on another host", Fleet.endpoint_pairs, _endpoints, _every
-)
-ENDPOINT = Unit("endpoint", Fleet.endpoints, _endpoints)
-#: For what each process sends to the group for each of the others, wherever they run.
-PROCESS_PAIR = Unit("ordered pair of processes", Fleet.process_pairs, _others)
-#: For what a third process occasions between two.
-THIRD = Unit(
-    "ordered pair of processes on different hosts and third process",
-    Fleet.thirds,
-    _thirds,
-    _every,
-)
-ENDPOINT_THIRD = Unit(
-    "endpoint, process on another host and third process",
-    Fleet.endpoint_thirds,
-    _endpoint_thirds,
-    _every,
-)
-MATCHED_WRITER = Unit(
-    "matched writer and process on another host", Fleet.matched_writers, _matched, _every
-)
-HOST = Unit("host", Fleet.hosts, _speakers)
-HOST_PAIR = Unit("ordered pair of hosts", Fleet.host_pairs, _speakers, _speakers)
-#: For what is sent once, however many hosts run the same software.
-KIND_ENDPOINT = Unit("endpoint of a kind of host", Fleet.kinds_endpoints, _of_kinds)
-#: For what the whole fleet sends once.
-FLEET = Unit("fleet", Fleet.once, _once)
-UNMATCHED = Unit(
-    "unmatched endpoint and process on another host", Fleet.unmatched, _unmatched, _every
-)
-ENDPOINT_PROCESS = Unit("endpoint and other process", Fleet.endpoint_processes, _endpoint_processes)
-#: For a list of the endpoints that are made so far, told each time that one is made.
-LISTED = Unit("two endpoints of a process, or one twice", Fleet.lists, _listed)
-LISTED_PAIR = Unit(
-    "two endpoints of a process, or one twice, and process on another host",
-    Fleet.list_pairs,
-    _listed,
-    _every,
-)
-UNMATCHED_ENDPOINT = Unit("unmatched endpoint", Fleet.unmatched_endpoints, _unmatched)
-WRITER = Unit("matched writer", Fleet.writers_that_match, _matched)
-#: For what routers, one a host, tell each other of what is behind them.
-PROCESS_HOST = Unit("process and other host", Fleet.process_hosts, _every, _speakers)
-ENDPOINT_HOST = Unit("endpoint and other host", Fleet.endpoint_hosts, _endpoints, _speakers)
-UNMATCHED_HOST = Unit(
-    "unmatched endpoint and other host", Fleet.unmatched_hosts, _unmatched, _speakers
-)
-MATCHED_HOST = Unit(
-    "matched endpoint of a host and other host", Fleet.matched_hosts, _matched_behind, _speakers
-)
-#: For the news of a link that each router passes on to all others.
-FLOOD = Unit(
-    "end of a link, host that hears of it and other that it tells", Fleet.floods, _floods, _speakers
-)
-#: For what a server passes on from one to another, wherever they run.
-MATCHED_PROCESS_PAIR = Unit(
-    "ordered pair of matched processes", Fleet.matched_process_pairs, _matched_others
-)
-MATCHED_PAIR = Unit(
-    "ordered pair of matched processes on different hosts", Fleet.matched_pairs, _if_matched, _every
-)
-MATCHED_ENDPOINT = Unit(
-    "matched endpoint and other process", Fleet.matched_endpoints, _matched_endpoints
-)
-#: Of a server on a host of the first group: what is on that host takes no air on its way to it.
-#: Who simulates these takes the first host, and has both ways sent by who is away.
-AWAY = Unit("process away from the server", Fleet.away, _away, _once)
-ENDPOINT_AWAY = Unit("endpoint away from the server", Fleet.endpoints_away, _endpoints_away, _once)
-MATCHED_PROCESS_PAIR_AWAY = Unit(
-    "ordered pair of matched processes, one away from the server",
-    Fleet.matched_process_pairs_away,
-    _matched_others_away,
-    _once,
-)
-MATCHED_ENDPOINT_AWAY = Unit(
-    "matched endpoint and other process away from the server",
-    Fleet.matched_endpoints_away,
-    _matched_endpoints_away,
-    _once,
-)
-
-#: All of them by name.
-UNITS = {value.name: value for value in tuple(globals().values()) if isinstance(value, Unit)}
+PROCESS = UNITS["process"]
+PAIR = UNITS["ordered pair of processes on different hosts"]
+ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
+ENDPOINT = UNITS["endpoint"]
+HOST = UNITS["host"]
+HOST_PAIR = UNITS["ordered pair of hosts"]
+KIND_ENDPOINT = UNITS["endpoint of a kind of host"]
+FLEET = UNITS["fleet"]
+MATCHED_WRITER = UNITS["matched writer and process on another host"]
+UNMATCHED = UNITS["unmatched endpoint and process on another host"]
+#: Who simulates these takes the first host for the server's, and has both ways sent by who is
+#: away from it.
+AWAY = {
+    PROCESS: UNITS["process away from the server"],
+    ENDPOINT: UNITS["endpoint away from the server"],
+    UNITS["ordered pair of matched processes"]: UNITS[
+        "ordered pair of matched processes, one away from the server"
+    ],
+    UNITS["matched endpoint and other process"]: UNITS[
+        "matched endpoint and other process away from the server"
+    ],
+}

@@ -1,14 +1,11 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
-The claims stand in ``data/paper/claims.csv``. A claim carries a *test*, such as
-``saturation_hosts DDS 2 10 ≈ 7``: a quantity of `quantities` with its arguments, a
-relation, and the value that the paper gives. Some carry a *weaker* test as well, what
-remains of the same sentence when the first fails. Verdicts are computed from the tests.
-
-A remark may hold a quantity, ``{share DDS unicast 7 2 10|.1%}``, which is filled in.
+``data/paper/claims.csv`` says of each claim, by a key, where the paper makes it, in our words,
+and which outcome of its tests we state; its remark has places for what was computed. The tests
+are in `predicates`, by the same key: verdicts are computed from them. What an outcome is called
+stands in ``data/paper/verdicts.csv``.
 """
 
-import re
 from collections import Counter
 from dataclasses import dataclass
 from functools import cache
@@ -17,22 +14,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import sympy as sp
 
 from discostorm.data import read_data
-from discostorm.paper.criteria import Criterion, value_of
+from discostorm.paper.criteria import Test
+from discostorm.paper.predicates import NUMBERS, TESTS, WEAKER
 
 if TYPE_CHECKING:
     import pandas as pd
 
+#: What tests can say of a claim.
+Outcome = Literal["holds", "weaker holds", "fails", "no test"]
 
-Verdict = Literal["reproduced", "qualified", "contradicted", "not checkable"]
-
-VERDICTS: dict[Verdict, str] = {
-    "reproduced": "holds as worded",
-    "qualified": "holds with the qualification given",
-    "contradicted": "does not hold by the paper's own equations",
-    "not checkable": "the paper gives nothing to compute it from",
-}
-
-_FILLED = re.compile(r"\{(?P<quantity>[^|}]+)\|(?P<spec>[^}]+)\}")
+#: The word, the sign and the meaning of each outcome.
+VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv")}
 
 
 @dataclass(frozen=True)
@@ -43,15 +35,19 @@ class Claim:
     ----------
     id : int
         Its number in the ledger, in the order of the paper.
+    key : str
+        What `predicates` knows it by.
     where : str
         Section, equation, table or figure of the paper.
     section : str
         Section of the ledger chapter in which it is decided.
     statement : str
         What it says.
-    test : Criterion or None
+    stated : str
+        The outcome that the ledger states; a test compares it with `outcome`.
+    test : Test or None
         What decides it; None if nothing in the paper does.
-    weaker_test : Criterion or None
+    weaker_test : Test or None
         What is left of the same sentence if `test` fails.
     remark : str
         The qualification, how it is contradicted, or why it cannot be checked.
@@ -60,64 +56,81 @@ class Claim:
     """
 
     id: int
+    key: str
     where: str
     section: str
     statement: str
-    test: Criterion | None
-    weaker_test: Criterion | None
+    stated: str
+    test: Test | None
+    weaker_test: Test | None
     remark: str
     link: str
 
     @property
+    def tests(self) -> list[Test]:
+        """What decides it: none, one, or one and what is weaker."""
+        return [test for test in (self.test, self.weaker_test) if test]
+
+    @property
     def reading(self) -> str:
         """What we read into the soft words of the statement; empty if it has none."""
-        tests = [test for test in (self.test, self.weaker_test) if test]
-        words = dict.fromkeys(test.word for test in tests if test.word)
+        words = dict.fromkeys(test.word for test in self.tests if test.word)
         return "; ".join(f"we read {word.word}: {word.reading}" for word in words)
 
     @property
     def provenance(self) -> str:
         """How the quantities of its tests are known; empty if it has none."""
-        tests = [test for test in (self.test, self.weaker_test) if test]
-        return ", ".join(dict.fromkeys(test.provenance for test in tests))
+        return ", ".join(dict.fromkeys(test.provenance for test in self.tests))
 
-    def verdict(self) -> Verdict:
-        """Return the verdict, computed from the tests."""
+    def outcome(self) -> Outcome:
+        """Return what its tests say."""
         if self.test is None:
-            return "not checkable"
+            return "no test"
         if self.test.holds():
-            return "reproduced"
+            return "holds"
         if self.weaker_test is not None and self.weaker_test.holds():
-            return "qualified"
-        return "contradicted"
+            return "weaker holds"
+        return "fails"
+
+    def verdict(self) -> str:
+        """Return the verdict in a word, computed from the tests."""
+        return VERDICTS[self.outcome()]["verdict"]
+
+    def sign(self) -> str:
+        """Return the sign of the verdict."""
+        return VERDICTS[self.outcome()]["sign"]
 
 
 @cache
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
-
-    def test(text: str) -> Criterion | None:
-        return Criterion(text) if text else None
-
     return tuple(
         Claim(
-            int(row["id"]),
+            number,
+            row["key"],
             row["where"],
             row["section"],
             row["statement"],
-            test(row["test"]),
-            test(row["weaker_test"]),
-            _FILLED.sub(_fill, row["remark"]),
+            row["outcome"],
+            TESTS.get(row["key"]),
+            WEAKER.get(row["key"]),
+            _remark(row["key"], row["remark"]),
             row["link"],
         )
-        for row in read_data("paper/claims.csv")
+        for number, row in enumerate(read_data("paper/claims.csv"), start=1)
     )
 
 
-def _fill(found: re.Match[str]) -> str:
-    """Return a quantity within a remark as text; the format ``µs`` is for seconds."""
-    value, spec = float(value_of(found["quantity"])), found["spec"]
-    return f"{value * 1e6:.0f} µs" if spec == "µs" else format(value, spec)
+def _remark(key: str, template: str) -> str:
+    """Return a remark with its numbers: what the tests found, also in µs, and others."""
+    if "{" not in template:
+        return template
+    numbers = NUMBERS[key]() if key in NUMBERS else {}
+    for name, tests in {"ours": TESTS, "weaker": WEAKER}.items():
+        if key in tests:
+            numbers[name] = float(tests[key].ours())
+            numbers[f"{name}_us"] = 1e6 * numbers[name]
+    return template.format(**numbers)
 
 
 def ledger() -> "pd.DataFrame":
@@ -165,36 +178,12 @@ def exact(value: Any) -> float | str:
     return float(value) if sp.sympify(value).is_number else str(value)
 
 
-def report(section: str) -> str:
-    """Return what decides each claim of a section of the ledger, and the verdict, in words.
-
-    Raises
-    ------
-    ValueError
-        If there is no such section.
-    """
-    chosen = [claim for claim in claims() if claim.section == section]
-    if not chosen:
-        known = ", ".join(dict.fromkeys(claim.section for claim in claims()))
-        raise ValueError(f"section must be one of {known}; got {section!r}")
-    lines = []
-    for claim in chosen:
-        lines.append(f"{claim.id}. {claim.where}: {claim.statement}")
-        if claim.reading:
-            lines.append(f"   {claim.reading}")
-        for test, kind in ((claim.test, "the paper"), (claim.weaker_test, "weaker")):
-            if test:
-                lines.append(f"   {test.quantity} is {shown(test.ours())}; {kind}: {test.paper}")
-        lines.append(f"   -> {claim.verdict()}")
-    return "\n".join(lines)
-
-
 def verdict_counts() -> "pd.DataFrame":
     """Return how many claims got each verdict: one row a verdict, with its meaning."""
     import pandas as pd
 
     counts = Counter(claim.verdict() for claim in claims())
-    return pd.DataFrame(
-        [(verdict, counts[verdict], meaning) for verdict, meaning in VERDICTS.items()],
-        columns=["verdict", "claims", "it means"],
-    ).set_index("verdict")
+    rows = [
+        (word["verdict"], counts[word["verdict"]], word["meaning"]) for word in VERDICTS.values()
+    ]
+    return pd.DataFrame(rows, columns=["verdict", "claims", "it means"]).set_index("verdict")

@@ -14,7 +14,7 @@ from discostorm import figures, words
 from discostorm.data import read_data
 from discostorm.messages import PAPER_WINDOW
 from discostorm.protocols import PROTOCOLS
-from discostorm.scalability import saturation_hosts
+from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Radio
 
 #: Frames of an A-MPDU.

@@ -19,7 +19,7 @@ from discostorm._numeric import evaluate
 from discostorm.messages import Protocol
 from discostorm.paper.enumeration import Endpoint, Process, Sent, walk
 from discostorm.protocols import DDS, ZENOH
-from discostorm.scalability import saturation_hosts
+from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi
 
 PROTOCOLS = (DDS, ZENOH)

@@ -9,7 +9,7 @@ from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.planner.changes import Change
 from discostorm.planner.known import row_of
-from discostorm.robots import parameter_service_endpoints
+from discostorm.ros2 import parameter_service_endpoints
 
 #: Parts that a fleet is split into.
 PARTS = (2, 3)

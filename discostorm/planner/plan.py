@@ -10,6 +10,7 @@ from typing import Any, Literal
 from discostorm import _checks, words
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.model import burst, message_costs, utilization, without_each
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
@@ -18,7 +19,6 @@ from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
 from discostorm.planner.tables import sessions_note, table_changes
 from discostorm.protocols import DDS
-from discostorm.scalability import burst, message_costs, utilization, without_each
 from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import words
 from discostorm.fleet import Fleet
-from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
 from discostorm.protocols import DDS, ZENOH
@@ -266,6 +266,7 @@ class Plan:
         )
         if self.protocol.captured is not None:
             endpoints = max(group.endpoints for group in self.fleet.groups)
+            matched = Unit("matched endpoint").count(self.fleet)
             sizes = (hosts, self.fleet.processes(), endpoints)
             most = self.protocol.captured
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
@@ -275,7 +276,7 @@ class Plan:
                 f"in swarms of up to {words.many(most[0], 'host')} and "
                 f"{words.many(most[1], 'process', 'es')} of up to "
                 f"{words.many(most[2], 'endpoint')} that began all at once{extrapolated}; here "
-                f"{words.percent(self.fleet.matched() / (self.fleet.endpoints() or 1))} of the "
+                f"{words.percent(matched / (ENDPOINT.count(self.fleet) or 1))} of the "
                 "endpoints match in every process."
             )
         if self.protocol.repeats:

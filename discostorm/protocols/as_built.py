@@ -70,14 +70,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.messages import (
     AWAY,
-    ENDPOINT,
-    ENDPOINT_AWAY,
     HOPS,
-    MATCHED_ENDPOINT,
-    MATCHED_ENDPOINT_AWAY,
-    MATCHED_PROCESS_PAIR,
-    MATCHED_PROCESS_PAIR_AWAY,
-    PROCESS,
     UNITS,
     Basis,
     Family,
@@ -101,12 +94,6 @@ RUNS = {"measured": "runs", "arranged": "mitigation_runs"}
 _NOTHING = {"per_unit": "0"}
 
 #: What is counted where the server is on a robot: its own host reaches it without the air.
-_AWAY = {
-    PROCESS: AWAY,
-    ENDPOINT: ENDPOINT_AWAY,
-    MATCHED_PROCESS_PAIR: MATCHED_PROCESS_PAIR_AWAY,
-    MATCHED_ENDPOINT: MATCHED_ENDPOINT_AWAY,
-}
 
 
 def schedule(row: Mapping[str, str]) -> Schedule:
@@ -172,7 +159,7 @@ def _on_a_robot(message: Message) -> Message:
     """Return a row of a wired server as it is if the server is on one of the robots."""
     if message.hops == HOPS:
         return message
-    return replace(message, unit=_AWAY[message.unit], hops=HOPS)
+    return replace(message, unit=AWAY[message.unit], hops=HOPS)
 
 
 def hops(row: Mapping[str, str]) -> tuple[Hop, ...]:

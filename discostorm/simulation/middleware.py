@@ -57,7 +57,7 @@ def _check_answers(protocol: Protocol) -> None:
 def _check_repair(protocol: Protocol) -> None:
     """Refuse data that are not for each process, and heartbeats without one that answers."""
     for message in _of_role(protocol, "data"):
-        if message.unit.receivers is None:
+        if not message.unit.to_each:
             raise ValueError(
                 f"protocol {protocol.name!r}, message {message.name!r}: unit must have receivers "
                 f"for what has the role 'data' to be simulated with recovery; "
@@ -102,7 +102,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
     announcing = message.role == "announcement"
     if message.answers is None:
         once = message.schedule.period == np.inf
-        by_clock = announcing or message.unit.receivers is None or not once
+        by_clock = announcing or not message.unit.to_each or not once
         return _cell.CLOCK if by_clock else _cell.DISCOVERY
     answered = protocol.message(message.answers)
     if announcing:

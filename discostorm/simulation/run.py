@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm.fleet import Fleet, Hosts
-from discostorm.messages import Protocol
+from discostorm.fleet import Fleet
+from discostorm.messages import Hosts, Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
 from discostorm.simulation.engine import MEMORY, OVER, advance

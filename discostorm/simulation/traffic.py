@@ -9,14 +9,13 @@ messages that share frames the frames are sent: x is that of their parts.
 """
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, LEAST, Fleet, Hosts, is_symbolic
-from discostorm.messages import Message, Protocol
+from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
+from discostorm.messages import Hosts, Message, Protocol
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
 from discostorm.wifi import Padding, Radio, Wifi
@@ -155,24 +154,12 @@ def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
     each, to_all, of_row = np.zeros(shape), np.zeros(shape), np.zeros(shape[1], np.int64)
     for row, message in enumerate(protocol.messages):
         unit = message.unit
-        if unit.senders is None:
-            raise ValueError(
-                f"{_where(protocol, message)}: unit must declare its senders to be simulated; "
-                f"got {unit.name!r}"
-            )
-        where = f"{_where(protocol, message)}: "
-        sent = _of_processes(f"{where}senders", unit.senders(hosts), hosts, _checks.MOST)
-        sent *= message.per_unit * message.frames
-        if unit.receivers is None:
+        sent = unit.senders(hosts) * (message.per_unit * message.frames)
+        taking = unit.receivers(hosts)
+        if taking is None:
             to_all[:, row] = sent
             each[:, row] = sent / remote
             continue
-        receiving = _of_processes(f"{where}receivers", unit.receivers(hosts), hosts, 1)
-        taking = receiving.astype(np.int64)
-        if (taking != receiving).any():
-            raise ValueError(
-                f"{where}receivers must be 0 or 1; got {receiving[taking != receiving][0]:g}"
-            )
         each[:, row] = sent
         own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
         to_all[:, row] = sent * (taking.sum() - own) * (message.cast == "multicast")
@@ -180,20 +167,6 @@ def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
     before = np.zeros((len(sets), hosts.every.size + 1), np.int64)
     before[:, 1:] = np.cumsum(list(sets), axis=1)
     return Shares(each, to_all, before, of_row)
-
-
-def _of_processes(name: str, values: Any, hosts: Hosts, most: float) -> NDArray[np.float64]:
-    """Return what a unit of one's own says of each process."""
-    told = np.asarray(values)
-    found = np.asarray(
-        _checks.numbers(name, told.astype(int) if told.dtype == bool else told, 0, most)
-    )
-    if found.shape != hosts.every.shape:
-        raise ValueError(
-            f"{name} must be a number for each of the {hosts.every.size} processes; "
-            f"got shape {found.shape}"
-        )
-    return found.astype(np.float64)
 
 
 def _where(protocol: Protocol, message: Message) -> str:
@@ -256,7 +229,7 @@ def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
     records = np.zeros(len(protocol.messages), _cell.KIND)
     records["set"], records["whole"] = shares.sets, shares.whole
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
-        multicast, paired = message.cast == "multicast", message.unit.receivers is not None
+        multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):
             raise ValueError(
                 f"{_where(protocol, message)}: cast must be 'multicast', or hops only one of them, "

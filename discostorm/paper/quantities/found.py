@@ -1,28 +1,25 @@
 """Quantities found beside the model: read in sources, counted, simulated and measured."""
 
-import math
 from collections import Counter
 from collections.abc import Iterator
 from statistics import median
+
+import numpy as np
 
 from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
+from discostorm.model import message_costs, utilization
 from discostorm.paper import enumeration
 from discostorm.protocols import MEASURED, PROTOCOLS
-from discostorm.protocols.defaults import defaults, products
-from discostorm.scalability import message_costs, utilization
+from discostorm.protocols.defaults import defaults
 from discostorm.wifi import Radio
 
 
-def default(product: str | Protocol, quantity: str) -> float:
-    """Return a product's default; its name has _ for a space."""
-    named = {name.replace(" ", "_"): name for name in products()}
-    asked = product if isinstance(product, str) else product.name
-    if asked not in named:
-        raise ValueError(f"product must be one of {', '.join(named)}; got {asked!r}")
-    return defaults(named[asked])[quantity]
+def default(product: str, quantity: str) -> float:
+    """Return a product's default."""
+    return defaults(product)[quantity]
 
 
 def payloads_measured(protocol: Protocol) -> float:
@@ -44,44 +41,37 @@ def start_saved(arrangement: str, hosts: float) -> float:
     """Return which part of the start's airtime an arrangement saves, with any names the least.
 
     Of that of the product without it, as both tables were measured, on the paper's channel: for
-    so many hosts of 2 processes with 10 endpoints, which match nobody or all. Names have _ for a
-    space.
+    so many hosts of 2 processes with 10 endpoints, which match nobody or all.
     """
-    name = arrangement.replace("_", " ")
-    (row,) = (r for r in read_data("vendors/arrangement_risks.csv") if r["protocol"] == name)
+    rows = read_data("vendors/arrangement_risks.csv")
+    (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == arrangement)
     saved = []
     for matching in (0.0, 1.0):
         fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
         with_it, without = (
             sum(costs["uplink_s"] + costs["downlink_s"] for costs in message_costs(table, fleet))
-            for table in (PROTOCOLS[name], PROTOCOLS[row["instead_of"]])
+            for table in (PROTOCOLS[arrangement], PROTOCOLS[instead_of])
         )
         saved.append(1 - float(with_it) / float(without))
     return min(saved)
 
 
-def _death_times(arrangement: str, event: str, *what: str) -> list[float]:
-    """Return the times of the runs of a staging whose name has _ for a space [s]."""
-    names = (name.replace("_", " ") for name in (arrangement, event, *what))
-    return [float(time) for time in measured.death_times(*names)]
-
-
 def runs_found(arrangement: str, event: str) -> float:
     """Return the part of the runs in which a newcomer found the living before the dead was back."""
-    times = _death_times(arrangement, event, "newcomer", "newcomer", "found")
-    return sum(map(math.isfinite, times)) / len(times)
+    times = measured.death_times(arrangement, event, "newcomer", "newcomer", "found")
+    return float(np.isfinite(times).mean())
 
 
 def runs_undisturbed(arrangement: str, event: str, who: str) -> float:
     """Return the part of the runs in which these lost no match and heard each other all along."""
-    times = _death_times(arrangement, event, "death", who, "settled")
-    return times.count(0) / len(times)
+    times = measured.death_times(arrangement, event, "death", who, "settled")
+    return float((times == 0).mean())
 
 
-def _simulated(table: str, **wanted: object) -> list[dict[str, str]]:
+def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
     named = {
-        name: f"{value:g}" if isinstance(value, float) else value for name, value in wanted.items()
+        name: value if isinstance(value, str) else f"{value:g}" for name, value in wanted.items()
     }
     rows = [row for row in read_data(f"simulated/{table}.csv") if named.items() <= row.items()]
     if not rows:
@@ -103,7 +93,7 @@ def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
 
 def multicast_lost(protocol: Protocol, hosts: float) -> float:
     """Return which part of the receptions of multicast a simulated burst loses to collisions."""
-    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1.0)
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1)
     fleet = Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
     receptions = {True: 0.0, False: 0.0}
     for message in protocol.messages:

@@ -4,8 +4,8 @@ import sympy as sp
 
 from discostorm.data import read_data
 from discostorm.messages import Message, Protocol, header_bytes
+from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH
-from discostorm.scalability import utilization
 from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
 
 

@@ -9,8 +9,9 @@ import sympy as sp
 from discostorm import notation as nt
 from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol
+from discostorm.model import message_costs, utilization
 from discostorm.protocols import DDS, ZENOH
-from discostorm.scalability import message_costs, saturation_hosts, utilization
+from discostorm.saturation import saturation_hosts
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER
 

@@ -1,0 +1,234 @@
+"""What decides each claim of ``data/paper/claims.csv``, by its key.
+
+A test is a quantity with its arguments, a relation, and the value that the paper gives. Some
+claims have a weaker test as well: what remains of the same sentence when the first fails. The
+last three numbers of most arguments are hosts, processes and endpoints.
+"""
+
+from collections.abc import Callable
+
+from discostorm.messages import Protocol
+from discostorm.model import utilization
+from discostorm.notation import N_E, N_H, N_P
+from discostorm.paper.criteria import Test
+from discostorm.paper.quantities import found, frames, swarms
+from discostorm.protocols import DDS, ZENOH
+from discostorm.saturation import saturation_hosts
+
+#: From the processes of a host to those of all others: how many pairs there are.
+PAIRS = (N_H - 1) * N_P**2
+#: The control messages of DDS.
+CONTROL = ("Heartbeat_message", "ACKNACK_message")
+SERVER = "Fast DDS Discovery Server"
+ROUTER = "Zenoh router"
+ROUTERS = "Zenoh router per host"
+ONE_HUB = "Zenoh router per host, one hub"
+
+
+def quadratic(protocol: Protocol, name: str, *levels: float) -> Test:
+    """Return the test that airtime grows by the square, from and to hosts, processes, endpoints."""
+    return Test(swarms.growth_exponent, (protocol, name, *levels), "is", "quadratic")
+
+
+def disturbed(arrangement: str, who: str) -> Test:
+    """Return the test that these noticed in some runs that a server or router was killed."""
+    return Test(found.runs_undisturbed, (arrangement, "server killed", who), "<", 1)
+
+
+#: Tests, by section of the paper. Claims without one cannot be checked.
+TESTS: dict[str, Test] = {
+    # Abstract and introduction (Sec. I)
+    "exponential-growth": Test(swarms.growth_factor, (DDS,), ">", 1),
+    "ten-hosts-melt-dds": Test(utilization, (DDS, 10, 1, 2), "≥", 1),
+    "ten-hosts-melt-zenoh": Test(utilization, (ZENOH, 10, 1, 2), "≥", 1),
+    "hundred-hosts-melt-dds": Test(utilization, (DDS, 100, 1, 0), "≥", 1),
+    "hundred-hosts-melt-zenoh": Test(utilization, (ZENOH, 100, 1, 0), "≥", 1),
+    "deterministic": Test(swarms.load_variables, (DDS,), "=", 3),
+    "broadcast-is-excessive": Test(swarms.airtime, (DDS, "SPDP", 100, 2, 10), "is", "excessive"),
+    "multicast-is-the-root-cause": Test(swarms.share, (DDS, "multicast", 7, 2, 10), "is", "cause"),
+    "multicast-is-a-vulnerability": Test(frames.multicast_cost, ("SPDP",), ">", 1),
+    "multicast-airtime-spdp": Test(frames.multicast_cost, ("SPDP",), "is", "high"),
+    "multicast-airtime-scout": Test(frames.multicast_cost, ("Scout",), "is", "high"),
+    "multicast-is-unreliable": Test(found.multicast_lost, (DDS, 7), "is", "poor"),
+    "volume-saturates": Test(utilization, (DDS, 8, 2, 10), "≥", 1),
+    "connectivity-collapses": Test(found.runs_converged, (8,), "≤", 0),
+    "zenoh-is-lightweight": Test(swarms.gap, (7, 2, 10), "is", "lightweight"),
+    # Entities and assumptions (Sec. II and III-A)
+    "three-levels-dds": Test(swarms.load_variables, (DDS,), "=", 3),
+    "three-levels-zenoh": Test(swarms.load_variables, (ZENOH,), "=", 3),
+    "half-publish": Test(swarms.load_variables, (DDS,), "=", 3),
+    "peers-are-the-worst-case": Test(found.start_saved, (ROUTERS, 100), ">", 0),
+    # DDS (Sec. III-B)
+    "spdp-of-a-host": Test(swarms.host_load, (DDS, "SPDP"), "=", N_P),
+    "spdp-needs-processes-alone": Test(swarms.host_load_variables, (DDS, "SPDP"), "=", 1),
+    "spdp-of-all": Test(swarms.load, (DDS, "SPDP"), "=", N_H * N_P),
+    "spdp-both-ways": Test(found.enumerated_down_for_up, (DDS, "SPDP", 4, 2, 6), "=", 1),
+    "spdp-downlink-costs-more": Test(frames.multicast_cost, ("SPDP",), ">", 1),
+    "sedp-of-a-host": Test(swarms.host_load, (DDS, "SEDP_message"), "=", PAIRS * N_E),
+    "sedp-is-unicast": Test(found.default, ("Cyclone DDS", "sedp_multicast_wired"), "=", 0),
+    "sedp-of-a-host-squared": Test(swarms.host_load_degree, (DDS, "N_H", "SEDP_message"), "=", 2),
+    "control-is-significant": Test(swarms.control_share, (DDS, 7, 2, 10), "is", "significant"),
+    "heartbeat-per-topic": Test(swarms.messages_per_direction, (DDS, "Heartbeat_message"), "=", 2),
+    "dds-control-of-a-host": Test(swarms.host_load, (DDS, *CONTROL), "=", 4 * PAIRS),
+    "four-to-pair": Test(swarms.messages_per_link, (DDS, *CONTROL), "=", 4),
+    "sedp-of-all": Test(swarms.load, (DDS, "SEDP"), "=", N_H * PAIRS * (N_E + 4)),
+    "sedp-both-ways": Test(found.enumerated_down_for_up, (DDS, "SEDP", 4, 2, 6), "=", 1),
+    # Zenoh (Sec. III-C)
+    "scouting-of-a-host": Test(swarms.host_load, (ZENOH, "Scouting"), "=", N_P + PAIRS),
+    "one-scout-per-process": Test(swarms.host_load, (ZENOH, "multicast"), "=", N_P),
+    "a-hello-to-every-scout": Test(swarms.host_load, (ZENOH, "Hello_message"), "=", PAIRS),
+    "scouting-connects-all": Test(swarms.messages_per_direction, (ZENOH, "Hello_message"), "=", 1),
+    "scouting-of-all": Test(swarms.load, (ZENOH, "Scouting"), "=", N_H * N_P + N_H * PAIRS),
+    "scouting-both-ways": Test(found.enumerated_down_for_up, (ZENOH, "Scouting", 4, 2, 6), "=", 1),
+    "declares-of-a-host": Test(swarms.host_load, (ZENOH, "Declare_message"), "=", PAIRS * N_E),
+    "declares-as-sedp": Test(
+        swarms.load_difference, (ZENOH, "Declare_message", DDS, "SEDP_message"), "=", 0
+    ),
+    "zenoh-control-of-a-host": Test(swarms.host_load, (ZENOH, "KeepAlive_message"), "=", 2 * PAIRS),
+    "two-to-keep-a-link": Test(swarms.messages_per_link, (ZENOH, "KeepAlive_message"), "=", 2),
+    "keepalives-consolidate": Test(swarms.kinds_over, ("UDP", ZENOH, "Declaration"), ">", 0),
+    "zenoh-control-is-efficient": Test(swarms.control_saved, (), "is", "significant"),
+    "declares-of-all": Test(swarms.load, (ZENOH, "Declaration"), "=", N_H * PAIRS * (N_E + 2)),
+    "declares-both-ways": Test(
+        found.enumerated_down_for_up, (ZENOH, "Declaration", 4, 2, 6), "=", 1
+    ),
+    # Frames and rates (Sec. IV-A)
+    "frame-spdp": Test(frames.frame_bytes, ("SPDP",), "=", 414),
+    "frame-sedp": Test(frames.frame_bytes, ("SEDP",), "=", 464),
+    "frame-heartbeat": Test(frames.frame_bytes, ("Heartbeat",), "=", 116),
+    "frame-acknack": Test(frames.frame_bytes, ("ACKNACK",), "=", 114),
+    "frame-scout": Test(frames.frame_bytes, ("Scout",), "=", 80),
+    "frame-hello": Test(frames.frame_bytes, ("Hello",), "=", 144),
+    "frame-declare": Test(frames.frame_bytes, ("Declare",), "=", 176),
+    "frame-keepalive": Test(frames.frame_bytes, ("KeepAlive",), "=", 84),
+    "headers-udp": Test(frames.header, ("UDP",), "=", 64),
+    "headers-tcp": Test(frames.header, ("TCP",), "=", 76),
+    "payload-varies": Test(frames.payload_spread, ("SEDP",), ">", 0),
+    "payload-of-heartbeat": Test(frames.payload_spread, ("Heartbeat",), "=", 0),
+    "payload-of-acknack": Test(frames.payload_spread, ("ACKNACK",), "is", "near-fixed"),
+    "payloads-from-captures": Test(found.payloads_measured, (DDS,), "=", 1),
+    "headers-are-a-minimum": Test(swarms.header_slope, (DDS,), "≥", 0),
+    "unicast-rate": Test(frames.ht_rate, (15,), "≈", 144.4e6),
+    "lowest-basic-rate": Test(frames.lowest_basic_rate, (2.4,), "=", 6e6),
+    "rate-is-mcs-7": Test(frames.ht_rate, (7,), "≈", 144.4e6, 0.05e6),
+    "two-streams-are-conservative": Test(frames.ht_rates_above, (2, 20), "is", "conservative"),
+    # Airtime (Sec. IV-B)
+    "overhead-of-multicast": Test(frames.overhead_of_named_intervals, ("multicast",), "≈", 120e-6),
+    "overhead-of-unicast": Test(frames.overhead_of_named_intervals, ("unicast",), "≈", 180e-6),
+    "overhead-dominates-dds": Test(swarms.overhead_share, (DDS, 7, 2, 10), "is", "dominant"),
+    "overhead-dominates-zenoh": Test(swarms.overhead_share, (ZENOH, 7, 2, 10), "is", "dominant"),
+    "bytes-over-bits": Test(frames.bits_per_byte, (), "=", 1),
+    "utilization-adds-up": Test(found.enumeration_ratio, (DDS, 4, 2, 6), "≈", 1, 1e-12),
+    "lower-bound": Test(frames.aggregation_bound, (DDS, 7, 2, 10), "≥", 1),
+    "bursts-are-worse": Test(found.burst_excess, (DDS, 7, 1), "is", "significant"),
+    # Hosts: Fig. 2 (Sec. IV-C)
+    "quadratic-hosts-dds": quadratic(DDS, "all", 2, 12, 2, 2, 10, 10),
+    "quadratic-hosts-zenoh": quadratic(ZENOH, "all", 2, 12, 2, 2, 10, 10),
+    "quadratic-sedp": quadratic(DDS, "SEDP", 2, 12, 2, 2, 10, 10),
+    "quadratic-declares": quadratic(ZENOH, "Declaration", 2, 12, 2, 2, 10, 10),
+    "declaration-is-more-efficient": Test(swarms.gap_of_phases, (7, 2, 10), "is", "slightly"),
+    "declaration-saves-control": Test(swarms.gap_from_control, (7, 2, 10), "is", "cause"),
+    "gap-is-marginal": Test(swarms.gap, (7, 2, 10), "is", "marginal"),
+    "saturation-dds": Test(saturation_hosts, (DDS, 2, 10), "≈", 7),
+    "saturation-zenoh": Test(saturation_hosts, (ZENOH, 2, 10), "≈", 8),
+    "spdp-is-minor": Test(swarms.share, (DDS, "SPDP", 7, 2, 10), "is not", "dominant"),
+    "scouting-is-minor": Test(swarms.share, (ZENOH, "Scouting", 7, 2, 10), "is not", "dominant"),
+    "scouting-above-spdp": Test(swarms.scouting_above_spdp, (2, 12, 2, 10), "=", 11),
+    "scouting-by-hello": Test(
+        swarms.share_of_phase, (ZENOH, "Hello_message", "Scouting", 7, 2, 10), "is", "cause"
+    ),
+    # Processes and endpoints: Fig. 3 (Sec. IV-C)
+    "design-of-processes": Test(swarms.saved_by_composing, (DDS, 3, 8, 40), "is", "significant"),
+    "one-process-is-low-dds": Test(utilization, (DDS, 3, 1, 40), "is", "low"),
+    "one-process-is-low-zenoh": Test(utilization, (ZENOH, 3, 1, 40), "is", "low"),
+    "eight-processes-exceed-dds": Test(utilization, (DDS, 3, 8, 5), ">", 1),
+    "eight-processes-exceed-zenoh": Test(utilization, (ZENOH, 3, 8, 5), ">", 1),
+    "quadratic-processes-dds": quadratic(DDS, "all", 3, 3, 1, 8, 5, 5),
+    "quadratic-processes-zenoh": quadratic(ZENOH, "all", 3, 3, 1, 8, 5, 5),
+    "surge-dds": quadratic(DDS, "all", 3, 3, 1, 8, 40, 5),
+    "surge-zenoh": quadratic(ZENOH, "all", 3, 3, 1, 8, 40, 5),
+    "surge-by-control": Test(swarms.part_of_increase, (DDS, "control", 3, 8, 40), "is", "cause"),
+    "composing-reduces-control": quadratic(DDS, "control", 3, 3, 1, 8, 40, 5),
+    "composing-fits-more-dds": Test(swarms.hosts_gained, (DDS, 8, 40), ">", 0),
+    "composing-fits-more-zenoh": Test(swarms.hosts_gained, (ZENOH, 8, 40), ">", 0),
+    # Nav2: Fig. 4 (Sec. IV-C)
+    "three-robots-exceed-dds": Test(swarms.airtime, (DDS, "SEDP", 3, 1, 678), ">", 1),
+    "three-robots-exceed-zenoh": Test(swarms.airtime, (ZENOH, "Declaration", 3, 1, 678), ">", 1),
+    "two-robots-fit-dds": Test(utilization, (DDS, 2, 1, 678), "<", 1),
+    "two-robots-fit-zenoh": Test(utilization, (ZENOH, 2, 1, 678), "<", 1),
+    "sustained-saturation": Test(swarms.repeated_utilization, (ZENOH, 3, 3, 678), "≥", 1),
+    "more-processes": Test(swarms.growth_exponent, (DDS, "all", 3, 3, 1, 3, 678, 678), ">", 0),
+    "servers-reduce-traffic": Test(found.start_saved, (ROUTERS, 100), "is", "significant"),
+    "routers-manage": Test(found.default, ("rmw_zenoh", "router_connect_endpoints"), ">", 0),
+    "server-single-point": Test(found.runs_found, (SERVER, "server killed"), "=", 0),
+    "router-single-point": disturbed(ROUTERS, "survivors"),
+    "server-disrupts": disturbed(SERVER, "survivors"),
+    "router-disrupts": disturbed(ROUTER, "survivors"),
+    # Conclusion (Sec. V)
+    "precise-saturation": Test(swarms.saturation_spread, (DDS, 2, 10), "is", "precise"),
+    "beyond-saturation-dds": Test(utilization, (DDS, 8, 2, 10), ">", 1),
+    "beyond-saturation-zenoh": Test(utilization, (ZENOH, 8, 2, 10), ">", 1),
+    "small-clusters": Test(saturation_hosts, (DDS, 1, 2), "is", "small"),
+}
+
+#: What is left of the same sentence where the test fails.
+WEAKER: dict[str, Test] = {
+    "ten-hosts-melt-dds": Test(utilization, (DDS, 10, 2, 10), "≥", 1),
+    "ten-hosts-melt-zenoh": Test(utilization, (ZENOH, 10, 2, 10), "≥", 1),
+    "broadcast-is-excessive": Test(swarms.airtime, (DDS, "SPDP", 100, 2, 10), "is", "significant"),
+    "connectivity-collapses": Test(found.runs_converged, (24,), "≤", 0),
+    "peers-are-the-worst-case": Test(found.start_saved, (ROUTERS, 12), ">", 0),
+    "sedp-is-unicast": Test(found.default, ("Cyclone DDS", "sedp_multicast_wifi"), "=", 0),
+    "four-to-pair": Test(swarms.messages_per_direction, (DDS, *CONTROL), "=", 4),
+    "two-to-keep-a-link": Test(swarms.messages_per_direction, (ZENOH, "KeepAlive_message"), "=", 2),
+    "keepalives-consolidate": Test(found.default, ("Zenoh", "keep_alives"), ">", 0),
+    "payloads-from-captures": Test(found.payloads_measured, (DDS,), ">", 0),
+    "lowest-basic-rate": Test(frames.lowest_basic_rate, (5,), "=", 6e6),
+    "rate-is-mcs-7": Test(frames.ht_rate_of_streams, (7, 2), "≈", 144.4e6, 0.05e6),
+    "two-streams-are-conservative": Test(frames.ht_rates_above, (3, 20), "is", "conservative"),
+    "overhead-of-multicast": Test(frames.overhead_with_backoff, ("multicast",), "≈", 120e-6),
+    "overhead-of-unicast": Test(frames.overhead_with_backoff, ("unicast",), "≈", 180e-6),
+    "bytes-over-bits": Test(frames.bits_per_byte, (), "=", 8),
+    "lower-bound": Test(frames.standard_bound, (DDS, 7, 2, 10), "≥", 1),
+    "bursts-are-worse": Test(found.burst_excess, (DDS, 7, 64), "is", "significant"),
+    "declaration-is-more-efficient": Test(swarms.gap_of_phases, (7, 2, 10), ">", 0),
+    "gap-is-marginal": Test(swarms.gap_limit, (), "is", "marginal"),
+    "surge-dds": quadratic(DDS, "control", 3, 3, 1, 8, 40, 5),
+    "surge-zenoh": quadratic(ZENOH, "control", 3, 3, 1, 8, 40, 5),
+    "surge-by-control": quadratic(DDS, "control", 3, 3, 1, 8, 40, 5),
+    "sustained-saturation": Test(swarms.repeated_utilization, (ZENOH, 3, 13, 0), "≥", 1),
+    "servers-reduce-traffic": Test(found.start_saved, (ROUTERS, 7), "is", "significant"),
+    "routers-manage": Test(found.default, ("rmw_zenoh", "session_multicast"), "=", 0),
+    "router-single-point": disturbed(ROUTERS, "orphans and survivors"),
+    "server-disrupts": Test(found.runs_found, (SERVER, "server killed"), "<", 1),
+    "precise-saturation": Test(swarms.saturation_spread_by_payloads, (DDS, 2, 10), "is", "precise"),
+    "small-clusters": Test(saturation_hosts, (DDS, 2, 10), "is", "small"),
+}
+
+#: Numbers of a remark, beside the ``{ours}`` and ``{weaker}`` that its tests found.
+NUMBERS: dict[str, Callable[[], dict[str, float]]] = {
+    "multicast-is-the-root-cause": lambda: {
+        "unicast": swarms.share(DDS, "unicast", 7, 2, 10),
+        "unicast_nav2": swarms.share(DDS, "unicast", 3, 1, 678),
+    },
+    "multicast-airtime-spdp": lambda: {"multicast": swarms.share(DDS, "multicast", 7, 2, 10)},
+    "peers-are-the-worst-case": lambda: {"one_router": found.start_saved(ROUTER, 100)},
+    "control-is-significant": lambda: {"nav2": swarms.control_share(DDS, 3, 1, 678)},
+    "headers-tcp": lambda: {"timestamps": frames.timestamps_bytes()},
+    "declaration-is-more-efficient": lambda: {"nav2": swarms.gap_of_phases(3, 1, 678)},
+    "surge-dds": lambda: {"times": swarms.split_ratio(DDS, 3, 8, 40)},
+    "surge-zenoh": lambda: {"times": swarms.split_ratio(ZENOH, 3, 8, 40)},
+    "servers-reduce-traffic": lambda: {
+        "server_7": found.start_saved(SERVER, 7),
+        "server_100": found.start_saved(SERVER, 100),
+        "on_robot_7": found.start_saved("Fast DDS Discovery Server, on a robot", 7),
+        "on_robot_100": found.start_saved("Fast DDS Discovery Server, on a robot", 100),
+    },
+    "server-single-point": lambda: {
+        "survivors": found.runs_undisturbed(SERVER, "server killed", "survivors"),
+        "with_two": found.runs_found("Fast DDS Discovery Server, two", "server killed"),
+    },
+    "router-single-point": lambda: {
+        "one_hub": found.runs_undisturbed(ONE_HUB, "server killed", "survivors"),
+    },
+}
