@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 import sympy as sp
 
-from discostorm import words
+from discostorm import figures, words
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
@@ -37,7 +37,7 @@ def setup() -> None:
     """Make figures come out in the looks of the book, as vectors, the same every time."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
-    plt.style.use(data_path("discostorm.mplstyle"))
+    plt.style.use(figures.SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
 
 
