@@ -4,9 +4,13 @@ import json
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+
+import discostorm as ds
+from discostorm.messages import Message, Protocol, Timers
 
 ROOT = Path(__file__).parents[1]
 
@@ -94,3 +98,57 @@ def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
         check=False,
     )
     assert "protocols must have names that differ; got two 'DDS'" in done.stderr
+
+
+EVERY = [table for known in ds.PROTOCOLS.values() for table in (known, known.wired) if table]
+
+
+@pytest.mark.parametrize("table", EVERY, ids=lambda table: table.name)
+def test_every_table_says_whose_it_is_and_what_its_messages_are_for(table: Protocol) -> None:
+    assert table.basis is not None
+    assert table.timers is not None
+    # Only a proposal is of no family; the paper's tables and proposals are of no product.
+    assert (table.family is None) == (table.basis == "proposal")
+    assert (table.product is None) == (table.basis in ("paper", "proposal"))
+    roles = [message.role for message in table.messages]
+    assert None not in roles
+    assert "announcement" in roles or table.name.startswith("Zenoh router")
+    assert any(message.informs for message in table.messages)
+    # What is repeated until it is acknowledged is one message, and so is its answer.
+    for role in ("heartbeat", "acknowledgement"):
+        assert roles.count(role) <= 1 or "Discovery Server" in table.name
+
+
+def test_what_is_said_of_a_table_is_checked() -> None:
+    spdp, table = ds.DDS.messages[0], {"name": "own", "messages": ds.DDS.messages}
+    for wrong, error in (
+        ({"role": "Heartbeat"}, "role must be 'announcement' or .* or None; got 'Heartbeat'"),
+        ({"informs": 1}, "informs must be .*bool"),
+    ):
+        with pytest.raises((ValueError, TypeError), match=error):
+            replace(spdp, **wrong)
+    for wrong, error in (
+        ({"family": "RTPS"}, "family must be 'DDS' or 'Zenoh', or None; got 'RTPS'"),
+        ({"basis": "own"}, "basis must be 'paper' or .* or None; got 'own'"),
+        ({"product": 1}, "product must be .*str"),
+        ({"timers": 1.0}, "timers must be .*Timers"),
+    ):
+        with pytest.raises((ValueError, TypeError), match=error):
+            Protocol(**table, **wrong)
+    for wrong, error in (
+        ({"heartbeat_most": 0.0}, "heartbeat_most must be .* above 0"),
+        ({"heartbeat_first": 2.0}, "heartbeat_first must be .* at most 1; got 2.0"),
+        ({"announce_first": -1.0}, "announce_first must be .* at least 0"),
+    ):
+        with pytest.raises(ValueError, match=error):
+            Timers(**wrong)
+
+
+def test_announcements_inform_unless_told_otherwise() -> None:
+    rest = ("unicast", "UDP", ds.DDS.messages[0].payload, ds.DDS.messages[0].unit, 1)
+    told = {
+        role: Message("a", "b", *rest, role=role).informs for role in (None, "data", "announcement")
+    }
+    assert told == {None: False, "data": False, "announcement": True}
+    # A Scout asks who is there; who answers it is known from the answer.
+    assert [ds.ZENOH.message(name).informs for name in ("Scout", "Hello")] == [False, True]

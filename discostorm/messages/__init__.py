@@ -13,11 +13,12 @@ from discostorm.messages.message import (
     Hop,
     Message,
     Payload,
+    Role,
     Transport,
     header_bytes,
     hop_airtime,
 )
-from discostorm.messages.protocol import Protocol
+from discostorm.messages.protocol import Basis, Family, Protocol, Timers
 from discostorm.messages.schedule import ONCE, PAPER_WINDOW, Schedule
 from discostorm.messages.units import (
     AWAY,
@@ -91,12 +92,16 @@ __all__ = [
     "UNMATCHED_ENDPOINT",
     "UNMATCHED_HOST",
     "WRITER",
+    "Basis",
+    "Family",
     "Hop",
     "Message",
     "OfProcesses",
     "Payload",
     "Protocol",
+    "Role",
     "Schedule",
+    "Timers",
     "Transport",
     "Unit",
     "header_bytes",

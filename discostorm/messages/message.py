@@ -19,6 +19,9 @@ LEAST_PER_UNIT = 1e-9
 
 Transport = Literal["UDP", "TCP"]
 
+#: What a message is for; see `Message`.
+Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
+
 #: From a host to the access point, and from there on.
 Hop = Literal["up", "down"]
 HOPS: tuple[Hop, ...] = ("up", "down")
@@ -100,14 +103,22 @@ class Message:
         always inside the frame of another row, and costs the air its bits alone.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
+    role : {"announcement", "data", "heartbeat", "acknowledgement", "other"}, optional
+        What it is for. An announcement tells of a process or a host, or answers what does. Data
+        tell of endpoints, each time for the first time. The heartbeat asks a process which of the
+        data have arrived, and is repeated until all have; the acknowledgement answers it.
+        Whatever else is sent, such as liveliness, is other. None if it is not known: counts and
+        airtime do not need it, the simulator needs it for recovery.
+    informs : bool, optional
+        Whether who receives it knows its sender from then on; if left out, announcements alone do.
 
     Raises
     ------
     ValueError
-        If `cast`, `transport`, `per_unit`, `hops` or `frames` is none of the above.
+        If `cast`, `transport`, `per_unit`, `hops`, `frames` or `role` is none of the above.
     TypeError
-        If a name is not text, `payload` not a Payload, `unit` not a Unit, or `schedule` not
-        a Schedule.
+        If a name is not text, `payload` not a Payload, `unit` not a Unit, `schedule` not
+        a Schedule, or `informs` neither True nor False.
     """
 
     name: str
@@ -122,6 +133,8 @@ class Message:
     answers: str | None = None
     frames: float = 1.0
     kind: str = ""
+    role: Role | None = None
+    informs: bool | None = None
 
     def __post_init__(self) -> None:
         for name in ("name", "phase", "kind"):
@@ -141,6 +154,11 @@ class Message:
             raise ValueError(f"hops must be 'up', 'down' or both, each once; got {self.hops}")
         if self.answers is not None:
             _checks.instance("answers", self.answers, str)
+        if self.role is not None:
+            _checks.choice("role", self.role, get_args(Role), ", or None")
+        if self.informs is None:
+            object.__setattr__(self, "informs", self.role == "announcement")
+        _checks.instance("informs", self.informs, bool)
 
     @property
     def payload_symbol(self) -> sp.Symbol:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import sympy as sp
@@ -15,10 +15,57 @@ from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import Unit
 from discostorm.wifi import Model
 
+#: The kin of a protocol: which remedies work for it, and how it repairs what is lost.
+Family = Literal["DDS", "Zenoh"]
+
+#: Where the counts of a table are from: the paper; the paper, with the times of a product; a
+#: product, measured as shipped; a product, measured as arranged against the storm; a proposal.
+Basis = Literal["paper", "timed", "measured", "arranged", "proposal"]
+
+
+@dataclass(frozen=True)
+class Timers:
+    """When a middleware sends again what its table does not repeat; the simulator needs them.
+
+    Parameters
+    ----------
+    announce_first, announce_most : float, optional
+        Time from an announcement to the next [s], doubled each time up to the most, if the table
+        has announcements at the start alone. 0, as if left out: they are not repeated.
+    heartbeat_first, heartbeat_most : float, optional
+        Time from a heartbeat to the next [s] while data are not acknowledged, doubled each time up
+        to the most; 1 if left out.
+
+    Raises
+    ------
+    ValueError
+        If a time is out of range, or a first one above its most.
+    TypeError
+        If one is not a number.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> ds.ZENOH.timers.announce_most
+    8.0
+    """
+
+    announce_first: float = 0.0
+    announce_most: float = 0.0
+    heartbeat_first: float = 1.0
+    heartbeat_most: float = 1.0
+
+    def __post_init__(self) -> None:
+        _checks.plain_numbers(self)
+        for what, above in (("announce", False), ("heartbeat", True)):
+            first, most = f"{what}_first", f"{what}_most"
+            _checks.number(most, getattr(self, most), 0, _checks.MOST_SECONDS, above=above)
+            _checks.number(first, getattr(self, first), 0, getattr(self, most), above=above)
+
 
 @dataclass(frozen=True)
 class Protocol:
-    """A discovery protocol: a name, its table of messages and its lease.
+    """A discovery protocol: a name, its table of messages, its lease and whose it is.
 
     Parameters
     ----------
@@ -31,19 +78,34 @@ class Protocol:
     wired : Protocol, optional
         The table of the same product on a network that it takes for wired, if it sends otherwise
         there. A capture is held against that one if it shows so.
+    family : {"DDS", "Zenoh"}, optional
+        The kin of the protocol, which decides on remedies; None if it is of neither.
+    product : str, optional
+        The product whose defaults it has, such as "Fast DDS"; None if it is no product's.
+    basis : {"paper", "timed", "measured", "arranged", "proposal"}, optional
+        Where its counts are from: the paper; the paper, with the times of a product; a product,
+        measured as shipped; the same, arranged against the storm; a proposal. None of your own.
+    timers : Timers, optional
+        When it sends again what the table does not repeat; needed to simulate recovery.
 
     Raises
     ------
     ValueError
-        If there is no message, two have the same name, or the lease is out of range.
+        If there is no message, two have the same name, the lease is out of range, or `family` or
+        `basis` is none of the above.
     TypeError
-        If the name is not text, one is not a Message, or the lease not a number.
+        If a name is not text, one is not a Message, the lease not a number, or `timers` not
+        Timers.
     """
 
     name: str
     messages: tuple[Message, ...]
     lease: float = np.inf
     wired: "Protocol | None" = None
+    family: Family | None = None
+    product: str | None = None
+    basis: Basis | None = None
+    timers: Timers | None = None
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
@@ -51,6 +113,12 @@ class Protocol:
             raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
         if self.wired is not None:
             _checks.instance("wired", self.wired, Protocol)
+        for name, known in (("family", Family), ("basis", Basis)):
+            if getattr(self, name) is not None:
+                _checks.choice(name, getattr(self, name), get_args(known), ", or None")
+        for name, kind in (("product", str), ("timers", Timers)):
+            if getattr(self, name) is not None:
+                _checks.instance(name, getattr(self, name), kind)
         _checks.plain_numbers(self)
         _checks.number("lease", self.lease, 0, above=True, endless=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))

@@ -9,8 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import MappingProxyType
 
-from discostorm.data import read_data
-from discostorm.messages import Protocol
+from discostorm.messages import Basis, Protocol
 from discostorm.protocols.paper import DDS, ZENOH
 
 
@@ -29,10 +28,16 @@ def _tables() -> dict[str, Protocol]:
 #: Every protocol by its name, such as ``PROTOCOLS["Fast DDS"]``.
 PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
 
+
+def _of_basis(basis: Basis) -> frozenset[str]:
+    every = (table for known in PROTOCOLS.values() for table in (known, known.wired) if table)
+    return frozenset(table.name for table in every if table.basis == basis)
+
+
 #: The names of those that say what products really send; the others have the paper's counts.
-MEASURED = frozenset(row["protocol"] for row in read_data("vendors/products.csv"))
+MEASURED = _of_basis("measured")
 
 #: The names of those that say what products send when they are arranged against the storm.
-ARRANGED = frozenset(row["protocol"] for row in read_data("vendors/arrangements.csv"))
+ARRANGED = _of_basis("arranged")
 
 __all__ = ["ARRANGED", "DDS", "MEASURED", "PROTOCOLS", "ZENOH"]

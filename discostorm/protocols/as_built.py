@@ -7,13 +7,26 @@ of the same columns, `mitigations.csv`.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast as typed
 
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm.messages import HOPS, UNITS, Hop, Message, Payload, Protocol, Schedule
-from discostorm.protocols.defaults import defaults
+from discostorm.messages import (
+    HOPS,
+    UNITS,
+    Basis,
+    Family,
+    Hop,
+    Message,
+    Payload,
+    Protocol,
+    Role,
+    Schedule,
+    Transport,
+)
+from discostorm.protocols.defaults import defaults, timers
+from discostorm.wifi import Cast
 
 
 def schedule(row: Mapping[str, str]) -> Schedule:
@@ -52,6 +65,10 @@ def as_built(name: str, family: str = "as_built") -> Protocol:
         tuple(_message(row, rows, family) for row in rows.values()),
         lease=defaults(product["defaults"])["lease"],
         wired=as_built(product["wired"], family) if product["wired"] else None,
+        family=typed(Family, product["family"]),
+        product=product["defaults"],
+        basis=typed(Basis, product["basis"]),
+        timers=timers(product["defaults"]),
     )
 
 
@@ -63,12 +80,11 @@ def hops(row: Mapping[str, str]) -> tuple[Hop, ...]:
 def _message(row: dict[str, str], known: Mapping[str, Any], family: str) -> Message:
     source = f"{row['source']}; size: measured (discostorm/data/measured/{family}.csv)"
     nominal, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
-    cast, transport = row["cast"], row["transport"]
     return Message(
         row["message"],
         row["phase"],
-        "multicast" if cast == "multicast" else "unicast",
-        "TCP" if transport == "TCP" else "UDP",
+        typed(Cast, row["cast"]),
+        typed(Transport, row["transport"]),
         Payload(nominal, low, high, source),
         UNITS[row["unit"]],
         float(row["per_unit"]),
@@ -77,4 +93,6 @@ def _message(row: dict[str, str], known: Mapping[str, Any], family: str) -> Mess
         answers=row["answers"] if row["answers"] in known else None,
         frames=float(row["frames"]),
         kind=row["kind"],
+        role=typed(Role, row["role"]),
+        informs=row["informs"] == "yes",
     )

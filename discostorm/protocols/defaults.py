@@ -1,6 +1,7 @@
 """The middlewares' default periods, leases, counts and sizes."""
 
 from discostorm.data import read_data
+from discostorm.messages import Timers
 
 
 def products() -> list[str]:
@@ -39,3 +40,17 @@ def defaults(product: str) -> dict[str, float]:
         raise ValueError(f"product must be {names}; got {product!r}")
     rows = read_data("vendors/middleware_defaults.csv")
     return {row["quantity"]: float(row["value"]) for row in rows if row["product"] == product}
+
+
+def timers(product: str) -> Timers:
+    """Return when a product sends again what its table does not repeat; see `defaults`.
+
+    Examples
+    --------
+    >>> timers("Fast DDS")
+    Timers(announce_first=3.0, announce_most=3.0, heartbeat_first=1.0, heartbeat_most=1.0)
+    """
+    values = defaults(product)
+    rows = read_data("vendors/middleware_defaults.csv")
+    own = {row["quantity"]: row["timers"].split() for row in rows if row["product"] == product}
+    return Timers(**{timer: values[name] for name, named in own.items() for timer in named})

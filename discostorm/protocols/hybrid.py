@@ -20,13 +20,17 @@ from discostorm.messages import (
     Message,
     Payload,
     Protocol,
+    Role,
     Schedule,
+    Timers,
     Unit,
 )
 
 _ROWS = {row["quantity"]: row for row in read_data("hybrid/parameters.csv")}
 _VALUE = {name: float(row["value"]) for name, row in _ROWS.items()}
 _BEATS = Schedule((_VALUE["heartbeat"],), _VALUE["heartbeat"])
+#: Who misses a set learns so from a Heartbeat, and has it sent again.
+_TIMERS = Timers(_VALUE["heartbeat"], _VALUE["heartbeat"])
 
 
 def _row(
@@ -39,6 +43,7 @@ def _row(
     answers: str | None = None,
     inside: bool = True,
     per_unit: float = 1,
+    role: Role = "other",
 ) -> Message:
     """Return a row of which the data file says the size; inside another's frame or not."""
     size, source = _VALUE[quantity], f"data/hybrid/parameters.csv, {quantity}"
@@ -53,12 +58,14 @@ def _row(
         schedule,
         answers=answers,
         frames=0.0 if inside else 1.0,
+        role=role,
     )
 
 
+#: A set announces all that it tells of.
 _SETS = (
-    _row("Announce", "Sets", "header", HOST, inside=False),
-    _row("Process", "Sets", "process", PROCESS),
+    _row("Announce", "Sets", "header", HOST, inside=False, role="announcement"),
+    _row("Process", "Sets", "process", PROCESS, role="announcement"),
 )
 _REST = (
     # Of all hosts that are about to show what they hold, the first does; the others hear it.
@@ -71,8 +78,10 @@ _REST = (
 #: No two hosts run the same software.
 HYBRID = Protocol(
     "hybrid",
-    (*_SETS, _row("Endpoint", "Sets", "endpoint", ENDPOINT), *_REST),
+    (*_SETS, _row("Endpoint", "Sets", "endpoint", ENDPOINT, role="announcement"), *_REST),
     lease=_VALUE["lease"],
+    basis="proposal",
+    timers=_TIMERS,
 )
 
 #: The hosts of a group run the same software: one tells its description, the others its hash.
@@ -80,9 +89,11 @@ HYBRID_ALIKE = Protocol(
     "hybrid, alike",
     (
         *_SETS,
-        _row("Software", "Sets", "software", HOST),
-        _row("Endpoint", "Sets", "endpoint", KIND_ENDPOINT),
+        _row("Software", "Sets", "software", HOST, role="announcement"),
+        _row("Endpoint", "Sets", "endpoint", KIND_ENDPOINT, role="announcement"),
         *_REST,
     ),
     lease=_VALUE["lease"],
+    basis="proposal",
+    timers=_TIMERS,
 )

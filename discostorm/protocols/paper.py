@@ -1,4 +1,9 @@
-"""DDS and Zenoh discovery as the paper counts them (Sec. III, equations 1 to 10)."""
+"""DDS and Zenoh discovery as the paper counts them (Sec. III, equations 1 to 10).
+
+Simulated with recovery, they have the timers of Fast DDS and of Zenoh, as the paper names none.
+"""
+
+from typing import cast as typed
 
 from discostorm.data import read_data
 from discostorm.messages import (
@@ -8,9 +13,11 @@ from discostorm.messages import (
     Message,
     Payload,
     Protocol,
+    Role,
     Transport,
     Unit,
 )
+from discostorm.protocols.defaults import timers
 from discostorm.wifi import Cast
 
 
@@ -22,13 +29,23 @@ def table2(
     per_unit: float,
     answers: str | None = None,
 ) -> Message:
-    """Return the message of that name with its size and transport from the paper's Table II."""
+    """Return the message of that name, with what the file of the paper's Table II says of it."""
     (row,) = (row for row in read_data("paper/table2.csv") if row["message"] == name)
     payload = Payload(
         float(row["payload_B"]), float(row["low_B"]), float(row["high_B"]), row["source"]
     )
-    transport: Transport = "TCP" if row["transport"] == "TCP" else "UDP"
-    return Message(name, phase, cast, transport, payload, unit, per_unit, answers=answers)
+    return Message(
+        name,
+        phase,
+        cast,
+        typed(Transport, row["transport"]),
+        payload,
+        unit,
+        per_unit,
+        answers=answers,
+        role=typed(Role, row["role"]),
+        informs=row["informs"] == "yes",
+    )
 
 
 DDS = Protocol(
@@ -40,6 +57,9 @@ DDS = Protocol(
         table2("Heartbeat", "SEDP", "unicast", PAIR, 2, "SPDP"),
         table2("ACKNACK", "SEDP", "unicast", PAIR, 2, "Heartbeat"),
     ),
+    family="DDS",
+    basis="paper",
+    timers=timers("Fast DDS"),
 )
 
 #: In pure peer mode.
@@ -51,4 +71,7 @@ ZENOH = Protocol(
         table2("Declare", "Declaration", "unicast", ENDPOINT_PAIR, 1, "Hello"),
         table2("KeepAlive", "Declaration", "unicast", PAIR, 2, "Hello"),
     ),
+    family="Zenoh",
+    basis="paper",
+    timers=timers("Zenoh"),
 )

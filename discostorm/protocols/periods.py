@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import accumulate
 
 from discostorm.messages import PAIR, Message, Payload, Protocol, Schedule
-from discostorm.protocols.defaults import defaults
+from discostorm.protocols.defaults import defaults, timers
 from discostorm.protocols.paper import DDS, ZENOH
 
 _FAST_VALUE = defaults("Fast DDS")
@@ -38,6 +38,10 @@ FAST_DDS_PERIODS = Protocol(
         *DDS.of_phase("SEDP"),
     ),
     lease=_FAST_VALUE["lease"],
+    family="DDS",
+    product="Fast DDS",
+    basis="timed",
+    timers=timers("Fast DDS"),
 )
 
 _CYCLONE_VALUE = defaults("Cyclone DDS")
@@ -83,17 +87,23 @@ CYCLONE_DDS_PERIODS = Protocol(
             PAIR,
             1,
             _CYCLONE_ALIVE,
+            role="other",
         ),
         replace(
             DDS.message("ACKNACK"),
             name="LivelinessACK",
             phase="Liveliness",
+            role="other",
             per_unit=1,
             schedule=_CYCLONE_ALIVE,
             answers="Liveliness",
         ),
     ),
     lease=_CYCLONE_LEASE,
+    family="DDS",
+    product="Cyclone DDS",
+    basis="timed",
+    timers=timers("Cyclone DDS"),
 )
 
 _ZENOH_VALUE = defaults("Zenoh")
@@ -125,6 +135,10 @@ ZENOH_PERIODS = Protocol(
         ),
     ),
     lease=_ZENOH_VALUE["lease"],
+    family="Zenoh",
+    product="Zenoh",
+    basis="timed",
+    timers=timers("Zenoh"),
 )
 
 
