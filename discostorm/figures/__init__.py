@@ -22,6 +22,7 @@ from discostorm.figures.looks import (
     WIDTH,
     color_of,
     palette_of,
+    property_of,
     style,
 )
 from discostorm.figures.messages import airtime, airtime_data, bars, bars_data, who_tells_whom
@@ -74,6 +75,7 @@ __all__ = [
     "files_of_all",
     "palette_of",
     "phases_data",
+    "property_of",
     "remedies",
     "replacing",
     "save",

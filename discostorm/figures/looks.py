@@ -9,7 +9,7 @@ from typing import Any
 import matplotlib as mpl
 from cycler import cycler
 
-from discostorm.data import data_path, read_data
+from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.palette import PALETTE, Color, lights
 from discostorm.protocols import PROTOCOLS
@@ -55,26 +55,17 @@ def color_of(protocol: Protocol) -> str:
     return palette_of([protocol])[0].light
 
 
+def property_of(protocol: Protocol) -> str:
+    """Return the same on pages: a custom property of ``palette.css``, for light and dark."""
+    return palette_of([protocol])[0].property
+
+
 def _own(protocol: Protocol) -> Color | None:
-    for group in ("product", "family", "basis"):
-        if color := PALETTE.get((group, _field(protocol, group))):
-            return color
+    said = (("product", protocol.product), ("family", protocol.family), ("basis", protocol.basis))
+    for group, key in said:
+        if key is not None and (group, key) in PALETTE:
+            return PALETTE[group, key]
     return None
-
-
-def _field(protocol: Protocol, group: str) -> str:
-    ran = [*read_data("vendors/products.csv"), *read_data("vendors/arrangements.csv")]
-    products = {row["protocol"]: row["defaults"] for row in ran} | {
-        "DDS, periods of Fast DDS": "Fast DDS",
-        "DDS, periods of Cyclone DDS": "Cyclone DDS",
-        "Zenoh, periods of Zenoh peer": "Zenoh",
-    }
-    known = {
-        "product": products,
-        "family": {"DDS": "DDS", "Zenoh": "Zenoh"},
-        "basis": {"hybrid": "proposal", "hybrid, alike": "proposal"},
-    }
-    return known[group].get(protocol.name, "")
 
 
 #: The colors of `PROTOCOLS` by their names; of any other table, see `color_of`.

@@ -82,7 +82,7 @@ def export() -> dict[str, Any]:
             "airtimes": [airtimes(protocol)[kind] for kind in kinds],
             "numbers": numbers,
             "runs": "".join(LETTERS[index] for index in runs),
-            "color": figures.palette_of([protocol])[0].property,
+            "color": figures.property_of(protocol),
         }
     most = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     return {"letters": LETTERS, "most": most, "protocols": storms}
