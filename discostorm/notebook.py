@@ -375,8 +375,11 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
         printed = result.output.rstrip("\n").split("\n")
         rest = len(printed) - (lines or len(printed))
         shown += [f"$ {command}", *printed[:lines]]
-        shown += [f"... and {rest} more lines"] * (rest > 0)
-        shown += [f"[exit code {result.exit_code}]"] * (result.exit_code != 0) + [""]
+        if rest > 0:
+            shown.append(f"... and {rest} more lines")
+        if result.exit_code != 0:
+            shown.append(f"[exit code {result.exit_code}]")
+        shown.append("")
     fitting = [
         part for line in shown[:-1] for part in (wrap(line, width) if len(line) > width else [line])
     ]
