@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -77,6 +77,9 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/write_calculator.py
+
+palette: $(READY) ## write the colors of the pages from the palette
+	@$(BIN)/python scripts/write_palette.py
 
 notebooks: $(READY) ## execute every notebook in place
 	@$(BIN)/python scripts/run_notebooks.py

@@ -32,7 +32,13 @@ DESCRIBED = {
         *("mitigation_counts", "mitigation_misses", "mitigations", "published", "shared_counts"),
     ),
     "README.md": (
-        *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
+        *(
+            "simulated/hybrid",
+            "vendors/products",
+            "vendors/arrangements",
+            "paper/quantities",
+            "palette",
+        ),
     ),
 }
 WITHOUT = {

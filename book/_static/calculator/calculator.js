@@ -521,7 +521,7 @@
         const share = message.both / front.utilization || 0;
         const bar = make("span", { class: "calc-bar", "aria-hidden": "true" }, make("span"));
         bar.firstChild.style.width = `${100 * share}%`;
-        bar.firstChild.style.background = colorOf(answer, front);
+        bar.firstChild.style.background = `var(${front.protocol.color})`;
         const of = (what) => `${front.name} ${message.name} ${what}`;
         return make(
           "tr",
@@ -544,10 +544,16 @@
   function readTheme() {
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(`--pst-color-${name}`).trim();
-    theme = { text: color("text-base"), background: color("background"), border: color("border") };
+    theme = {
+      text: color("text-base"),
+      background: color("background"),
+      border: color("border"),
+      lines: Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(MODEL.protocols[name].color).trim()])),
+    };
   }
 
-  const colorOf = (answer, one) => MODEL.palette[answer.drawn.indexOf(one)];
+  // A product has one color everywhere; lines of the same differ in their dashes.
+  const colorOf = (one) => theme.lines[one.name];
   const dashOf = (answer, one) => DASHES[answer.drawn.indexOf(one)];
 
   /** A piece of a protocol's line, for the legend. */
@@ -559,7 +565,7 @@
     };
     const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
     const dash = dashOf(answer, one).join(" ");
-    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke: colorOf(answer, one), "stroke-width": 3, "stroke-dasharray": dash }));
+    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, style: `stroke: var(${one.protocol.color})`, "stroke-width": 3, "stroke-dasharray": dash }));
     return svg;
   }
 
@@ -675,8 +681,8 @@
         const y = u.valToPos(one.utilization, "y", true);
         ctx.beginPath();
         ctx.arc(x, y, 6 * scale, 0, 2 * Math.PI);
-        ctx.fillStyle = one === answer.front ? colorOf(answer, one) : background;
-        ctx.strokeStyle = one === answer.front ? text : colorOf(answer, one);
+        ctx.fillStyle = one === answer.front ? colorOf(one) : background;
+        ctx.strokeStyle = one === answer.front ? text : colorOf(one);
         ctx.lineWidth = 2 * scale;
         ctx.fill();
         ctx.stroke();
@@ -763,7 +769,7 @@
         series: [
           {},
           ...order.map((index) => ({
-            stroke: colorOf(answer, answer.drawn[index]),
+            stroke: colorOf(answer.drawn[index]),
             width: answer.drawn[index] === answer.front ? 3 : 2,
             dash: dashOf(answer, answer.drawn[index]),
             points: { show: false },

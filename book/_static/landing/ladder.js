@@ -27,7 +27,7 @@
   }
   const markers = DATA.protocols.map(({ name, color }, i) => {
     const marker = make("span", { class: `ladder-marker ladder-${i}` }, make("b", {}, ""), ` ${name}`);
-    marker.style.setProperty("--color", color);
+    marker.style.setProperty("--color", `var(${color})`);
     line.append(marker);
     return marker;
   });
