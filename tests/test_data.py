@@ -32,7 +32,8 @@ DESCRIBED = {
         *("mitigation_counts", "mitigation_misses", "mitigations", "published", "shared_counts"),
     ),
     "README.md": (
-        *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
+        *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities"),
+        *("vendors/products", "vendors/arrangements"),
     ),
 }
 WITHOUT = {
