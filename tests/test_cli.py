@@ -45,7 +45,7 @@ def swarm(command: str, *more: str) -> Result:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
-    packed = Path(__file__).parent / "captures" / "cyclone_dds_010.pcap.xz"
+    packed = data_path("captures/cyclone_dds_010.pcap.xz")
     (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
     return tmp_path
 
