@@ -20,7 +20,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import figures, notebook
+from discostorm import figures
+from discostorm.book import notebook
 from discostorm.cli import main, output
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path

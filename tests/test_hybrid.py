@@ -7,8 +7,8 @@ import pytest
 import simulate_hybrid
 
 import discostorm as ds
+from discostorm.book.comparison import held_hybrid
 from discostorm.data import read_data
-from discostorm.measured import held_hybrid
 from discostorm.messages import PROCESS
 from hybrid import wire
 from hybrid.channel import Channel, Frame, timing_of
