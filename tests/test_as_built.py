@@ -91,12 +91,18 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
             if abs(row[f"expected{end}"] - row[f"measured{end}"]) > limit * row[f"measured{end}"]:
                 off.add((row["point"], row["window"], row["phase"], row["kind"], quantity))
     assert off == listed
-    assert {row["reason"] for row in read_data("measured/misses.csv")} <= {
-        row["reason"] for row in read_data("measured/reasons.csv")
-    }
     # In the steady state there is nothing to excuse but for the number of Zenoh's connections.
     steady = {phase for _, window, phase, _, _ in off if window == "steady"}
     assert steady <= {"KeepAlive", "TCP"}
+
+
+def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
+    causes = read_data("measured/causes.csv")
+    reasons = {row["reason"] for row in read_data("measured/reasons.csv")}
+    assert {row["reason"] for row in (*read_data("measured/misses.csv"), *causes)} <= reasons
+    known = {**measured.products(), **measured.arrangements()}.values()
+    tables = {(row["product"], variant) for row in known for variant in ("", row["variant"])}
+    assert {(row["product"], row["variant"]) for row in causes} <= tables
 
 
 @each_table

@@ -8,7 +8,7 @@ import pandas as pd
 
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
-from discostorm.measured import WINDOWS, Point, arrangements, points
+from discostorm.measured import WINDOWS, Point, arrangements, points, products
 from discostorm.messages import HOPS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS
 
@@ -143,26 +143,22 @@ def _reason(
     everyone = int(hosts) * int(processes)
     if least <= count <= most:
         return "scatter"
-    if row["phase"] == "TCP" and protocol in arrangements():
-        return "acknowledgements"
-    if row["phase"] in ("Session", "KeepAlive", "TCP"):
-        return "connections"
+    cause = _cause(protocol, row["phase"])
+    if cause is not None and (everyone > 2 or cause["of_one_pair"] == "yes"):
+        return cause["reason"]
     if everyone == 2:
         return "one pair"
-    causes = _CAUSES.get(protocol.partition(" ")[0], {})
-    return causes.get(row["phase"]) or ("crowd" if everyone >= 6 else "form")
+    return "crowd" if everyone >= 6 else "form"
 
 
-#: By the first word of a table and by phase: where the source of a product says what decides.
-_CAUSES = {
-    "Cyclone": {
-        "SPDP": "answers",
-        "SEDP": "shared",
-        **dict.fromkeys(("Liveliness", "Type lookup", "User"), "repeats"),
-    },
-    "static": {"SPDP": "known"},
-    "Zenoh": {"Gossip": "news"},
-}
+def _cause(protocol: str, phase: str) -> dict[str, str] | None:
+    """Return what decides a phase of a product, where its source says so."""
+    run = (products() | arrangements())[protocol]
+    for row in read_data("measured/causes.csv"):
+        of_run = row["product"] == run["product"] and row["variant"] in ("", run["variant"])
+        if of_run and row["phase"] == phase:
+            return row
+    return None
 
 
 def held_hybrid(alike: bool = False) -> pd.DataFrame:
