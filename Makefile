@@ -96,7 +96,7 @@ bench: $(READY) ## measure the speed of the package against its limits
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
 	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
-	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid.py --grid lab/hybrid_short.csv \
+	@[ "$$GRID" != short ] || $(BIN)/python lab/run_hybrid.py --grid lab/hybrid/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
 
@@ -107,7 +107,7 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 	@$(BIN)/python lab/published.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/hybrid.py --out discostorm/data/measured/hybrid.csv
+	@$(BIN)/python lab/run_hybrid.py --out discostorm/data/measured/hybrid.csv
 
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
@@ -127,7 +127,7 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
 	@$(BIN)/python scripts/simulate.py $(ARGS)
-	@$(BIN)/python scripts/simulate_hybrid.py
+	@$(BIN)/python lab/simulate_hybrid.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

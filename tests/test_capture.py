@@ -52,6 +52,8 @@ from discostorm.capture import (
 )
 from discostorm.cli import main
 
+#: What others list of the captures.
+LISTED = Path(__file__).parent / "captures"
 DDS_CAPTURES = ["fast_dds", "cyclone_dds_010", "cyclone_dds_11"]
 Read = Callable[[bytes], Capture]
 
@@ -129,7 +131,7 @@ def as_we_say(capture: Capture) -> dict[int, tuple[object, ...]]:
 
 @pytest.mark.parametrize("name", DDS_CAPTURES)
 def test_rtps_is_what_tshark_says_frame_by_frame(name: str) -> None:
-    text = lzma.decompress((CAPTURES / f"{name}.tshark.csv.xz").read_bytes()).decode()
+    text = lzma.decompress((LISTED / f"{name}.tshark.csv.xz").read_bytes()).decode()
     expected = as_tshark_says(list(csv.DictReader(text.splitlines())))
     assert len(expected) > 40
     assert as_we_say(captured(name)) == expected
@@ -181,7 +183,7 @@ def test_any_link_type_is_what_tshark_says(link: str, tmp_path: Path) -> None:
 
 
 def test_zenoh_is_what_its_own_log_says() -> None:
-    rows = csv.DictReader((CAPTURES / "zenoh_data.trace.csv").read_text().splitlines())
+    rows = csv.DictReader((LISTED / "zenoh_data.trace.csv").read_text().splitlines())
     expected = {row["message"]: int(row["count"]) for row in rows}
     messages = captured("zenoh_data").messages()
     found = Counter(messages.loc[messages["protocol"] == "Zenoh", "submessage"])

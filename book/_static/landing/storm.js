@@ -1,5 +1,5 @@
 // The live storm of the first page. Messages, their order and their airtime are the package's, from
-// the data on the page (discostorm.paper.storm); what is here moves dots and adds up airtime.
+// the data on the page (discostorm.book.storm); what is here moves dots and adds up airtime.
 "use strict";
 
 (() => {

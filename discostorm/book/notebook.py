@@ -7,30 +7,20 @@ from base64 import b64encode
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from html import escape
-from importlib import import_module
 from textwrap import wrap
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import sympy as sp
+from IPython.display import SVG, Markdown, display
+from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm import figures, words
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm.planner import Plan, Remedy
-
-try:
-    from IPython.display import SVG, Markdown, display
-    from matplotlib_inline.backend_inline import set_matplotlib_formats
-
-    import_module("tabulate")  # by which pandas writes tables
-except ImportError as error:
-    raise ImportError(
-        f"discostorm.notebook needs {error.name}; to get it: pip install 'discostorm[book]'",
-        name=error.name,
-    ) from error
 
 
 def setup() -> None:
