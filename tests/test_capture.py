@@ -1,7 +1,6 @@
 """Captures are read as tshark and Zenoh's own log read them, from any file, and nothing breaks."""
 
 import bz2
-import contextlib
 import csv
 import gzip
 import io
@@ -45,7 +44,6 @@ import discostorm as ds
 from discostorm.capture import (
     Capture,
     CaptureError,
-    _chain,
     files,
     read_capture,
     rtps as rtps_module,
@@ -269,10 +267,15 @@ def test_the_same_from_every_kind_of_file(read: Read) -> None:
     assert read(plain).duration == pytest.approx((found[-1][0] - found[0][0]) / 1e9)
 
 
-def test_sections_of_both_byte_orders_in_one_file(read: Read) -> None:
+@pytest.mark.parametrize("order", "<>")
+def test_sections_of_one_file_have_one_byte_order(order: str, read: Read) -> None:
     found = packets("cyclone_dds_010")
-    both = read(pcapng(found[:30]) + pcapng(found[30:], order=">", resolution=6))
+    first = pcapng(found[:30], order=order)
+    both = read(first + pcapng(found[30:], order=order, resolution=6))
     pd.testing.assert_frame_equal(facts(both), facts(captured("cyclone_dds_010")))
+    other = pcapng(found[30:], order="<>".replace(order, ""))
+    with pytest.raises(CaptureError, match=f"byte {len(first)}: a section in another byte order"):
+        read(first + other)
 
 
 def test_ipv6_with_extensions_and_in_fragments(read: Read) -> None:
@@ -805,54 +808,6 @@ def test_packets_of_a_large_file_are_those_written_to_it(
         # Where the header of the first that is not whole stands.
         where = table["at"][whole] - (16 if make is pcap else 28)
         assert f": byte {where}: " in str(error.value)
-
-
-def test_sections_of_a_large_file_may_change_the_byte_order(tmp_path: Path) -> None:
-    path = tmp_path / "large"
-    path.write_bytes(b"".join(pcapng(many(b""), order=order) for order in "<><>>"))
-    times = [when for when, _, _ in many(b"")]
-    assert files.read(path).table["time"].tolist() == times * 5
-    assert files.read(path).links == (1,) * 5
-
-
-def test_a_large_file_is_hardly_followed_packet_by_packet(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = tmp_path / "large"
-    slowly: list[int] = []
-    one_by_one = _chain._up_to
-
-    def counted(*arguments: Any) -> tuple[Any, int]:
-        found, end = one_by_one(*arguments)
-        slowly.append(len(found))
-        return found, end
-
-    monkeypatch.setattr(_chain, "_up_to", counted)
-    for make in (pcap, pcapng):
-        path.write_bytes(make(many(b"")))
-        slowly.clear()
-        assert len(files.read(path).table["at"]) == 6000
-        assert sum(slowly) < 600
-
-
-@pytest.mark.parametrize("size", [8128, 8129, 8192, 8193])
-def test_a_file_that_is_mapped_stays_as_it_was_and_zeros_follow(
-    size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    content = pcap([(0, random.Random(size).randbytes(size - 40), size - 40)])
-    path = tmp_path / "capture.pcap"
-    path.write_bytes(content)
-    monkeypatch.setattr(files, "_LARGE", 0)
-    found = files.read(path)
-    # It is mapped only where nobody can make it shorter meanwhile: to touch what is gone is fatal.
-    with contextlib.suppress(BlockingIOError):
-        os.close(os.open(path, os.O_WRONLY | os.O_TRUNC | os.O_NONBLOCK))
-    assert found.data.tobytes() == content + bytes(64)
-    assert len(content) == size
-    del found
-    path.write_bytes(content[:100])
-    with pytest.raises(CaptureError, match="packet 1 is cut or broken"):
-        files.read(path)
 
 
 def test_a_clock_that_is_set_back(read: Read) -> None:

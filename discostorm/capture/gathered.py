@@ -4,7 +4,7 @@ from collections import Counter
 
 import numpy as np
 
-from discostorm.capture import files, ip, link, rtps
+from discostorm.capture import ip, link, pcap, rtps
 from discostorm.capture._bytes import Bytes, Columns, Numbers, codes, number, stack, take
 
 RTPS, ZENOH, TCP = range(3)
@@ -26,7 +26,7 @@ class Process:
 class Gathered:
     """What is gathered while a file is read."""
 
-    def __init__(self, packets: files.Packets) -> None:
+    def __init__(self, packets: pcap.Packets) -> None:
         self.packets = packets
         self.notes: Counter[str] = Counter()
         self.addresses, self.prefixes = Numbers(), Numbers()

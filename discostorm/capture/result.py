@@ -15,7 +15,7 @@ import sympy as sp
 from discostorm import _checks
 from discostorm._numeric import evaluate
 from discostorm.capture import gathered, ip, reader, rtps, zenoh
-from discostorm.capture.files import CaptureError
+from discostorm.capture.pcap import CaptureError
 from discostorm.capture.zenoh_reader import TCP_KINDS
 from discostorm.fleet import COUNTS, Count, Fleet, HostGroup, reject_symbols
 from discostorm.messages import (
@@ -444,7 +444,6 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
         radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
         open, such as ``sys.stdin.buffer``, is read to its end.
-        On Linux whoever would write to a large file meanwhile may have to wait.
 
     Returns
     -------
