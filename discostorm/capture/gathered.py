@@ -11,7 +11,7 @@ RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
 
 
-class Process:
+class KnownProcess:
     """What is known of a process; more becomes known while a file is read."""
 
     def __init__(self, protocol: int, name: str, product: str = "") -> None:
@@ -30,7 +30,7 @@ class Gathered:
         self.packets = packets
         self.notes: Counter[str] = Counter()
         self.addresses, self.prefixes = Numbers(), Numbers()
-        self.processes: dict[int, Process] = {}
+        self.processes: dict[int, KnownProcess] = {}
         self.rows: list[Columns] = []
         self.datagrams: list[tuple[Bytes, Columns]] = []
         self.segments: list[Columns] = []
@@ -147,11 +147,20 @@ class Gathered:
             )
         self.announced(data, found, announced)
 
+    def note_domains(self) -> None:
+        """Say of which domains there are messages, if not of one alone."""
+        if (count := len(self.domains)) > 1:
+            which = ", ".join(map(str, sorted(self.domains)))
+            self.notes[
+                f"domains of RTPS ({which}): only processes of the same one find each other, which "
+                "the fleet does not know"
+            ] = count
+
     def saw(self, prefix: int, source: int, frame: int, vendor: int) -> None:
         """Keep where and when a process was seen first."""
         process = self.processes.get(prefix)
         if process is None:
-            process = self.processes[prefix] = Process(RTPS, "")
+            process = self.processes[prefix] = KnownProcess(RTPS, "")
         if process.since < 0:
             process.since = frame
             process.product = rtps.VENDORS.get(vendor, f"vendor 0x{vendor:04x}")
@@ -186,7 +195,7 @@ class Gathered:
         ):
             process = self.processes.get(which)
             if process is None:
-                process = self.processes[which] = Process(RTPS, "")
+                process = self.processes[which] = KnownProcess(RTPS, "")
             process.announced = True
             if not spdp:
                 process.endpoints.add(id_)

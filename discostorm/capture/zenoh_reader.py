@@ -7,7 +7,7 @@ import numpy as np
 
 from discostorm.capture import ip, tcp, zenoh
 from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, buffer, codes, stack, take
-from discostorm.capture.gathered import TCP, ZENOH, Gathered, Process
+from discostorm.capture.gathered import TCP, ZENOH, Gathered, KnownProcess
 
 #: Segments of Zenoh's connections that carry no message of their own.
 TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
@@ -34,7 +34,7 @@ def _process(gathered: Gathered, known: dict[bytes, int], zid: bytes, role: int)
     role_name = ("router", "peer", "client", "")[role & 3]
     # As Zenoh writes it.
     name = f"{int.from_bytes(zid, 'little'):x}"
-    gathered.processes.setdefault(which, Process(ZENOH, name, f"Zenoh {role_name}".strip()))
+    gathered.processes.setdefault(which, KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip()))
     return which
 
 
