@@ -4,7 +4,7 @@ from collections import Counter
 
 import numpy as np
 
-from discostorm.capture import ip, link, pcap, rtps
+from discostorm.capture import fragments, ip, link, pcap, rtps
 from discostorm.capture._bytes import Bytes, Columns, Numbers, codes, number, stack, take
 
 RTPS, ZENOH, TCP = range(3)
@@ -208,7 +208,7 @@ class Gathered:
         if self.pieces:
             pieces = stack(self.pieces)
             self.pieces = []
-            data, made = ip.put_together(
+            data, made = fragments.put_together(
                 pieces, self.packets.data, self.packets.table["time"], self.notes
             )
             self.transport(data, made)

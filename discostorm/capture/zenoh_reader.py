@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from discostorm.capture import ip, tcp, zenoh
+from discostorm.capture import ip, tcp, zenoh, zenoh_streams
 from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, buffer, codes, stack, take
 from discostorm.capture.gathered import TCP, ZENOH, Gathered, KnownProcess
 
@@ -146,21 +146,21 @@ def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, i
     """Read sessions over TCP."""
     data = gathered.packets.data
     _note_tls(gathered, data, streams)
-    chosen = zenoh.chosen(data, streams)
-    if len(others := zenoh.undecided(streams, chosen)):
-        begun = list(zenoh.sessions(tcp.content(data, streams, others)))
+    chosen = zenoh_streams.chosen(data, streams)
+    if len(others := zenoh_streams.undecided(streams, chosen)):
+        begun = list(zenoh_streams.openings(tcp.content(data, streams, others)))
         chosen = np.union1d(chosen, [*begun, *streams.reverse[begun]]).astype(np.int64)
     if not len(chosen):
         return
     content = tcp.content(data, streams, chosen)
-    opened = zenoh.sessions(content)
+    opened = zenoh_streams.openings(content)
     table = streams.table
     process = np.full(len(streams.first), -1, np.int64)
     for of, session in opened.items():
         row = streams.first[of]
         process[of] = _process(gathered, known, session.zid, session.role)
         _zenoh_saw(gathered, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
-    batches = zenoh.batches(content, streams, opened, gathered.notes)
+    batches = zenoh_streams.batches(content, streams, opened, gathered.notes)
     found = zenoh.parse(content.data, batches["at"], batches["end"])
     if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):
         gathered.notes["batches of Zenoh that cannot be read to their end"] += unreadable
@@ -182,7 +182,7 @@ def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, i
     }
     rows["way"] = table["way"][done]
     number_ = found["number"]
-    made, members = zenoh.put_together(content.data, found, stream, gathered.notes)
+    made, members = zenoh_streams.put_together(content.data, found, stream, gathered.notes)
     if made:
         inner, extra, number_2, stream_2 = _from_fragments(
             gathered, made, members, found, rows, stream
