@@ -67,59 +67,34 @@ def _runs(
     pieces: Columns, group: Array, data: Bytes, time: Array, notes: Counter[str]
 ) -> tuple[Array, Array]:
     """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
-    size = len(group)
-    offset, more = pieces["offset"], pieces["more"]
     late = (np.diff(group, prepend=-1) != 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
-    start = late | (offset == 0)
-    run = np.cumsum(start) - 1
-    follows = np.ones(size, bool)
-    follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
-    last = np.append(start[1:], True)
-    good = np.where(start, offset == 0, follows) & (more != last)
-    whole_run = np.logical_and.reduceat(good, np.flatnonzero(start))
-    easy = whole_run[run]
+    run, easy = _in_order(pieces, late)
     chosen, runs = np.flatnonzero(easy), run[easy]
     # Those out of order, sent twice or with holes, one by one. What repeats a piece belongs to
     # the next datagram of the kind, so that a packet seen twice counts twice as any other does.
     part = np.cumsum(late)
-    code, first = codes(part, offset, pieces["wire"])
-    left, layer = np.flatnonzero(~easy), np.zeros(size, np.int64)
+    code, first = codes(part, pieces["offset"], pieces["wire"])
+    left, layer = np.flatnonzero(~easy), np.zeros(len(group), np.int64)
     layer[left] = times_before(code[left])
     left = left[np.lexsort((left, layer[left], part[left]))]
+    together: list[list[int]] = []
+    now, since = (-1, 0), 0
+    for which in left.tolist():
+        kind, when = (int(group[which]), int(layer[which])), int(time[which])
+        if kind != now or when - since > _LIFETIME:
+            together.append([])
+            now, since = kind, when
+        together[-1].append(which)
     hard: list[int] = []
     hard_runs: list[int] = []
-    waiting: dict[int, tuple[int, int]] = {}  # offset: (end, which)
-    rests: list[list[int]] = []
-    now, since, total, held, failed = (-1, 0), 0, 0, 0, 0
-    ends = (offset + pieces["wire"]).tolist()
-
-    for which in left.tolist():
-        if (group[which], layer[which]) != now or time[which] - since > _LIFETIME:
-            rests.append([index for _, index in waiting.values()])
-            now, since = (int(group[which]), int(layer[which])), int(time[which])
-            waiting, total, held, failed = {}, 0, 0, 0
-        here = int(offset[which])
-        old = waiting.get(here, (here, 0))[0]
-        if old < ends[which]:
-            held += ends[which] - old
-            waiting[here] = ends[which], which
-        if not more[which]:
-            total = ends[which]
-        if not total or held < total or failed > _MOST_FAILURES:
-            continue
-        covered, parts = 0, []
-        for at, (end, index) in sorted(waiting.items()):
-            if at > covered or covered >= total:
-                break
-            parts.append(index)
-            covered = max(covered, end)
-        if covered < total:
-            failed += 1  # overlaps, and a hole
-            continue
-        hard += parts
-        hard_runs += [size + which] * len(parts)
-        waiting, total, held = {}, 0, 0
-    rests.append([index for _, index in waiting.values()])
+    rests = []
+    for some in together:
+        made, rest = _out_of_order(pieces, some)
+        rests.append(rest)
+        for members in made:
+            hard += members
+            # Any number that no other datagram has.
+            hard_runs += [len(group) + members[0]] * len(members)
     chosen = np.append(chosen, np.array(hard, np.int64))
     # What only repeats pieces that were used, or that are missing anyway, is no datagram.
     used = first.copy()
@@ -139,3 +114,48 @@ def _runs(
     if lost:
         notes["IP datagrams of which fragments are missing"] += lost
     return chosen, np.append(runs, np.array(hard_runs, np.int64))
+
+
+def _in_order(pieces: Columns, late: Array) -> tuple[Array, Array]:
+    """Return of each piece the number of its run, and whether that is a whole datagram in order.
+
+    A run starts at the first piece of a datagram, and where ``late`` says so.
+    """
+    offset, more = pieces["offset"], pieces["more"]
+    start = late | (offset == 0)
+    follows = np.ones(len(offset), bool)
+    follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
+    last = np.append(start[1:], True)
+    good = np.where(start, offset == 0, follows) & (more != last)
+    run = np.cumsum(start) - 1
+    return run, np.logical_and.reduceat(good, np.flatnonzero(start))[run]
+
+
+def _out_of_order(pieces: Columns, rows: list[int]) -> tuple[list[list[int]], list[int]]:
+    """Return the pieces of each datagram that some of one kind make, and what is left."""
+    made: list[list[int]] = []
+    waiting: dict[int, tuple[int, int]] = {}  # offset: (end, row)
+    total, held, failed = 0, 0, 0
+    for row in rows:
+        offset = int(pieces["offset"][row])
+        end = offset + int(pieces["wire"][row])
+        old = waiting.get(offset, (offset, 0))[0]
+        if old < end:
+            held += end - old
+            waiting[offset] = end, row
+        if not pieces["more"][row]:
+            total = end
+        if not total or held < total or failed > _MOST_FAILURES:
+            continue
+        covered, members = 0, []
+        for at, (behind, member) in sorted(waiting.items()):
+            if at > covered or covered >= total:
+                break
+            members.append(member)
+            covered = max(covered, behind)
+        if covered < total:
+            failed += 1  # overlaps, and a hole
+            continue
+        made.append(members)
+        waiting, total, held = {}, 0, 0
+    return made, [row for _, row in waiting.values()]
