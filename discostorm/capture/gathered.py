@@ -28,20 +28,25 @@ class Gathered:
 
     def __init__(self, packets: pcap.Packets) -> None:
         self.packets = packets
+        #: What could not be read, and how often.
         self.notes: Counter[str] = Counter()
+        #: The numbers of addresses, and of the GUID prefixes of RTPS.
         self.addresses, self.prefixes = Numbers(), Numbers()
+        #: By the number of the prefix; of Zenoh by numbers from -2 down.
         self.processes: dict[int, KnownProcess] = {}
+        #: The messages that were read.
         self.rows: list[Columns] = []
+        #: What may be Zenoh: datagrams, and where their bytes are; segments of TCP.
         self.datagrams: list[tuple[Bytes, Columns]] = []
         self.segments: list[Columns] = []
+        #: Fragments of IP.
         self.pieces: list[Columns] = []
+        #: What tells packets that the capture shows twice; none if it cannot.
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
         self.domains: set[int] = set()
-        self.several = (
-            len(set(packets.links)) > 1
-            or len(packets.links) > 1
-            or any(link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links)
+        self.several = len(packets.links) > 1 or any(
+            link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
         )
 
     def packets_of(self, begin: int, end: int) -> None:

@@ -32,8 +32,8 @@ class Streams:
         The segments, those of a stream together, in the order of the capture. Added to what
         `ip.segments` says are ``place``, where the content stands in the stream [B], and
         ``stream``, its number.
-    first, last : numpy.ndarray
-        Of each stream, its first row and the one behind its last.
+    first : numpy.ndarray
+        Of each stream, its first row.
     reverse : numpy.ndarray
         Of each stream, the number of the other direction; its own if there is none.
     complete : numpy.ndarray
@@ -42,7 +42,6 @@ class Streams:
 
     table: Columns
     first: Array
-    last: Array
     reverse: Array
     complete: Array
 
@@ -71,7 +70,6 @@ def streams(parts: list[Columns]) -> Streams:
     new |= again
     stream = np.cumsum(new) - 1
     first = np.flatnonzero(new)
-    last = np.append(first[1:], len(code))
     step: Array = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
     place = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
     # The SYN itself takes a number.
@@ -93,7 +91,7 @@ def streams(parts: list[Columns]) -> Streams:
         [by_pair.get((one, time, not way), number) for (one, time, way), number in by_pair.items()],
         np.int64,
     )
-    return Streams(table, first, last, reverse, complete)
+    return Streams(table, first, reverse, complete)
 
 
 @dataclass(frozen=True)

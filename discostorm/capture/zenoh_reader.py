@@ -11,8 +11,6 @@ from discostorm.capture._bytes import (
     Array,
     Bytes,
     Columns,
-    Numbers,
-    buffer,
     codes,
     stack,
     take,
@@ -66,32 +64,18 @@ def _read_datagrams(
     is_scouting = code != zenoh.UNREADABLE
     rows = np.flatnonzero(is_scouting)
     process = np.full(len(rows), -1, np.int64)
-    told = np.flatnonzero(identity["length"][rows] > 0)
-    if len(told):
-        place, length = (identity[key][rows[told]] for key in ("at", "length"))
-        # In sixteen bytes each, with zeros behind those that are shorter.
-        zids = buffer(16 * len(told))
-        matrix = zids[: 16 * len(told)].reshape(-1, 16)
-        octet = np.arange(16)
-        matrix[:] = data[place[:, None] + octet] * (octet < length[:, None])
-        numbers = Numbers()
-        which = numbers.of(zids, 16 * np.arange(len(told)), 16)
-        _, first = codes(which, found["source"][rows[told]])
-        role = data[identity["at"][rows[told]] - 1] & 3
-        ours = np.zeros(len(numbers.known), np.int64)
-        for index in first.tolist():
-            row = rows[told[index]]
-            zid = matrix[index, : length[index]].tobytes()
+    seen: dict[tuple[bytes, int], int] = {}
+    for index in np.flatnonzero(identity["length"][rows] > 0).tolist():
+        row = rows[index]
+        place, length = int(identity["at"][row]), int(identity["length"][row])
+        zid, source = data[place : place + length].tobytes(), int(found["source"][row])
+        if (zid, source) not in seen:
             # A Scout does not say what sends it.
             is_hello = zenoh.NAMES[code[row]] == "Hello"
-            ours[which[index]] = _process(gathered, known, zid, int(role[index]) if is_hello else 3)
-            _zenoh_saw(
-                gathered,
-                int(ours[which[index]]),
-                int(found["source"][row]),
-                int(found["frame"][row]),
-            )
-        process[told] = ours[which]
+            role = int(data[place - 1]) & 3 if is_hello else 3
+            seen[zid, source] = _process(gathered, known, zid, role)
+            _zenoh_saw(gathered, seen[zid, source], source, int(found["frame"][row]))
+        process[index] = seen[zid, source]
     gathered.rows.append(
         {
             "frame": found["frame"][rows],
