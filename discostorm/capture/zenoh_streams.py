@@ -109,13 +109,12 @@ class Opening:
 def openings(content: Content) -> dict[int, Opening]:
     """Return what each stream of which the start was captured says first."""
     data = content.data
-    begun = [(at, end, stream) for at, end, stream, start in content.runs if start]
+    begun = [(at, end, stream) for at, end, stream, start in content.runs if start and end - at > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
-    # What is too short to be one is read as far as it goes, and is none.
     end = np.minimum(at + 2 + number(data, at, "<u2"), last)
     head = data[at + 2]
     after, extensions = zenoh.read_init(data, at + 3, end, head)
-    good = (head & 0x1F == zenoh.INIT) & (after <= end) & (last - at >= 6)
+    good = (head & 0x1F == zenoh.INIT) & (after <= end)
     low_latency, compression = (
         good & (head & zenoh.EXTENDED > 0) & zenoh.has_extension(data, extensions, end, which)
         for which in (zenoh.LOW_LATENCY, zenoh.COMPRESSION)
