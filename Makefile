@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -78,6 +78,9 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/write_calculator.py
 
+palette: $(READY) ## write the colors of the pages from the palette
+	@$(BIN)/python scripts/write_palette.py
+
 notebooks: $(READY) ## execute every notebook in place
 	@$(BIN)/python scripts/run_notebooks.py
 
@@ -93,7 +96,7 @@ bench: $(READY) ## measure the speed of the package against its limits
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
 	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
-	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid.py --grid lab/hybrid_short.csv \
+	@[ "$$GRID" != short ] || $(BIN)/python lab/run_hybrid.py --grid lab/hybrid/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
 
@@ -104,7 +107,7 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 	@$(BIN)/python lab/published.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/hybrid.py --out discostorm/data/measured/hybrid.csv
+	@$(BIN)/python lab/run_hybrid.py --out discostorm/data/measured/hybrid.csv
 
 mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
 	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
@@ -124,7 +127,7 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
 	@$(BIN)/python scripts/simulate.py $(ARGS)
-	@$(BIN)/python scripts/simulate_hybrid.py
+	@$(BIN)/python lab/simulate_hybrid.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/test_versions.py oldest

@@ -95,8 +95,7 @@ def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ra
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm import notation, uncertainty
-    >>> uncertainty.parameter_ranges(ds.DDS)[notation.R_UNI]
+    >>> ds.uncertainty.parameter_ranges(ds.DDS)[ds.notation.R_UNI]
     (65000000.0, 144400000.0)
     """
     _checks.instance("protocol", protocol, Protocol)
@@ -149,11 +148,11 @@ def _corners(
     """Return the parameters at which utilization is least, and greatest."""
     ends = parameter_ranges(protocol, given=given)
     signs = directions(protocol, phase)
-    ordered = {name: pair[:: signs.get(name, 1)] for name, pair in ends.items()}
-    return (
-        {name: pair[0] for name, pair in ordered.items()},
-        {name: pair[1] for name, pair in ordered.items()},
-    )
+    least, greatest = {}, {}
+    for name, (low, high) in ends.items():
+        falls = signs.get(name) == -1
+        least[name], greatest[name] = (high, low) if falls else (low, high)
+    return least, greatest
 
 
 def bounds(
@@ -201,17 +200,15 @@ def bounds(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm.uncertainty import bounds
-    >>> low, high = bounds(ds.DDS, hosts=7, processes=2, endpoints=10)
+    >>> low, high = ds.uncertainty.bounds(ds.DDS, hosts=7, processes=2, endpoints=10)
     >>> low < ds.utilization(ds.DDS, 7, 2, 10) < high
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
+    least, greatest = _corners(protocol, phase, ranges)
     return Bounds(
-        *(
-            utilization_at(corner, protocol, fleet, phase)
-            for corner in _corners(protocol, phase, ranges)
-        )
+        utilization_at(least, protocol, fleet, phase),
+        utilization_at(greatest, protocol, fleet, phase),
     )
 
 
@@ -251,37 +248,15 @@ def saturation_bounds(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm.uncertainty import saturation_bounds
-    >>> low, high = saturation_bounds(ds.DDS, processes=2, endpoints=10)
+    >>> low, high = ds.uncertainty.saturation_bounds(ds.DDS, processes=2, endpoints=10)
     >>> low < ds.saturation_hosts(ds.DDS, 2, 10) < high
     True
     """
     least, greatest = _corners(protocol, None, ranges)
     return Bounds(
-        *(
-            _saturation(protocol, processes, endpoints, limit, corner)
-            for corner in (greatest, least)
-        )
+        _saturation(protocol, processes, endpoints, limit, greatest),
+        _saturation(protocol, processes, endpoints, limit, least),
     )
-
-
-def _at(protocol: Protocol, values: Mapping[sp.Symbol, float]) -> tuple[Protocol, Wifi]:
-    """Return the protocol and the paper's channel with other values of the parameters."""
-    headers = header_bytes()
-
-    def resized(message: Message) -> Message:
-        # What a header is longer is added to the payload: only their sum is on the air.
-        longer = values[nt.NOTATION[f"H_{message.transport}"].symbol] - headers[message.transport]
-        size = values[message.payload_symbol] + longer
-        return replace(message, payload=Payload(size, size, size, message.payload.source))
-
-    known = PAPER.values() | dict(values)
-    links = (
-        Link(known[nt.R_UNI], known[nt.O_UNI]),
-        Link(known[nt.R_MULTI], known[nt.O_MULTI]),
-    )
-    messages = tuple(resized(message) for message in protocol.messages)
-    return replace(protocol, messages=messages), Wifi(PAPER.name, *links)
 
 
 def _saturation(
@@ -292,8 +267,20 @@ def _saturation(
     values: Mapping[sp.Symbol, float],
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
-    table, wifi = _at(protocol, values)
-    return saturation_hosts(table, processes, endpoints, wifi, limit)
+    messages = tuple(_resized(message, values) for message in protocol.messages)
+    at = PAPER.values() | dict(values)
+    unicast, multicast = Link(at[nt.R_UNI], at[nt.O_UNI]), Link(at[nt.R_MULTI], at[nt.O_MULTI])
+    wifi = Wifi(PAPER.name, unicast, multicast)
+    return saturation_hosts(replace(protocol, messages=messages), processes, endpoints, wifi, limit)
+
+
+def _resized(message: Message, values: Mapping[sp.Symbol, float]) -> Message:
+    """Return a message with other values of payload and header."""
+    # What a header is longer is added to the payload: only their sum is on the air.
+    header = nt.NOTATION[f"H_{message.transport}"].symbol
+    longer = values[header] - header_bytes()[message.transport]
+    size = values[message.payload_symbol] + longer
+    return replace(message, payload=Payload(size, size, size, message.payload.source))
 
 
 def sensitivity(
@@ -348,20 +335,19 @@ def sensitivity(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm.uncertainty import sensitivity
-    >>> sensitivity(ds.DDS, processes=2, endpoints=10).index[0]
+    >>> ds.uncertainty.sensitivity(ds.DDS, processes=2, endpoints=10).index[0]
     'O_uni'
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
     _checks.one_each((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
     ends = parameter_ranges(protocol, given=ranges)
+    usual = protocol.values() | PAPER.values()
+    given = by_symbol("values", {} if values is None else values, ends)
     at = {
-        name: value for name, value in (protocol.values() | PAPER.values()).items() if name in ends
+        name: _checks.number(str(name), given.get(name, usual[name]), low, high)
+        for name, (low, high) in ends.items()
     }
-    at |= by_symbol("values", {} if values is None else values, ends)
-    for name, (low, high) in ends.items():
-        at[name] = _checks.number(str(name), at[name], low, high)
     hosts = _saturation(protocol, processes, endpoints, limit, at)
     here = at | {nt.N_H: hosts, nt.N_P: float(processes), nt.N_E: float(endpoints)}
     total = protocol.utilization()
@@ -427,8 +413,7 @@ def sample(
     --------
     >>> import discostorm as ds
     >>> from discostorm.notation import N_E, N_H, N_P
-    >>> from discostorm.uncertainty import sample
-    >>> drawn = sample(ds.DDS, size=1000)
+    >>> drawn = ds.uncertainty.sample(ds.DDS, size=1000)
     >>> u = ds.lambdify([N_H, N_P, N_E, *drawn], ds.DDS.utilization())
     >>> u(7, 2, 10, *drawn.values()).shape
     (1000,)

@@ -113,15 +113,17 @@ def many(count: float, noun: str, plural: str = "s") -> str:
     return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
 
 
-def listed(words: list[str]) -> str:
-    """Return words with commas and an "and".
+def listed(words: list[str], last: str = "and") -> str:
+    """Return words with commas, and an "and" or another word before the last.
 
     Examples
     --------
     >>> listed(["SEDP", "Heartbeat", "ACKNACK"])
     'SEDP, Heartbeat and ACKNACK'
     """
-    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
+    if len(words) < 2:
+        return "".join(words)
+    return f"{', '.join(words[:-1])} {last} {words[-1]}"
 
 
 def capitalized(sentence: str) -> str:
@@ -149,6 +151,6 @@ def wrapped(line: str, width: int = 79) -> str:
 
     What follows in an item of a list is indented.
     """
-    indent = " " * 4 * bool(re.match(r"- | |\d+\. ", line))
+    indent = "    " if re.match(r"- | |\d+\. ", line) else ""
     lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent)
     return lines.replace("\N{NO-BREAK SPACE}", " ")

@@ -18,8 +18,9 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
+from discostorm.book.comparison import misses, times
 from discostorm.data import data_path, read_data
-from discostorm.measured import WINDOWS, Point, arrangements, misses, points, products, times
+from discostorm.measured import WINDOWS, Point, arrangements, points, products
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule

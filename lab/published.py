@@ -19,8 +19,8 @@ import numpy as np
 from run import ARRANGEMENTS, BUILD, LAB, PACKAGES, PRODUCTS, finish, run, start, version
 
 import discostorm as ds
+from discostorm.book.literature import AROUND
 from discostorm.data import data_path
-from discostorm.measured import AROUND
 
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),

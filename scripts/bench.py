@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm.capture import files
+from discostorm.data import data_path
 from discostorm.uncertainty import bounds
 
 ROOT = Path(__file__).parents[1]
@@ -199,7 +200,7 @@ def read_beside_tshark(name: str) -> float:
     shown = [part for field in FIELDS for part in ("-e", field)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "capture.pcap"
-        path.write_bytes(repeated(ROOT / "tests" / "captures" / f"{name}.pcap.xz", 100_000))
+        path.write_bytes(repeated(data_path(f"captures/{name}.pcap.xz"), 100_000))
         return ratio(
             lambda: ds.read_capture(path),
             lambda: run("tshark", "-n", "-r", str(path), "-T", "fields", *shown),
@@ -212,7 +213,7 @@ def read_ten_times_as_many(name: str) -> float:
     with tempfile.TemporaryDirectory() as folder:
         many, few = Path(folder) / "many.pcap", Path(folder) / "few.pcap"
         for path, packets in ((many, 1_000_000), (few, 100_000)):
-            path.write_bytes(repeated(ROOT / "tests" / "captures" / f"{name}.pcap.xz", packets))
+            path.write_bytes(repeated(data_path(f"captures/{name}.pcap.xz"), packets))
         return ratio(lambda: ds.read_capture(many), lambda: ds.read_capture(few), rounds=3)
 
 

@@ -87,7 +87,7 @@ ABOUT = {
 #: Further hosts than the first.
 MORE = sp.Symbol("x", positive=True)
 #: What the powers of these are multiplied with [1]; of higher ones there is no closed form.
-COEFFICIENTS = sp.symbols("c b a third", positive=True)
+COEFFICIENTS = sp.symbols("c b a", positive=True)
 
 #: Headings of the middlewares, in order, by what the counts of a table stand on.
 GROUPS = {
@@ -398,6 +398,7 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "product": software(protocol),
         "tables": table_remedies(protocol),
         "about": ABOUT.get(protocol.name, ""),
+        "color": figures.property_of(protocol),
         # The most hosts, processes and endpoints of a process that a product ran with.
         "measured": list(protocol.captured or ()),
         "variant": protocol.basis == "measured" and protocol.name not in FIRST,
@@ -463,7 +464,6 @@ def model() -> Value:
             "middleware": START_MIDDLEWARE,
         },
         "groups": list(GROUPS.values()),
-        "palette": list(dict.fromkeys(figures.COLORS.values())),
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],

@@ -3,9 +3,10 @@
 import lzma
 import struct
 from collections.abc import Callable, Iterable
-from pathlib import Path
 
-CAPTURES = Path(__file__).parent / "captures"
+from discostorm.data import data_path
+
+CAPTURES = data_path("captures")
 
 #: A packet: time [ns], the bytes captured, the length on the wire.
 Packet = tuple[int, bytes, int]

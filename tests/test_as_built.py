@@ -10,6 +10,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import measured
+from discostorm.book import comparison
 from discostorm.capture import rtps, zenoh
 from discostorm.capture.zenoh_reader import TCP_KINDS
 from discostorm.data import data_path, read_data
@@ -82,7 +83,7 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
         for row in read_data("measured/misses.csv")
         if row["protocol"] == name
     }
-    table = measured.held(TABLES[name])
+    table = comparison.held(TABLES[name])
     table = table[table["use"] == "test"]
     off = set()
     for row in table.to_dict("records"):
@@ -91,12 +92,18 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
             if abs(row[f"expected{end}"] - row[f"measured{end}"]) > limit * row[f"measured{end}"]:
                 off.add((row["point"], row["window"], row["phase"], row["kind"], quantity))
     assert off == listed
-    assert {row["reason"] for row in read_data("measured/misses.csv")} <= {
-        row["reason"] for row in read_data("measured/reasons.csv")
-    }
     # In the steady state there is nothing to excuse but for the number of Zenoh's connections.
     steady = {phase for _, window, phase, _, _ in off if window == "steady"}
     assert steady <= {"KeepAlive", "TCP"}
+
+
+def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
+    causes = read_data("measured/causes.csv")
+    reasons = {row["reason"] for row in read_data("measured/reasons.csv")}
+    assert {row["reason"] for row in (*read_data("measured/misses.csv"), *causes)} <= reasons
+    known = {**measured.products(), **measured.arrangements()}.values()
+    tables = {(row["product"], variant) for row in known for variant in ("", row["variant"])}
+    assert {(row["product"], row["variant"]) for row in causes} <= tables
 
 
 @each_table
@@ -164,7 +171,7 @@ def test_fast_dds_by_hand() -> None:
     table = ds.PROTOCOLS["Fast DDS"]
     spdp = [m for m in table.messages if m.kind == "SPDP"]
     counts = {
-        cast: sum(measured.expected(m, SWARM, "startup") for m in spdp if m.cast == cast)
+        cast: sum(comparison.expected(m, SWARM, "startup") for m in spdp if m.cast == cast)
         for cast in ("multicast", "unicast")
     }
     assert counts == {"multicast": 6 * (9 + 6 - 1), "unicast": 24 * (8 + 3)}
@@ -221,7 +228,7 @@ def test_messages_that_share_a_frame_share_its_overhead() -> None:
 def test_a_capture_is_held_against_the_table_of_its_network(
     capture: str, table: str, wired: bool
 ) -> None:
-    found = ds.read_capture(ROOT / "tests" / "captures" / f"{capture}.pcap.xz")
+    found = ds.read_capture(data_path(f"captures/{capture}.pcap.xz"))
     compared = found.compare(ds.PROTOCOLS[table])
     own = TABLES[f"{table}, wired" if wired else table]
     assert set(compared.index) == {message.kind for message in own.messages}
@@ -245,7 +252,7 @@ def later(source: Path, target: Path, seconds: float) -> Path:
 
 
 def test_a_capture_of_the_steady_state_is_not_expected_to_show_a_start(tmp_path: Path) -> None:
-    source = ROOT / "tests" / "captures" / "fast_dds.pcap.xz"
+    source = data_path("captures/fast_dds.pcap.xz")
     found = ds.read_capture(later(source, tmp_path / "later.pcap", 12))
     compared = found.compare(ds.PROTOCOLS["Fast DDS"], SWARM)
     spdp = compared.loc["SPDP"]
@@ -256,7 +263,7 @@ def test_a_capture_of_the_steady_state_is_not_expected_to_show_a_start(tmp_path:
 
 
 def test_names_that_match_are_told_from_what_users_acknowledge() -> None:
-    found = ds.read_capture(ROOT / "tests" / "captures" / "cyclone_dds_010.pcap.xz")
+    found = ds.read_capture(data_path("captures/cyclone_dds_010.pcap.xz"))
     compared = found.compare(ds.PROTOCOLS["Cyclone DDS"])
     # Two processes with two writers each, all of which match.
     assert compared.loc["User ACKNACK", "units"] == 4

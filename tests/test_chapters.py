@@ -17,7 +17,8 @@ from test_browser import TOC, toc_files
 from test_links import parsed
 
 import discostorm as ds
-from discostorm import figures, notebook
+from discostorm import figures
+from discostorm.book import notebook
 
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted(

@@ -20,7 +20,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import figures, notebook
+from discostorm import figures
+from discostorm.book import notebook
 from discostorm.cli import main, output
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
@@ -45,7 +46,7 @@ def swarm(command: str, *more: str) -> Result:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
-    packed = Path(__file__).parent / "captures" / "cyclone_dds_010.pcap.xz"
+    packed = data_path("captures/cyclone_dds_010.pcap.xz")
     (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
     return tmp_path
 

@@ -16,6 +16,7 @@ from click.testing import CliRunner, Result
 import discostorm as ds
 from discostorm import figures
 from discostorm.cli import main, output
+from discostorm.data import data_path
 from discostorm.wifi.radio import radio_named
 
 NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
@@ -351,7 +352,7 @@ def test_a_figure_that_cannot_be_written_leaves_the_old_one(
     monkeypatch.setattr("matplotlib.figure.Figure.savefig", half)
     old = folder / "old.svg"
     old.write_text("good")
-    result = run("capture", str(ROOT / "tests/captures/fast_dds.pcap.xz"), "--picture", str(old))
+    result = run("capture", str(data_path("captures/fast_dds.pcap.xz")), "--picture", str(old))
     assert result.exit_code == 2
     assert "old.svg: No space left on device" in result.stderr
     assert old.read_text() == "good"

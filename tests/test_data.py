@@ -28,11 +28,19 @@ SOURCES = {
 #: Tables without such a column, by the README that says where all their rows are from.
 DESCRIBED = {
     "measured/README.md": (
-        *("arrangements", "as_built", "counts", "deaths", "hybrid", "misses", "reasons"),
-        *("mitigation_counts", "mitigation_misses", "mitigations", "published", "shared_counts"),
+        *("arrangements", "as_built", "causes", "counts", "deaths", "hybrid", "misses"),
+        *(
+            "mitigation_counts",
+            "mitigation_misses",
+            "mitigations",
+            "published",
+            "reasons",
+            "shared_counts",
+        ),
     ),
     "README.md": (
-        *("simulated/hybrid", "vendors/products", "vendors/arrangements", "paper/quantities"),
+        *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities"),
+        *("vendors/products", "vendors/arrangements", "palette"),
     ),
 }
 WITHOUT = {

@@ -16,7 +16,8 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Browser, Page
 
-from discostorm import figures, notebook
+from discostorm import figures
+from discostorm.book import notebook
 
 pytestmark = pytest.mark.book
 

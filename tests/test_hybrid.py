@@ -1,22 +1,20 @@
 """The hybrid discovery: its goals against stored runs, its table against the rounds."""
 
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import simulate_hybrid
 
 import discostorm as ds
+from discostorm.book.comparison import held_hybrid
 from discostorm.data import read_data
-from discostorm.measured import held_hybrid
 from discostorm.messages import PROCESS
-from discostorm.simulation.channel import Channel, Frame, timing_of
-from discostorm.simulation.hybrid import Death, hybrid_run
-from discostorm.simulation.speaker import Speakers, parameters
+from hybrid import wire
+from hybrid.channel import Channel, Frame, timing_of
+from hybrid.simulation import Death, hybrid_run
+from hybrid.speaker import Speakers, parameters
 
-SCRIPTS = Path(__file__).parents[1] / "scripts"
-LAB = Path(__file__).parents[1] / "lab"
 HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
 STORED = read_data("simulated/hybrid.csv")
 
@@ -53,11 +51,7 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
 @pytest.mark.parametrize(
     "scenario", ["alike", "unlike", "newcomer", "halves", "50 die at 1.0 s, speaks_most"]
 )
-def test_stored_runs_come_out_again(scenario, monkeypatch):
-    monkeypatch.syspath_prepend(str(SCRIPTS))
-    import simulate_hybrid
-
-    assert Path(sys.modules["simulate_hybrid"].__file__).parent == SCRIPTS
+def test_stored_runs_come_out_again(scenario):
     stored = {
         (row["scenario"], row["seed"]): {key: str(value) for key, value in row.items()}
         for row in STORED
@@ -65,6 +59,15 @@ def test_stored_runs_come_out_again(scenario, monkeypatch):
     for seed in (300, 320):
         again = {key: str(value) for key, value in simulate_hybrid.row(scenario, seed).items()}
         assert again == stored[scenario, str(seed)]
+
+
+def test_runs_that_the_book_compares_with_the_lab_come_out_again():
+    stored = read_data("simulated/hybrid_lab.csv")
+    runs = simulate_hybrid.lab_runs()
+    assert [(r["scenario"], r["software"], int(r["hosts"]), int(r["seed"])) for r in stored] == runs
+    for run, row in zip(runs[::15], stored[::15], strict=True):
+        again = {key: str(value) for key, value in simulate_hybrid.lab_row(*run).items()}
+        assert again == row
 
 
 @pytest.mark.parametrize(("hosts", "most"), [(7, 0.010), (100, 0.13)])
@@ -121,30 +124,21 @@ def test_frames_grow_with_hosts_alone():
     assert twice == 2 * once
 
 
-def speaker_of_the_lab(monkeypatch):
-    monkeypatch.syspath_prepend(str(LAB))
-    import hybrid_speaker
-
-    return hybrid_speaker
-
-
 @pytest.mark.parametrize("alike", [False, True])
-def test_endpoints_are_as_short_as_the_table_says(monkeypatch, alike):
+def test_endpoints_are_as_short_as_the_table_says(alike):
     # Names as ROS 2 writes them, entity id, kind and QoS, deflated together.
-    lab = speaker_of_the_lab(monkeypatch)
     for host in (0, 5, 99):
-        assert 18 < len(lab.description(host, 2, 10, alike)) / 20 <= parameters()["endpoint"]
+        assert 18 < len(wire.description(host, 2, 10, alike)) / 20 <= parameters()["endpoint"]
 
 
 @pytest.mark.parametrize("alike", [False, True])
-def test_octets_come_out_of_combinations_as_the_rules_say(monkeypatch, alike):
+def test_octets_come_out_of_combinations_as_the_rules_say(alike):
     # What the rules resolve from masks, the lab's speaker resolves with the octets.
-    lab = speaker_of_the_lab(monkeypatch)
-    sets = [lab.set_of(host, 1 + host % 3, 4 + host % 5, alike) for host in range(20)]
-    sets = [lab.hashed(one) for one in sets] if alike else sets
+    sets = [wire.set_of(host, 1 + host % 3, 4 + host % 5, alike) for host in range(20)]
+    sets = [wire.hashed(one) for one in sets] if alike else sets
     rng = np.random.default_rng(8)
     for _ in range(10):
-        rules, store = Speakers(64, np.zeros(64), np.ones(64, np.int64)), lab.Store(alike)
+        rules, store = Speakers(64, np.zeros(64), np.ones(64, np.int64)), wire.Store(alike)
         store.keep(0, sets[0])
         for _ in range(30):
             mask = int(rng.integers(1, 2**20)) if rng.random() < 0.8 else 1 << int(rng.integers(20))
@@ -161,10 +155,9 @@ def test_octets_come_out_of_combinations_as_the_rules_say(monkeypatch, alike):
 
 
 @pytest.mark.parametrize("alike", [False, True])
-def test_speakers_in_the_lab_drop_what_no_speaker_sends(monkeypatch, alike):
-    lab = speaker_of_the_lab(monkeypatch)
+def test_speakers_in_the_lab_drop_what_no_speaker_sends(alike):
     job = {"capacity": 8, "processes": 2, "endpoints": 10, "alike": alike, "starts": [0.0] * 8}
-    one, other = (lab.Speaker(host, job | {"seed": 1}, 1) for host in (0, 1))
+    one, other = (wire.Speaker(host, job | {"seed": 1}, 1) for host in (0, 1))
     one.socket = SimpleNamespace(sendto=lambda *_: None)
 
     def taken(datagram, sender=1):
@@ -174,9 +167,9 @@ def test_speakers_in_the_lab_drop_what_no_speaker_sends(monkeypatch, alike):
     def header(kind, host=1):
         return other.header(kind, host=host)
 
-    whole = lab.set_of(1, 2, 10, alike)
-    told = lab.hashed(whole) if alike else whole
-    coded = lab.CODED.pack(0, len(told), 0b11) + told
+    whole = wire.set_of(1, 2, 10, alike)
+    told = wire.hashed(whole) if alike else whole
+    coded = wire.CODED.pack(0, len(told), 0b11) + told
     good = {
         "Announce": told,
         "Digest": bytes(8),
@@ -198,8 +191,8 @@ def test_speakers_in_the_lab_drop_what_no_speaker_sends(monkeypatch, alike):
         assert not taken(header(kind) + bytes(9))
     assert not taken(b"hello")
     assert not taken(b"\x0f" + bytes(40))
-    assert not taken(header("Repair") + lab.CODED.pack(1, 0, 1))
-    assert not taken(header("Repair") + lab.CODED.pack(0, 0, 1 << 8))
+    assert not taken(header("Repair") + wire.CODED.pack(1, 0, 1))
+    assert not taken(header("Repair") + wire.CODED.pack(0, 0, 1 << 8))
 
 
 def test_equations_are_resolved_like_by_gauss():

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from test_browser import AXE, BARRIERS, DESKTOP, PHONE
 
 import discostorm as ds
-from discostorm.paper import ladder, storm
+from discostorm.book import ladder, storm
 
 pytestmark = pytest.mark.book
 

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm import measured
+from discostorm.book import comparison
 from discostorm.data import read_data
 from discostorm.messages import HOPS
 from discostorm.model import burst
@@ -23,7 +24,7 @@ Sums = dict[tuple[str, str, str, str], NDArray[np.float64]]
 
 def counted(name: str) -> Sums:
     """Return messages and bytes by point, window, phase and hops: medians, of the test half."""
-    table = measured.held(TABLES[name])
+    table = comparison.held(TABLES[name])
     table = table[(table["use"] == "test") & table["kind"].str.startswith("all")]
     return {
         tuple(row[column] for column in COLUMNS[:-1]): np.array(
@@ -40,7 +41,7 @@ def parts(name: str) -> list[Sums]:
         sums: Sums = {}
         for point in measured.points(name):
             for window in measured.WINDOWS:
-                number = measured.expected(message, point.fleet, window)
+                number = comparison.expected(message, point.fleet, window)
                 both = np.array([number * (message.frames > 0), number * message.payload.nominal])
                 for kind in ["all"] + [f"all, {hop}" for hop in message.hops]:
                     if kind == "all" or len(message.hops) == 1:
@@ -110,7 +111,9 @@ def growth(name: str, matching: float, window: str) -> float:
     """Return by which power of the hosts the messages grow, from 1000 to 2000 robots."""
     many = [
         sum(
-            measured.expected(message, ds.Fleet(ds.Fleet.swarm(n, 1, 10).groups, matching), window)
+            comparison.expected(
+                message, ds.Fleet(ds.Fleet.swarm(n, 1, 10).groups, matching), window
+            )
             for message in TABLES[name].messages
         )
         for n in (1000, 2000)
@@ -132,7 +135,7 @@ def test_one_endpoint_that_matches_makes_every_pair_known(name: str) -> None:
     table = TABLES[name]
     apart, little = (
         sum(
-            measured.expected(m, ds.Fleet(ds.Fleet.swarm(10, 1, 100).groups, share), "startup")
+            comparison.expected(m, ds.Fleet(ds.Fleet.swarm(10, 1, 100).groups, share), "startup")
             for m in table.messages
             if m.name == "SPDP of others"
         )
@@ -178,7 +181,7 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
                 for kind in dict.fromkeys(m.kind for m in table.messages)
                 for cast in ("multicast", "unicast")
             )
-            expected = sum(measured.expected(m, point.fleet, window) for m in table.messages)
+            expected = sum(comparison.expected(m, point.fleet, window) for m in table.messages)
             within.append(abs(expected / seen - 1))
     assert len(within) >= 12
     assert max(within) < 0.15
@@ -208,7 +211,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
                     if when == window and kind in kinds and not about
                 )
                 counted = sum(
-                    measured.expected(row, point.fleet, window) for row in table.of_phase(phase)
+                    comparison.expected(row, point.fleet, window) for row in table.of_phase(phase)
                 )
                 assert counted == pytest.approx(np.median(seen), rel=within), (point.name, phase)
 
@@ -293,7 +296,7 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         if r["product"] == product and r["variant"] == variant
     ]
     assert {point: mine.count(point) for point in mine} == {("3", "2"): 5, ("4", "1"): 5}
-    table = measured.held(ds.PROTOCOLS[name], shared=True)
+    table = comparison.held(ds.PROTOCOLS[name], shared=True)
     table = table[table["kind"] == "all"]
     tells = table[table["phase"].isin(["SEDP", "Declaration"]) & (table["window"] == "startup")]
     assert len(tells) == 2
@@ -305,7 +308,7 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         for row in tells.to_dict("records"):
             hosts, processes, endpoints = map(int, row["point"].rstrip("s").split("x"))
             alone = sum(
-                measured.expected(message, ds.Fleet.swarm(hosts, processes, endpoints), "startup")
+                comparison.expected(message, ds.Fleet.swarm(hosts, processes, endpoints), "startup")
                 for message in ds.PROTOCOLS[name].of_phase("SEDP")
                 if message.frames
             )

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm import measured
+from discostorm.book import comparison, literature
 from discostorm.data import read_data
 
 LAB = Path(__file__).parents[1] / "lab"
@@ -18,7 +18,7 @@ ROWS = {row["id"]: row for row in read_data("vendors/published.csv")}
 
 
 def test_the_papers_count_by_hand() -> None:
-    found = measured.published()["paper"]
+    found = literature.published()["paper"]
     # 52 processes as hosts of their own, of 18 endpoints: SPDP, SEDP, and four of control a pair.
     assert found["ros-simple"] == 52 + 52 * 51 * (18 + 4)
     # Three processes on each of two hosts: 98 endpoints in all on one, 84 on the other.
@@ -44,16 +44,16 @@ def test_the_tables_as_built_expect_what_they_do_elsewhere(name: str, table: str
     fleet = ds.Fleet(groups, matching=1.0)
     protocol = ds.PROTOCOLS[table]
     in_startup = sum(
-        measured.expected(message, fleet, "startup")
+        comparison.expected(message, fleet, "startup")
         for message in protocol.messages
         if message.phase in row["counted"].split()
     )
-    assert measured._as_counted(protocol, row | {"window_s": "12"}) == pytest.approx(in_startup)
-    assert measured.published()["as_built"][name] == measured._as_counted(protocol, row)
+    assert literature._as_counted(protocol, row | {"window_s": "12"}) == pytest.approx(in_startup)
+    assert literature.published()["as_built"][name] == literature._as_counted(protocol, row)
 
 
 def test_what_cannot_be_computed_is_left_out_and_every_difference_has_a_reason() -> None:
-    table = measured.published()
+    table = literature.published()
     assert list(table.index) == list(ROWS)
     for name, row in table.iterrows():
         assert row["why"], name
@@ -125,7 +125,7 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
 
 
 def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names() -> None:
-    table = measured.published()
+    table = literature.published()
     rows = read_data("measured/published.csv")
     for name, row in table.iterrows():
         some = row["staged"].split()
@@ -138,5 +138,5 @@ def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names
     assert table["measured"]["ros-server"] > 2 * table["measured"]["ros-simple"]
     assert table["number"]["ros-server"] < 0.5 * table["number"]["ros-simple"]
     # Without shared memory more is seen of the same.
-    lab = measured.staged()["count"]
+    lab = literature.staged()["count"]
     assert lab["ros-few-udp", "packets"] > 10 * lab["ros-few", "packets"]

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import discostorm as ds
-from discostorm import notebook
+from discostorm.book import notebook
 from discostorm.data import data_path, read_data
 from discostorm.notation import NOTATION
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 
 import discostorm as ds
-from discostorm.paper import ladder, storm
+from discostorm.book import ladder, storm
 from discostorm.paper.enumeration import EVERYONE, Endpoint, Process, walk
 from discostorm.wifi import Radio
 

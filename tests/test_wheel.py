@@ -1,5 +1,6 @@
 """The wheel: every module works with what it asks for, or says which extra has the rest."""
 
+import os
 import re
 import subprocess
 import sys
@@ -24,6 +25,20 @@ for name in sys.argv[3:]:
         importlib.import_module(name)
     except ImportError as error:
         print(name, error, sep=": ")
+"""
+
+
+#: Runs the code cells of a notebook.
+RUN = """
+import json, sys
+sys.path += sys.argv[1:3]
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+with open(sys.argv[3], encoding="utf-8") as file:
+    cells = json.load(file)["cells"]
+for cell in cells:
+    if cell["cell_type"] == "code":
+        shell.run_cell("".join(cell["source"])).raise_error()
 """
 
 
@@ -60,19 +75,24 @@ def needed(package: Distribution, extras: set[str]) -> set[str]:
     return found
 
 
-def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
-    """Import all modules of the wheel beside what it needs alone; return the errors by module."""
+def fill(folder: Path, wheel: Path, *extras: str) -> None:
+    """Link into a folder what the wheel needs with these extras, and nothing else."""
     (info,) = wheel.glob("*.dist-info")
     for name in needed(PathDistribution(info), set(extras)):
         for file in distribution(name).files or []:
             top = file.parts[0]
             if top not in ("..", "__pycache__") and not (folder / top).exists():
                 (folder / top).symlink_to(Path(str(distribution(name).locate_file(top))))
+
+
+def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
+    """Import all modules of the wheel beside what it needs alone; return the errors by module."""
+    fill(folder, wheel, *extras)
     modules = sorted(
         ".".join(path.relative_to(wheel).with_suffix("").parts).removesuffix(".__init__")
         for path in (wheel / "discostorm").rglob("*.py")
     )
-    assert "discostorm.notebook" in modules
+    assert "discostorm.book.notebook" in modules
     modules.remove("discostorm.__main__")
     # Without the site-packages of this Python.
     command = [sys.executable, "-I", "-S", "-c", IMPORT, wheel, folder, *modules]
@@ -83,11 +103,28 @@ def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
 
 def test_a_module_without_its_extra_says_which(tmp_path: Path, wheel: Path) -> None:
     errors = fresh(tmp_path, wheel)
-    assert "discostorm.notebook" in errors
+    books = {error for module, error in errors.items() if module.startswith("discostorm.book")}
+    assert len(books) == 1, "one error, whichever of its modules is imported"
     for module, error in errors.items():
-        extra = "book" if module == "discostorm.notebook" else "simulation"
+        extra = "book" if module.startswith("discostorm.book") else "simulation"
         assert re.search(rf"pip install 'discostorm\[{extra}\]'", error), f"{module}: {error}"
 
 
 def test_with_its_extras_every_module_works(tmp_path: Path, wheel: Path) -> None:
     assert fresh(tmp_path, wheel, "book", "simulation") == {}
+
+
+# The command line, captures, what the lab counted, and the prototype.
+@pytest.mark.parametrize("name", ["19_command_line", "20_captures", "21_as_built", "28_hybrid"])
+def test_a_downloaded_chapter_needs_the_extra_alone(tmp_path: Path, wheel: Path, name: str) -> None:
+    fill(tmp_path, wheel, "book")
+    copy = tmp_path / "downloads" / f"{name}.ipynb"
+    copy.parent.mkdir()
+    copy.write_bytes((ROOT / "notebooks" / f"{name}.ipynb").read_bytes())
+    command = [sys.executable, "-I", "-S", "-c", RUN, wheel, tmp_path, copy]
+    environment = os.environ | {"MPLBACKEND": "agg", "IPYTHONDIR": str(tmp_path / "ipython")}
+    done = subprocess.run(
+        command, cwd=copy.parent, env=environment, text=True, capture_output=True, check=False
+    )
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr
+    assert [*copy.parent.iterdir()] == [copy]

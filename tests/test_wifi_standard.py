@@ -3,6 +3,7 @@
 import csv
 import itertools
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -450,7 +451,7 @@ def test_a_standard_is_rows_of_data_alone(monkeypatch: pytest.MonkeyPatch) -> No
             copies.append(last | {"width_MHz": "640", "data_subcarriers": "7840"})
         return [*rows, *copies]
 
-    monkeypatch.setattr("discostorm.wifi.radio.read_data", with_trial)
+    monkeypatch.setattr("discostorm.wifi.standard.read_data", with_trial)
     trial = ds.Radio("802.11zz", width=640e6, mcs=13, mpdus=1024)
     assert trial.rate == pytest.approx(2 * ds.Radio("802.11be", width=320e6).rate, rel=1e-12)
     assert trial.padding.added == 16
@@ -467,6 +468,20 @@ def test_block_acknowledgements_have_room_for_all_that_they_acknowledge() -> Non
         for mpdus, octets in {64: 32, 65: 56, 256: 56, 257: 88, 512: 88, 513: 152}.items()
     }
     assert {mpdus: block_ack(mpdus) for mpdus in by_hand} == by_hand
+
+
+@pytest.mark.parametrize(
+    ("spacing", "got"),
+    [
+        (3e-6, "got 3 µs"),
+        (1e-9, "got 0.001 µs"),
+        (4, "got 4 s; start_spacing is in s, such as 0.25e-6"),
+    ],
+)
+def test_a_start_spacing_that_the_standard_lacks_is_refused(spacing: float, got: str) -> None:
+    allowed = "start_spacing must be 0, 0.25, 0.5, 1, 2, 4, 8 or 16 µs for an A-MPDU; "
+    with pytest.raises(ValueError, match=f"^{re.escape(allowed + got)}$"):
+        ds.Radio("802.11ax", start_spacing=spacing)
 
 
 def test_a_start_spacing_makes_short_frames_as_long_as_it_lasts() -> None:

@@ -9,7 +9,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ConfigError
 
 from discostorm import DDS
-from discostorm.paper import storm
+from discostorm.book import storm
 
 PICTURE = "_static/preview.png"
 SIZE = (1200, 630)

@@ -71,6 +71,15 @@ def codes(*keys: Array) -> tuple[NDArray[np.int64], Array]:
     return code, first
 
 
+def times_before(code: Array) -> Array:
+    """Return how many times each number stands before its place."""
+    order = np.argsort(code, kind="stable")
+    begins = np.flatnonzero(np.diff(code[order], prepend=-1))
+    before = np.empty(len(code), np.int64)
+    before[order] = np.arange(len(code)) - np.repeat(begins, np.diff(begins, append=len(code)))
+    return before
+
+
 @dataclass(frozen=True)
 class Numbers:
     """A number for each of several byte strings, such as addresses, from 0 on."""

@@ -4,14 +4,14 @@ from collections import Counter
 
 import numpy as np
 
-from discostorm.capture import files, ip, link, rtps
+from discostorm.capture import fragments, ip, link, pcap, rtps
 from discostorm.capture._bytes import Bytes, Columns, Numbers, codes, number, stack, take
 
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
 
 
-class Process:
+class KnownProcess:
     """What is known of a process; more becomes known while a file is read."""
 
     def __init__(self, protocol: int, name: str, product: str = "") -> None:
@@ -26,22 +26,27 @@ class Process:
 class Gathered:
     """What is gathered while a file is read."""
 
-    def __init__(self, packets: files.Packets) -> None:
+    def __init__(self, packets: pcap.Packets) -> None:
         self.packets = packets
+        #: What could not be read, and how often.
         self.notes: Counter[str] = Counter()
+        #: The numbers of addresses, and of the GUID prefixes of RTPS.
         self.addresses, self.prefixes = Numbers(), Numbers()
-        self.processes: dict[int, Process] = {}
+        #: By the number of the prefix; of Zenoh by numbers from -2 down.
+        self.processes: dict[int, KnownProcess] = {}
+        #: The messages that were read.
         self.rows: list[Columns] = []
+        #: What may be Zenoh: datagrams, and where their bytes are; segments of TCP.
         self.datagrams: list[tuple[Bytes, Columns]] = []
         self.segments: list[Columns] = []
+        #: Fragments of IP.
         self.pieces: list[Columns] = []
+        #: What tells packets that the capture shows twice; none if it cannot.
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
         self.domains: set[int] = set()
-        self.several = (
-            len(set(packets.links)) > 1
-            or len(packets.links) > 1
-            or any(link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links)
+        self.several = len(packets.links) > 1 or any(
+            link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
         )
 
     def packets_of(self, begin: int, end: int) -> None:
@@ -147,11 +152,20 @@ class Gathered:
             )
         self.announced(data, found, announced)
 
+    def note_domains(self) -> None:
+        """Say of which domains there are messages, if not of one alone."""
+        if (count := len(self.domains)) > 1:
+            which = ", ".join(map(str, sorted(self.domains)))
+            self.notes[
+                f"domains of RTPS ({which}): only processes of the same one find each other, which "
+                "the fleet does not know"
+            ] = count
+
     def saw(self, prefix: int, source: int, frame: int, vendor: int) -> None:
         """Keep where and when a process was seen first."""
         process = self.processes.get(prefix)
         if process is None:
-            process = self.processes[prefix] = Process(RTPS, "")
+            process = self.processes[prefix] = KnownProcess(RTPS, "")
         if process.since < 0:
             process.since = frame
             process.product = rtps.VENDORS.get(vendor, f"vendor 0x{vendor:04x}")
@@ -186,7 +200,7 @@ class Gathered:
         ):
             process = self.processes.get(which)
             if process is None:
-                process = self.processes[which] = Process(RTPS, "")
+                process = self.processes[which] = KnownProcess(RTPS, "")
             process.announced = True
             if not spdp:
                 process.endpoints.add(id_)
@@ -199,7 +213,7 @@ class Gathered:
         if self.pieces:
             pieces = stack(self.pieces)
             self.pieces = []
-            data, made = ip.put_together(
+            data, made = fragments.put_together(
                 pieces, self.packets.data, self.packets.table["time"], self.notes
             )
             self.transport(data, made)

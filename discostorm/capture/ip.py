@@ -10,13 +10,10 @@ from discostorm.capture._bytes import (
     Bytes,
     Columns,
     Numbers,
-    buffer,
-    codes,
     number,
     numbers,
     stack,
     take,
-    view,
 )
 
 TCP, UDP, FRAGMENT = 6, 17, 44
@@ -28,10 +25,6 @@ ENCRYPTED, WIREGUARD_PORT = 50, 51820
 _EXTENSIONS = (0, 43, 60, 135)
 _AUTHENTICATION = 51
 _MOST_EXTENSIONS = 8
-#: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
-_LIFETIME = 60_000_000_000
-#: So often it is tried to put together what overlaps and has holes.
-_MOST_FAILURES = 16
 
 
 def names(addresses: Numbers) -> list[str]:
@@ -147,144 +140,6 @@ def loopback(addresses: Numbers) -> Array:
 def is_piece(found: Columns) -> Array:
     """Return which of the packets that `parse` found are fragments."""
     return (found["offset"] > 0) | found["more"]
-
-
-def put_together(
-    pieces: Columns, data: Bytes, time: Array, notes: Counter[str]
-) -> tuple[Bytes, Columns]:
-    """Return what fragments make.
-
-    Parameters
-    ----------
-    pieces : dict
-        The fragments, as `parse` returns them; none is cut.
-    data : numpy.ndarray
-        Where they are.
-    time : numpy.ndarray
-        Of each frame [ns].
-    notes : Counter
-        What could not be read is counted here.
-
-    Returns
-    -------
-    tuple
-        The bytes of the packets, and their table. A packet has the frame that completed it,
-        and ``parts``, the number of its frames.
-    """
-    pieces = take(pieces, pieces["offset"] + pieces["wire"] <= 0xFFFF)
-    group, _ = codes(*(pieces[key] for key in ("source", "target", "protocol", "id", "view")))
-    order = np.argsort(group, kind="stable")
-    pieces, group = take(pieces, order), group[order]
-    chosen, runs = _runs(pieces, group, data, time[pieces["frame"]], notes)
-    pieces = take(pieces, chosen)
-    # Each run of pieces makes one datagram, laid out one after the other.
-    first = np.flatnonzero(np.diff(runs, prepend=-1))
-    count = np.diff(first, append=len(runs))
-    last = first + count - 1
-    total = np.maximum.reduceat(pieces["offset"] + pieces["wire"], first) if len(first) else first
-    start = np.cumsum(total) - total
-    pool = buffer(int(total.sum()))
-    at = np.repeat(start, count) + pieces["offset"]
-    size = pieces["end"] - pieces["at"]
-    source, target = view(data), view(pool)
-    for to, from_, many in zip(at.tolist(), pieces["at"].tolist(), size.tolist(), strict=True):
-        target[to : to + many] = source[from_ : from_ + many]
-    frame = np.maximum.reduceat(pieces["frame"], first) if len(first) else pieces["frame"]
-    made = take(pieces, last) | {
-        "at": start,
-        "end": start + total,
-        "wire": total,
-        "frame": frame,
-        "parts": count.astype(np.int32),
-    }
-    return pool, made
-
-
-def _runs(
-    pieces: Columns, group: Array, data: Bytes, time: Array, notes: Counter[str]
-) -> tuple[Array, Array]:
-    """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
-    size = len(group)
-    offset, more = pieces["offset"], pieces["more"]
-    late = (np.diff(group, prepend=-1) != 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
-    start = late | (offset == 0)
-    run = np.cumsum(start) - 1
-    follows = np.ones(size, bool)
-    follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
-    last = np.append(start[1:], True)
-    good = np.where(start, offset == 0, follows) & (more != last)
-    whole_run = np.logical_and.reduceat(good, np.flatnonzero(start))
-    easy = whole_run[run]
-    chosen, runs = np.flatnonzero(easy), run[easy]
-    # Those out of order, sent twice or with holes, one by one. What repeats a piece belongs to
-    # the next datagram of the kind, so that a packet seen twice counts twice as any other does.
-    part = np.cumsum(late)
-    code, first = codes(part, offset, pieces["wire"])
-    left, layer = np.flatnonzero(~easy), np.zeros(size, np.int64)
-    layer[left] = _times_before(code[left])
-    left = left[np.lexsort((left, layer[left], part[left]))]
-    hard: list[int] = []
-    hard_runs: list[int] = []
-    waiting: dict[int, tuple[int, int]] = {}  # offset: (end, which)
-    rests: list[list[int]] = []
-    now, since, total, held, failed = (-1, 0), 0, 0, 0, 0
-    ends = (offset + pieces["wire"]).tolist()
-
-    for which in left.tolist():
-        if (group[which], layer[which]) != now or time[which] - since > _LIFETIME:
-            rests.append([index for _, index in waiting.values()])
-            now, since = (int(group[which]), int(layer[which])), int(time[which])
-            waiting, total, held, failed = {}, 0, 0, 0
-        here = int(offset[which])
-        old = waiting.get(here, (here, 0))[0]
-        if old < ends[which]:
-            held += ends[which] - old
-            waiting[here] = ends[which], which
-        if not more[which]:
-            total = ends[which]
-        if not total or held < total or failed > _MOST_FAILURES:
-            continue
-        covered, parts = 0, []
-        for at, (end, index) in sorted(waiting.items()):
-            if at > covered or covered >= total:
-                break
-            parts.append(index)
-            covered = max(covered, end)
-        if covered < total:
-            failed += 1  # overlaps, and a hole
-            continue
-        hard += parts
-        hard_runs += [size + which] * len(parts)
-        waiting, total, held = {}, 0, 0
-    rests.append([index for _, index in waiting.values()])
-    chosen = np.append(chosen, np.array(hard, np.int64))
-    # What only repeats pieces that were used, or that are missing anyway, is no datagram.
-    used = first.copy()
-    used[code[chosen]] = chosen
-
-    def repeats(which: int, other: int) -> bool:
-        one, two = (data[pieces["at"][at] : pieces["end"][at]] for at in (which, other))
-        return which != other and np.array_equal(one, two)
-
-    lost = 0
-    for rest in rests:
-        kinds = code[rest].tolist()
-        lost += not all(
-            repeats(which, used[kind]) or repeats(which, first[kind])
-            for which, kind in zip(rest, kinds, strict=True)
-        )
-    if lost:
-        notes["IP datagrams of which fragments are missing"] += lost
-    return chosen, np.append(runs, np.array(hard_runs, np.int64))
-
-
-def _times_before(code: Array) -> Array:
-    """Return how many times each number stands before its place."""
-    order = np.argsort(code, kind="stable")
-    begins = np.flatnonzero(np.diff(code[order], prepend=-1))
-    before = np.empty(len(code), np.int64)
-    before[order] = np.arange(len(code)) - np.repeat(begins, np.diff(begins, append=len(code)))
-    return before
 
 
 def datagrams(data: Bytes, found: Columns) -> Columns:

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
 from discostorm.data import data_path
+from discostorm.palette import lights
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -18,20 +19,10 @@ if TYPE_CHECKING:
 _INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
 #: Time grows along the axis with this power.
 _STRETCH = 1.5
-#: Okabe and Ito's colours, which the colour-blind tell apart: the same in every picture for what
-#: the paper counts, in order for other kinds, and grey for the rest.
-_COLORS = {
-    "SPDP": "#0072B2",
-    "SEDP": "#E69F00",
-    "Heartbeat": "#56B4E9",
-    "ACKNACK": "#D55E00",
-    "Scout": "#0072B2",
-    "Declare": "#E69F00",
-    "Hello": "#56B4E9",
-    "KeepAlive": "#D55E00",
-}
-_OTHERS = ("#009E73", "#CC79A7", "#332288", "#F0E442", "#000000", "#882255", "#44AA99")
-_REST = "#999999"
+#: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
+_COLORS = lights("captured")
+_OTHERS = tuple(lights("captured other").values())
+_REST = lights("neutral")["silver"]
 
 
 def draw(rows: pd.DataFrame, channel: str) -> Figure:

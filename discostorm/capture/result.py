@@ -2,38 +2,32 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from functools import lru_cache
-from os import PathLike
-from typing import TYPE_CHECKING, Any, BinaryIO
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import evaluate
-from discostorm.capture import gathered, ip, reader, rtps, zenoh
-from discostorm.capture.files import CaptureError
-from discostorm.capture.zenoh_reader import TCP_KINDS
-from discostorm.fleet import COUNTS, Count, Fleet, HostGroup, reject_symbols
-from discostorm.messages import (
-    ENDPOINT_PAIR,
-    MATCHED_WRITER,
-    PAIR,
-    UNMATCHED,
-    Message,
-    Protocol,
-    header_bytes,
+from discostorm.capture import gathered
+from discostorm.capture.compare import (
+    Shown,
+    as_if_wired,
+    completed,
+    from_host,
+    spoken,
+    table,
+    window,
 )
+from discostorm.capture.pcap import CaptureError
+from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
+from discostorm.messages import Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
-
-NANOSECOND = 1e-9
 
 
 @dataclass(frozen=True, repr=False)
@@ -225,51 +219,21 @@ class Capture:
         """
         _checks.instance("protocol", protocol, Protocol)
         _checks.instance("wifi", wifi, Wifi)
-        import pandas as pd
-
-        wire = self._spoken(protocol)
-        on_air = self._on_air()
-        if protocol.wired is not None and self._as_if_wired(protocol, on_air):
+        wire = spoken(protocol)
+        rows = self._on_air()
+        if protocol.wired is not None and as_if_wired(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            seen = self._sending(self._seen(self.fleet(wire)), protocol, on_air)
+            shown = completed(self._shown(self.fleet(wire)), protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols(fleet)
             for group in fleet.groups:
                 _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-            seen = self._seen(fleet)
-        rows = on_air.assign(airtime_s=self.airtime(wifi))
-        if wire is not None:
-            rows = rows[rows["protocol"].isin([wire, "TCP"] if wire == "Zenoh" else [wire])]
-        counts = rows.groupby("kind", observed=True).agg(
-            unicast=("multicast", lambda column: int((~column).sum())),
-            multicast=("multicast", "sum"),
-            bytes=("bytes", "sum"),
-            airtime_s=("airtime_s", "sum"),
-        )
-        kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
-        others = [kind for kind in counts.index if kind not in kinds]
-        table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
-        window = self._window(protocol)
-        started = self._started(protocol, rows)
-        units = dict.fromkeys(others, np.nan)
-        expected = dict(units)
-        for message in protocol.messages:
-            visible = seen.units(message)
-            units.setdefault(message.kind, visible)
-            if started:
-                times = float(np.asarray(message.schedule.sent(window)))
-            else:
-                times = window * message.schedule.per_second
-            sent = visible * message.per_unit * times
-            expected[message.kind] = expected.get(message.kind, 0.0) + sent
-        table.insert(0, "units", pd.Series(units))
-        table.insert(1, "expected", pd.Series(expected))
-        total = table["unicast"] + table["multicast"]
-        table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
-        whole = ["unicast", "multicast", "bytes"]
-        return table.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
+            shown = self._shown(fleet)
+        rows = rows.assign(airtime_s=self.airtime(wifi))
+        seconds = window(protocol, self._messages, self.duration)
+        return table(protocol, shown, rows, wire, seconds)
 
     def picture(self, wifi: Wifi = PAPER) -> Figure:
         """Draw messages over time, and their airtime against the channel.
@@ -305,114 +269,11 @@ class Capture:
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
         return rows[~(rows["copy"] | rows["ends"] | here | loop)]
 
-    def _spoken(self, protocol: Protocol) -> str | None:
-        """Return which protocol on the wire has the messages of a table."""
-        names = {message.kind for message in protocol.messages}
-        spoken = [
-            wire
-            for wire, kinds in (("RTPS", rtps.kind_names()), ("Zenoh", zenoh.KINDS))
-            if names & set(kinds)
-        ]
-        return spoken[0] if len(spoken) == 1 else None
-
-    def _window(self, protocol: Protocol) -> float:
-        """Return the time from the first message of a table to the end of the capture [s]."""
-        names = [message.kind for message in protocol.messages]
-        mine = self._messages.loc[self._messages["kind"].isin(names), "time"]
-        if mine.empty:
-            return self.duration
-        # Who is silent for longer than this is gone.
-        periods = [m.schedule.period for m in protocol.messages]
-        end = min(self.duration, float(mine.max()) + min(periods) / 2)
-        return end - float(mine.min())
-
-    def _started(self, protocol: Protocol, rows: pd.DataFrame) -> bool:
-        """Return whether the capture shows what a table has for the start alone."""
-        again = {m.kind for m in protocol.messages if m.schedule.per_second}
-        once = {m.kind for m in protocol.messages} - again
-        return not again or not once or bool(rows["kind"].isin(once).any())
-
-    def _as_if_wired(self, protocol: Protocol, rows: pd.DataFrame) -> bool:
-        """Return whether something is multicast that a table has by unicast alone."""
-        by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
-        alone = {m.kind for m in protocol.messages} - by_multicast
-        return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
-
-    def _seen(self, fleet: Fleet) -> _Seen:
+    def _shown(self, fleet: Fleet) -> Shown:
         """Return how much of a fleet the capture shows."""
         if (view := self.view()) is None:
-            return _Seen(fleet)
-        own = self._processes[self._processes["host"] == view]
-        return _Seen(fleet, _host_like(fleet, own))
-
-    def _sending(self, seen: _Seen, protocol: Protocol, rows: pd.DataFrame) -> _Seen:
-        """Return the fleet that was found, with what it does not announce itself."""
-        announced = sum(
-            m.per_unit for m in protocol.messages if (m.kind, m.unit) == ("Declare", ENDPOINT_PAIR)
-        )
-        groups = seen.fleet.groups
-        if 0 < announced < 1:
-            groups = tuple(replace(g, endpoints=g.endpoints / announced) for g in groups)
-        if announced > 1 and (pairs := seen.count(PAIR.count)) > 0:
-            # A token for each endpoint and for the node.
-            tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
-            groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
-        seen = replace(seen, fleet=Fleet(groups))
-        units = {message.unit for message in protocol.messages}
-        if MATCHED_WRITER not in units:
-            return seen
-        none, all_ = (replace(seen, fleet=Fleet(groups, matching)) for matching in (0.0, 1.0))
-        if UNMATCHED in units:
-            # With every match one of two does not declare the key expression.
-            kind = "Declare key expression"
-            least, most = (
-                sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
-                for of in (all_, none)
-            )
-            saved, most = most - int((rows["kind"] == kind).sum()), most - least
-        else:
-            answers = rows[rows["kind"] == "User ACKNACK"]
-            saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-            most = all_.count(MATCHED_WRITER.count)
-        share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
-        return replace(seen, fleet=Fleet(groups, share))
-
-
-@dataclass(frozen=True)
-class _Seen:
-    """A fleet, and the number of the group whose one host alone shows its unicast, if any."""
-
-    fleet: Fleet
-    own: int | None = None
-
-    def count(self, count: Callable[[Fleet], Count]) -> float:
-        """Return how many of what a fleet has of something by unicast the capture shows."""
-        every = float(count(self.fleet))
-        if self.own is None:
-            return every
-        groups = list(self.fleet.groups)
-        mine = groups.pop(self.own)
-        if mine.hosts >= 2:
-            groups.insert(self.own, replace(mine, hosts=mine.hosts - 1))
-        if not groups:
-            return every
-        return every - float(count(Fleet(tuple(groups), self.fleet.matching)))
-
-    def units(self, message: Message) -> float:
-        """Return of how many units of a message the capture shows what they send."""
-        if message.cast == "multicast":
-            return float(message.unit.count(self.fleet))
-        return self.count(message.unit.count)
-
-
-def _host_like(fleet: Fleet, processes: pd.DataFrame) -> int:
-    """Return the number of the group whose hosts are most like the one of these processes."""
-    mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-    unlike = [
-        (abs(group.processes - len(processes)), abs(group.endpoints - mean))
-        for group in fleet.groups
-    ]
-    return unlike.index(min(unlike))
+            return Shown(fleet)
+        return from_host(fleet, self._processes[self._processes["host"] == view])
 
 
 def _group_name(hosts: list[str], groups: int) -> str:
@@ -433,170 +294,3 @@ def _airtime(lengths: np.ndarray, cast: Cast, wifi: Wifi) -> Any:
     expression = uplink_airtime(length, model) + downlink_airtime(length, cast, model)
     given: dict[Any, Any] = {length: lengths}
     return evaluate(expression, given | wifi.values())
-
-
-def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
-    """Read a capture of discovery traffic.
-
-    Parameters
-    ----------
-    path : str, path-like or binary file
-        A file of tcpdump, Wireshark or dumpcap: pcap or pcapng, also as gz or xz; of Ethernet
-        (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
-        radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
-        open, such as ``sys.stdin.buffer``, is read to its end.
-        On Linux whoever would write to a large file meanwhile may have to wait.
-
-    Returns
-    -------
-    Capture
-        The messages of RTPS (version 2) and Zenoh (versions 8 and 9 on the wire) in it.
-
-    Raises
-    ------
-    OSError
-        If the file cannot be opened.
-    CaptureError
-        If it is no capture, is broken or ends inside of a packet; the message names the
-        file and the place. It is a ValueError.
-    TypeError
-        If `path` is neither a path nor a file opened in binary mode.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> capture = ds.read_capture("tests/captures/fast_dds.pcap.xz")
-    >>> capture.fleet()
-    Fleet(groups=(HostGroup(hosts=3, processes=2, endpoints=10),))
-    >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
-    np.float64(240.0)
-    """
-    import pandas as pd
-
-    found = reader.read(path)
-    rows, time = found.rows, found.time
-    addresses = ip.names(found.addresses)
-    multicast = ip.multicast(found.addresses)
-    processes = [process.name for process in found.processes]
-    is_rtps = rows["protocol"] == gathered.RTPS
-    is_tcp = rows["protocol"] == gathered.TCP
-    # One list of names for all protocols; those of RTPS come first.
-    kinds = [*rtps.kind_names(), *zenoh.KINDS, *TCP_KINDS]
-    zenohs, tcps = len(kinds) - len(zenoh.KINDS) - len(TCP_KINDS), len(TCP_KINDS)
-    kind = rows["kind"] + np.where(is_rtps, 0, np.where(is_tcp, len(kinds) - tcps, zenohs))
-    submessages = [*rtps.submessage_names(), *zenoh.NAMES, *TCP_KINDS]
-    submessage = rows["submessage"].astype(np.int64) + np.where(
-        is_rtps, 0, np.where(is_tcp, 256 + len(zenoh.NAMES), 256)
-    )
-    entities = [*rtps.ENTITY_NAMES, ""]
-    entity = np.where(is_rtps, rows["entity"], len(rtps.ENTITY_NAMES))
-    # Clocks are set back, and files are merged.
-    begin = int(time.min()) if len(time) else 0
-    since = (time - begin) * NANOSECOND
-    messages = pd.DataFrame(
-        {
-            "time": since[rows["frame"]],
-            "frame": rows["frame"].astype(np.int64) + 1,
-            "protocol": _words(rows["protocol"], gathered.PROTOCOLS),
-            "kind": _words(kind, kinds),
-            "multicast": multicast[rows["target"]] if len(multicast) else rows["copy"],
-            "bytes": rows["bytes"],
-            "sender": _words(rows["source"], addresses),
-            "receiver": _words(rows["target"], addresses),
-            "way": _words(rows["way"], reader.WAYS),
-            "process": _words(rows["process"], [*processes, ""]),
-            "peer": _words(rows["peer"], [*processes, ""]),
-            "submessage": _words(submessage, submessages),
-            "entity": _words(entity, entities),
-            "reader": rows["reader"],
-            "writer": rows["writer"],
-            "size": rows["size"],
-            "ends": rows["ends"],
-            "copy": rows["copy"],
-            "transport": _words(rows["udp"].astype(np.int64), ("TCP", "UDP")),
-            "frames": rows["frames"],
-        }
-    )
-    table = pd.DataFrame(
-        {
-            "protocol": [gathered.PROTOCOLS[process.protocol] for process in found.processes],
-            "product": [process.product for process in found.processes],
-            "host": [
-                addresses[process.host] if process.host >= 0 else "" for process in found.processes
-            ],
-            "endpoints": [_endpoints(process) for process in found.processes],
-            "time": [
-                float(since[process.since]) if process.since >= 0 else np.nan
-                for process in found.processes
-            ],
-        },
-        index=pd.Index(processes, name="process", dtype=object),
-    )
-    return Capture(
-        path=found.name,
-        packets=found.packets,
-        start=begin * NANOSECOND,
-        duration=float(since.max()) if len(time) else 0.0,
-        notes=_notes(found, messages),
-        _messages=messages,
-        _processes=table,
-    )
-
-
-def _words(codes: np.ndarray, names: Any) -> Any:
-    """Return names by their numbers, -1 for the last one; only those used are kept."""
-    import pandas as pd
-
-    known, of_name = _numbered(tuple(names))
-    codes = of_name[codes]
-    used = np.bincount(codes, minlength=len(known)) > 0
-    new = np.cumsum(used) - 1
-    kept = _categories(tuple(known[index] for index in np.flatnonzero(used)))
-    smallest: Any = np.int8 if len(kept.categories) < 128 else np.int32
-    return pd.Categorical.from_codes(new[codes].astype(smallest), dtype=kept)
-
-
-@lru_cache(maxsize=16)
-def _categories(names: tuple[str, ...]) -> pd.CategoricalDtype:
-    """Return the names as pandas wants them; it takes longer for these than for a few packets."""
-    import pandas as pd
-
-    return pd.CategoricalDtype(list(names))
-
-
-@lru_cache(maxsize=16)
-def _numbered(names: tuple[str, ...]) -> tuple[tuple[str, ...], np.ndarray]:
-    """Return each name once, and which of these each is."""
-    known = {name: index for index, name in enumerate(dict.fromkeys(names))}
-    return tuple(known), np.array([known[name] for name in names], np.int64)
-
-
-def _endpoints(process: gathered.Process) -> int:
-    """Return how many endpoints a process announced, without those of discovery itself."""
-    if process.protocol == gathered.ZENOH:
-        return process.tokens or len(process.endpoints)
-    return sum(1 for id_ in process.endpoints if not id_ & 0xC0)
-
-
-def _notes(found: reader.Reading, messages: pd.DataFrame) -> tuple[str, ...]:
-    notes = []
-    if found.cut:
-        notes.append(
-            f"{found.cut} of {found.packets} packets were cut when they were captured (snaplen): "
-            "what they held is missing, counts are lower bounds"
-        )
-    counts: Counter[str] = found.notes
-    notes += [f"{count} {what}" for what, count in counts.items()]
-    if encrypted := int((messages["kind"] == "Encrypted").sum()):
-        notes.append(f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind")
-    silent = [process for process in found.processes if not process.announced]
-    if silent:
-        notes.append(
-            f"{len(silent)} of {len(found.processes)} processes of which no announcement was "
-            "captured: their endpoints are not known"
-        )
-    if any(p.protocol == gathered.ZENOH and p.endpoints and not p.tokens for p in found.processes):
-        notes.append(
-            "Zenoh does not announce publishers: its endpoints are subscribers and queryables alone"
-        )
-    return tuple(notes)

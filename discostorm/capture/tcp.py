@@ -1,12 +1,23 @@
 """TCP streams put together: what was sent again, reordered, overlaps or is lost."""
 
+from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm.capture._bytes import PAD, Array, Bytes, Columns, codes, stack, take, view
+from discostorm.capture._bytes import (
+    PAD,
+    Array,
+    Bytes,
+    Columns,
+    codes,
+    stack,
+    take,
+    times_before,
+    view,
+)
 
 FIN, SYN, RST = 1, 2, 4
 
@@ -21,8 +32,8 @@ class Streams:
         The segments, those of a stream together, in the order of the capture. Added to what
         `ip.segments` says are ``place``, where the content stands in the stream [B], and
         ``stream``, its number.
-    first, last : numpy.ndarray
-        Of each stream, its first row and the one behind its last.
+    first : numpy.ndarray
+        Of each stream, its first row.
     reverse : numpy.ndarray
         Of each stream, the number of the other direction; its own if there is none.
     complete : numpy.ndarray
@@ -31,7 +42,6 @@ class Streams:
 
     table: Columns
     first: Array
-    last: Array
     reverse: Array
     complete: Array
 
@@ -60,7 +70,6 @@ def streams(parts: list[Columns]) -> Streams:
     new |= again
     stream = np.cumsum(new) - 1
     first = np.flatnonzero(new)
-    last = np.append(first[1:], len(code))
     step: Array = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
     place = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
     # The SYN itself takes a number.
@@ -73,7 +82,7 @@ def streams(parts: list[Columns]) -> Streams:
     low, high = np.minimum(*forward), np.maximum(*forward)
     pair, _ = codes(low, high)
     side = forward[0] == low
-    turn = _turns(pair * 2 + side)
+    turn = times_before(pair * 2 + side)
     by_pair: dict[tuple[int, int, bool], int] = {
         key: number
         for number, key in enumerate(zip(pair.tolist(), turn.tolist(), side.tolist(), strict=True))
@@ -82,18 +91,7 @@ def streams(parts: list[Columns]) -> Streams:
         [by_pair.get((one, time, not way), number) for (one, time, way), number in by_pair.items()],
         np.int64,
     )
-    return Streams(table, first, last, reverse, complete)
-
-
-def _turns(code: Array) -> Array:
-    """Return how many of the same code stand before each."""
-    order = np.argsort(code, kind="stable")
-    ordered = code[order]
-    new = np.flatnonzero(np.diff(ordered, prepend=-1))
-    turns = np.empty(len(code), np.int64)
-    counts = np.diff(new, append=len(code))
-    turns[order] = np.arange(len(code)) - np.repeat(new, counts)
-    return turns
+    return Streams(table, first, reverse, complete)
 
 
 @dataclass(frozen=True)
@@ -107,8 +105,8 @@ class Content:
     pieces : dict
         ``at``, where a piece of a segment stands in it, in order; ``segment``, its row in
         `Streams.table`; ``done``, the row of the one that completed it.
-    runs : dict
-        What has no gap: ``at`` and ``end``, the ``stream``, and ``start``, whether it is the
+    runs : list of tuple
+        What has no gap, in order: where it starts and ends, its stream, and whether it is the
         start of the stream.
     old : numpy.ndarray
         The rows of segments that carry only what was sent before.
@@ -116,7 +114,7 @@ class Content:
 
     data: Bytes
     pieces: Columns
-    runs: Columns
+    runs: list[tuple[int, int, int, bool]]
     old: Array
 
 
@@ -127,85 +125,43 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     wanted[chosen] = True
     rows = np.flatnonzero(wanted[table["stream"]] & (table["wire"] > 0))
     stream, place, wire, size = (table[key][rows] for key in ("stream", "place", "wire", "size"))
-    new = np.diff(stream, prepend=-1) != 0
-    # Up to where each stream was there before each segment. Those in which something is missing
-    # for a while, or was cut when it was captured, are put together one by one.
-    known = _before(stream, place, place + wire, new)
-    broken = np.bincount(stream, (place > known) | (size < wire), len(wanted)) > 0
-    easy = ~broken[stream]
-    skip = np.clip(known - place, 0, wire)
-    fresh = easy & (skip < wire)
-    segment = rows[fresh]
-    start = np.flatnonzero(new[fresh])
-    length = (size - skip)[fresh]
-    begin = np.cumsum(length) - length
-    total = int(length.sum())
-    opened = stream[fresh][start]
-    backwards = np.bincount(stream, place < 0, len(wanted)) > 0
-    runs = {
-        "at": begin[start],
-        "end": np.append(begin[start][1:], np.full(min(len(start), 1), total)),
-        "stream": opened,
-        "start": streams_.complete[opened] & ~backwards[opened],
-    }
-    # The others one by one.
-    skips: list[int] = []
-    sizes: list[int] = []
-    segments: list[int] = []
-    done: list[int] = []
-    old: list[int] = rows[easy & ~fresh].tolist()
-    more: list[tuple[int, int, int, bool]] = []
-    numbers = np.flatnonzero(broken).astype(stream.dtype)
-    firsts, lasts = (np.searchsorted(stream, numbers, side).tolist() for side in ("left", "right"))
-    for first, last, number in zip(firsts, lasts, numbers.tolist(), strict=True):
-        mine = rows[first:last].tolist()
-        places = place[first:last].tolist()
-        from_start = bool(streams_.complete[number]) and min(places) == 0
-        begin_ = total
-        for which, over, many, by in _ordered(
-            places, wire[first:last].tolist(), size[first:last].tolist()
-        ):
+    numbers, firsts = np.unique(stream, return_index=True)
+    lasts = np.append(firsts[1:], len(rows))
+    skips, sizes, segments, done = (array("q") for _ in range(4))
+    old: list[int] = []
+    runs: list[tuple[int, int, int, bool]] = []
+    total = 0
+    for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
+        mine = slice(first, last)
+        row, places = rows[mine].tolist(), place[mine].tolist()
+        begin, from_start = total, bool(streams_.complete[number]) and min(places) == 0
+        for which, skip, many, by in _ordered(places, wire[mine].tolist(), size[mine].tolist()):
             if many > 0:
-                skips.append(over)
+                skips.append(skip)
                 sizes.append(many)
-                segments.append(mine[which])
-                done.append(mine[by])
+                segments.append(row[which])
+                done.append(row[by])
                 total += many
             elif many == 0:
-                old.append(mine[which])
+                old.append(row[which])
             else:  # a gap
-                if total > begin_:
-                    more.append((begin_, total, number, from_start))
-                begin_, from_start = total, False
-        if total > begin_:
-            more.append((begin_, total, number, from_start))
-    if more:
-        for name, column in zip(runs, zip(*more, strict=True), strict=True):
-            runs[name] = np.append(runs[name], np.array(column))
-    length = np.append(length, np.array(sizes, np.int64))
+                if total > begin:
+                    runs.append((begin, total, number, from_start))
+                begin, from_start = total, False
+        if total > begin:
+            runs.append((begin, total, number, from_start))
+    length, segment = np.array(sizes, np.int64), np.array(segments, np.int64)
     pieces = {
         "at": np.cumsum(length) - length,
         "size": length,
-        "segment": np.append(segment, np.array(segments, np.int64)),
-        "done": np.append(segment, np.array(done, np.int64)),
+        "segment": segment,
+        "done": np.array(done, np.int64),
     }
-    at = table["at"][pieces["segment"]] + np.append(skip[fresh], np.array(skips, np.int64))
+    at = table["at"][segment] + np.array(skips, np.int64)
     source = view(data)
-    parts = [source[a : a + n] for a, n in zip(at.tolist(), length.tolist(), strict=True)]
+    parts = [source[a : a + n] for a, n in zip(at.tolist(), sizes, strict=True)]
     joined = b"".join([*parts, bytes(PAD)])
     return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
-
-
-def _before(stream: Array, place: Array, end: Array, new: Array) -> Array:
-    """Return how far the segments of a stream before each one reach; before a first one, to it."""
-    # A step between streams that is longer than any of them lets one maximum run through all; of
-    # what is longer than that, which no capture has, nothing is known.
-    step = int(np.ptp(place)) + int(end.max() - place.min()) + 1 if len(place) else 1
-    if step * (len(place) + 1) > 1 << 62:
-        return np.where(new, place, np.iinfo(np.int64).min)
-    offset = stream.astype(np.int64) * step
-    reach = np.maximum.accumulate(offset + end)
-    return np.where(new, place, np.roll(reach, 1) - offset)
 
 
 def _ordered(

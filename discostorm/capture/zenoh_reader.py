@@ -5,9 +5,17 @@ from typing import Any
 
 import numpy as np
 
-from discostorm.capture import ip, tcp, zenoh
-from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, buffer, codes, stack, take
-from discostorm.capture.gathered import TCP, ZENOH, Gathered, Process
+from discostorm.capture import ip, tcp, zenoh, zenoh_streams
+from discostorm.capture._bytes import (
+    PAD,
+    Array,
+    Bytes,
+    Columns,
+    codes,
+    stack,
+    take,
+)
+from discostorm.capture.gathered import TCP, ZENOH, Gathered, KnownProcess
 
 #: Segments of Zenoh's connections that carry no message of their own.
 TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
@@ -34,7 +42,7 @@ def _process(gathered: Gathered, known: dict[bytes, int], zid: bytes, role: int)
     role_name = ("router", "peer", "client", "")[role & 3]
     # As Zenoh writes it.
     name = f"{int.from_bytes(zid, 'little'):x}"
-    gathered.processes.setdefault(which, Process(ZENOH, name, f"Zenoh {role_name}".strip()))
+    gathered.processes.setdefault(which, KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip()))
     return which
 
 
@@ -56,32 +64,18 @@ def _read_datagrams(
     is_scouting = code != zenoh.UNREADABLE
     rows = np.flatnonzero(is_scouting)
     process = np.full(len(rows), -1, np.int64)
-    told = np.flatnonzero(identity["length"][rows] > 0)
-    if len(told):
-        place, length = (identity[key][rows[told]] for key in ("at", "length"))
-        # In sixteen bytes each, with zeros behind those that are shorter.
-        zids = buffer(16 * len(told))
-        matrix = zids[: 16 * len(told)].reshape(-1, 16)
-        octet = np.arange(16)
-        matrix[:] = data[place[:, None] + octet] * (octet < length[:, None])
-        numbers = Numbers()
-        which = numbers.of(zids, 16 * np.arange(len(told)), 16)
-        _, first = codes(which, found["source"][rows[told]])
-        role = data[identity["at"][rows[told]] - 1] & 3
-        ours = np.zeros(len(numbers.known), np.int64)
-        for index in first.tolist():
-            row = rows[told[index]]
-            zid = matrix[index, : length[index]].tobytes()
+    seen: dict[tuple[bytes, int], int] = {}
+    for index in np.flatnonzero(identity["length"][rows] > 0).tolist():
+        row = rows[index]
+        place, length = int(identity["at"][row]), int(identity["length"][row])
+        zid, source = data[place : place + length].tobytes(), int(found["source"][row])
+        if (zid, source) not in seen:
             # A Scout does not say what sends it.
             is_hello = zenoh.NAMES[code[row]] == "Hello"
-            ours[which[index]] = _process(gathered, known, zid, int(role[index]) if is_hello else 3)
-            _zenoh_saw(
-                gathered,
-                int(ours[which[index]]),
-                int(found["source"][row]),
-                int(found["frame"][row]),
-            )
-        process[told] = ours[which]
+            role = int(data[place - 1]) & 3 if is_hello else 3
+            seen[zid, source] = _process(gathered, known, zid, role)
+            _zenoh_saw(gathered, seen[zid, source], source, int(found["frame"][row]))
+        process[index] = seen[zid, source]
     gathered.rows.append(
         {
             "frame": found["frame"][rows],
@@ -146,56 +140,56 @@ def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, i
     """Read sessions over TCP."""
     data = gathered.packets.data
     _note_tls(gathered, data, streams)
-    chosen = zenoh.chosen(data, streams)
-    if len(others := zenoh.undecided(streams, chosen)):
-        begun = list(zenoh.sessions(tcp.content(data, streams, others)))
+    chosen = zenoh_streams.chosen(data, streams)
+    if len(others := zenoh_streams.undecided(streams, chosen)):
+        begun = list(zenoh_streams.openings(tcp.content(data, streams, others)))
         chosen = np.union1d(chosen, [*begun, *streams.reverse[begun]]).astype(np.int64)
     if not len(chosen):
         return
     content = tcp.content(data, streams, chosen)
-    opened = zenoh.sessions(content)
+    opened = zenoh_streams.openings(content)
     table = streams.table
     process = np.full(len(streams.first), -1, np.int64)
     for of, session in opened.items():
         row = streams.first[of]
         process[of] = _process(gathered, known, session.zid, session.role)
         _zenoh_saw(gathered, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
-    batches = zenoh.batches(content, streams, opened, gathered.notes)
+    batches = zenoh_streams.batches(content, streams, opened, gathered.notes)
     found = zenoh.parse(content.data, batches["at"], batches["end"])
     if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):
         gathered.notes["batches of Zenoh that cannot be read to their end"] += unreadable
     stream = batches["stream"][found["batch"]]
+    rows = _message_rows(content, streams, found, stream, process)
+    gathered.rows.append(rows)
+    declared = _declarations(content.data, found, stream)
+    made, members = zenoh_streams.put_together(content.data, found, stream, gathered.notes)
+    if made:
+        joined, inner, last = _from_fragments(gathered, made, members, found, rows)
+        declared = stack([declared, _declarations(joined, inner, stream[last])])
+    _count_endpoints(gathered, declared, process)
+    _other_segments(gathered, content, streams, chosen, process)
+
+
+def _message_rows(
+    content: tcp.Content, streams: tcp.Streams, found: Columns, stream: Array, process: Array
+) -> Columns:
+    """Return the rows of messages in batches, each with its part of the segments' costs."""
+    table, first = streams.table, streams.first[stream]
     # The length in front of a batch goes with its first message.
-    first = np.diff(found["batch"], prepend=-1) != 0
-    begin = found["at"] - 2 * first
+    begin = found["at"] - 2 * (np.diff(found["batch"], prepend=-1) != 0)
     cost = _cost(content, table)
     piece = np.searchsorted(content.pieces["at"], found["end"] - 1, side="right") - 1
     done = content.pieces["done"][piece] if len(piece) else piece
-    rows: Columns = {
+    return {
         "frame": table["frame"][done],
         "protocol": np.full(len(done), ZENOH, np.uint8),
         "kind": found["code"],
         "submessage": found["code"],
         "bytes": found["end"] - begin,
         "frames": cost(found["end"]) - cost(begin),
-        **_ends(table, streams.first[stream], process[stream], process[streams.reverse[stream]]),
+        "way": table["way"][done],
+        **_ends(table, first, process[stream], process[streams.reverse[stream]]),
     }
-    rows["way"] = table["way"][done]
-    number_ = found["number"]
-    made, members = zenoh.put_together(content.data, found, stream, gathered.notes)
-    if made:
-        inner, extra, number_2, stream_2 = _from_fragments(
-            gathered, made, members, found, rows, stream
-        )
-        rows = stack([rows, inner])
-        number_ = np.append(number_, number_2)
-        stream = np.append(stream, stream_2)
-        texts = extra
-    else:
-        texts = {}
-    gathered.rows.append(rows)
-    _zenoh_endpoints(gathered, content, found, rows["submessage"], number_, stream, process, texts)
-    _other_segments(gathered, content, streams, chosen, process)
 
 
 def _ends(table: Columns, row: Array, process: Array, peer: Array) -> Columns:
@@ -227,13 +221,18 @@ def _from_fragments(
     members: list[list[int]],
     found: Columns,
     rows: Columns,
-    stream: Array,
-) -> tuple[Columns, dict[int, bytes], Array, Array]:
-    """Return the messages that fragments make; the bytes of fragments go to them."""
+) -> tuple[Bytes, Columns, Array]:
+    """Add the rows of messages that fragments make; the bytes of fragments go to them.
+
+    Return the bytes of these messages, the messages as `zenoh.parse` does, and the row of the
+    fragment that completed each.
+    """
     length = np.array([len(part) for part in made], np.int64)
     end = np.cumsum(length)
-    joined = np.frombuffer(b"".join(made) + bytes(64), np.uint8)
+    joined = np.frombuffer(b"".join(made) + bytes(PAD), np.uint8)
     inner = zenoh.parse(joined, end - length, end)
+    if unreadable := int(np.count_nonzero(inner["code"] == zenoh.UNREADABLE)):
+        gathered.notes["Zenoh messages in fragments that cannot be read"] += unreadable
     batch = inner["batch"]
     last = np.array([part[-1] for part in members], np.int64)[batch]
     share = np.zeros(len(made))
@@ -244,51 +243,49 @@ def _from_fragments(
         rows["frames"][part] *= 1 - ratio
         rows["bytes"][part] -= own
     size = inner["end"] - inner["at"]
-    if unreadable := int(np.count_nonzero(inner["code"] == zenoh.UNREADABLE)):
-        gathered.notes["Zenoh messages in fragments that cannot be read"] += unreadable
     new = take(rows, last) | {
         "kind": inner["code"],
         "submessage": inner["code"],
         "bytes": size,
         "frames": share[batch] * size / np.maximum(length[batch], 1),
     }
-    texts = {
-        len(rows["frame"]) + index: joined[inner["at"][index] : inner["end"][index]].tobytes()
-        for index in range(len(batch))
-    }
-    return new, texts, inner["number"], stream[last]
+    gathered.rows.append(new)
+    return joined, inner, last
 
 
-def _zenoh_endpoints(
-    gathered: Gathered,
-    content: tcp.Content,
-    found: Columns,
-    code: Array,
-    number_: Array,
-    stream: Array,
-    process: Array,
-    texts: dict[int, bytes],
-) -> None:
-    """Keep what each process declares: subscribers and queryables, or the tokens of rmw_zenoh.
+_TOKEN = zenoh.NAMES.index("DeclareToken")
+#: What is counted as an endpoint; a token is if it names one.
+_DECLARED = [*map(zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable")), _TOKEN]
+
+
+def _declarations(data: Bytes, found: Columns, stream: Array) -> Columns:
+    """Return what messages declare: ``code``, ``number``, ``stream``, and ``ros``.
+
+    The last says whether a token is of an endpoint of rmw_zenoh.
+    """
+    chosen = np.flatnonzero(np.isin(found["code"], _DECLARED))
+    code, at, end = (found[key][chosen] for key in ("code", "at", "end"))
+    ros = [
+        kind == _TOKEN and _is_ros_endpoint(data[begin:stop].tobytes())
+        for kind, begin, stop in zip(code.tolist(), at.tolist(), end.tolist(), strict=True)
+    ]
+    number = found["number"][chosen]
+    return {"code": code, "number": number, "stream": stream[chosen], "ros": np.array(ros, bool)}
+
+
+def _count_endpoints(gathered: Gathered, declared: Columns, process: Array) -> None:
+    """Keep how many endpoints each process declares: what is not a token, and tokens.
 
     A process declares to each other one; what it declares is the most that it does to one.
     """
-    subscriber, queryable, token_code = map(
-        zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable", "DeclareToken")
-    )
-    plain = np.flatnonzero((code == subscriber) | (code == queryable))
-    _, first = codes(stream[plain], code[plain], number_[plain])
-    for index, count in Counter(stream[plain[first]].tolist()).items():
+    _, first = codes(declared["stream"], declared["code"], declared["number"])
+    declared = take(declared, first)
+    token = declared["code"] == _TOKEN
+    for index, count in Counter(declared["stream"][~token].tolist()).items():
         _declared(gathered, int(process[index]), count, tokens=False)
-    token = np.flatnonzero(code == token_code)
-    _, first = codes(stream[token], number_[token])
-    of_ros: Counter[int] = Counter()
-    for row in token[first].tolist():
-        text = texts.get(row)
-        if text is None:
-            text = content.data[found["at"][row] : found["end"][row]].tobytes()
-        of_ros[int(stream[row])] += _is_ros_endpoint(text)
-    for index, count in of_ros.items():
+    tokens = take(declared, token)
+    for index in np.unique(tokens["stream"]).tolist():
+        count = int(tokens["ros"][tokens["stream"] == index].sum())
         _declared(gathered, int(process[index]), count, tokens=True)
 
 

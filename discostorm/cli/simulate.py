@@ -47,7 +47,7 @@ class Runs:
             return seconds(taken)
         if self.no_recovery:  # nothing more will be sent
             return "never, as frames were lost"
-        after = " after the last start" * bool(self.window)
+        after = " after the last start" if self.window else ""
         return f"not within {_checks.exactly(self.until)} s{after}"
 
 

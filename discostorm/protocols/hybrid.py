@@ -1,7 +1,7 @@
 """A discovery of our own: one speaker a host, sets packed in multicasts, coded repair.
 
 A proposal, not a product. The tables hold what is sent without losses; what is done about losses,
-deaths and newcomers is `discostorm.simulation.speaker`, with the same sizes and times.
+deaths and newcomers are the rules of its prototype, in the lab, with the same sizes and times.
 What a frame holds has rows of its own, which have no part of a frame: they cost their
 bytes alone. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period of
 each grows, so that beyond the table is an upper bound. A set is one frame: of those that take

@@ -210,10 +210,8 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     with shown(_say):
         compiled()
     if seconds * len(seeds) > _PATIENCE:
-        _say(
-            f"{len(seeds)} run{'s'[: len(seeds) > 1]} of about {seconds / 60:.1f} min and "
-            f"{megabytes:.0f} MB each"
-        )
+        runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
+        _say(f"{runs} of about {seconds / 60:.1f} min and {megabytes:.0f} MB each")
     hidden = None if seconds * len(seeds) > 1 else True
     with tqdm(total=len(seeds), desc="simulating", unit="run", disable=hidden) as bar:
         found = []

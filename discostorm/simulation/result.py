@@ -175,7 +175,7 @@ class Simulation:
         )
         return (
             f"Simulation({self.protocol.name} on {self.wifi.name}, {runs} "
-            f"run{'s'[: runs > 1]}; medians: {', '.join(middle)})"
+            f"{'run' if runs == 1 else 'runs'}; medians: {', '.join(middle)})"
         )
 
     def table(self) -> pd.DataFrame:

@@ -9,7 +9,6 @@ from discostorm.wifi.channel import (
     Link,
     Model,
     Padding,
-    Wifi,
     aggregated_airtime,
     airtime,
     bits_airtime,
@@ -17,7 +16,7 @@ from discostorm.wifi.channel import (
     downlink_airtime,
     uplink_airtime,
 )
-from discostorm.wifi.radio import PAPER, WIFI, Radio
+from discostorm.wifi.radio import PAPER, WIFI, Radio, Wifi
 
 __all__ = [
     "BITS_PER_BYTE",

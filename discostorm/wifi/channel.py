@@ -1,17 +1,14 @@
-"""What the air costs: rates, per-frame overhead, airtime of one frame (paper, Sec. IV)."""
+"""What a link costs: rates, per-frame overhead, airtime of one frame (paper, Sec. IV)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import Literal, get_args
 
 import sympy as sp
 
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
 from discostorm.wifi import aggregation as agg
-
-if TYPE_CHECKING:
-    from discostorm.wifi.radio import Radio
 
 Cast = Literal["multicast", "unicast"]
 
@@ -119,83 +116,6 @@ class Link:
                     f"rate must be that of {self.padding.bits} bits in "
                     f"{self.padding.symbol:g} s with this padding; got {self.rate!r}"
                 )
-
-
-@dataclass(frozen=True)
-class Wifi:
-    """A Wi-Fi channel in infrastructure mode.
-
-    Parameters
-    ----------
-    name : str
-        What to call it in tables and figures.
-    unicast : Link
-        Frames to one receiver; also every frame from a host up to the access point.
-    multicast : Link
-        Multicast frames from the access point down to all hosts.
-    aggregation : Aggregation, optional
-        If given, frames to one receiver share exchanges: all that go up to the access
-        point, and down the unicast ones. Needs links with padding; its overhead stands in
-        for that of the unicast link.
-    radio : Radio, optional
-        The radio whose rates these are, with the standard's timing in parts; None for a
-        channel of your own. Two channels are equal whatever their radios.
-
-    Raises
-    ------
-    ValueError
-        If one link has padding and the other has none, or there is aggregation without.
-    """
-
-    name: str
-    unicast: Link
-    multicast: Link
-    aggregation: agg.Aggregation | None = None
-    radio: "Radio | None" = field(default=None, compare=False, repr=False)
-
-    def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        _checks.instance("unicast", self.unicast, Link)
-        _checks.instance("multicast", self.multicast, Link)
-        if (self.unicast.padding is None) != (self.multicast.padding is None):
-            raise ValueError(
-                "unicast and multicast must both have padding or both have none; got "
-                f"unicast.padding={self.unicast.padding}, "
-                f"multicast.padding={self.multicast.padding}"
-            )
-        if self.aggregation is not None:
-            _checks.instance("aggregation", self.aggregation, agg.Aggregation)
-        if self.aggregation is not None and self.unicast.padding is None:
-            raise ValueError("aggregation must be None unless the links have padding")
-
-    @property
-    def model(self) -> Model:
-        """How a frame becomes airtime on this channel."""
-        if self.aggregation is not None:
-            return "aggregated"
-        return "linear" if self.unicast.padding is None else "padded"
-
-    def values(self) -> dict[sp.Symbol, float]:
-        """Return the value of each symbol of the notation that this channel sets."""
-        values: dict[sp.Symbol, float] = {
-            nt.R_UNI: self.unicast.rate,
-            nt.O_UNI: self.unicast.overhead,
-            nt.R_MULTI: self.multicast.rate,
-            nt.O_MULTI: self.multicast.overhead,
-        }
-        for link, symbols in ((self.unicast, UNICAST), (self.multicast, MULTICAST)):
-            if link.padding is not None:
-                padding = link.padding
-                given = (padding.bits, padding.added, padding.per_grid, padding.grid)
-                values |= dict(zip(symbols, map(float, given), strict=True))
-        if self.aggregation is not None:
-            values |= {
-                nt.N_AGG: float(self.aggregation.mpdus),
-                nt.A_MOST: float(self.aggregation.most_bytes),
-                nt.O_AGG: self.aggregation.overhead,
-                nt.A_LEAST: float(self.aggregation.least_bytes),
-            }
-        return values
 
 
 #: Bits per symbol, added bits, symbol as a part of the grid, grid: as `data_time` takes them.

@@ -1,32 +1,98 @@
-"""Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be."""
+"""Channels, and radios from the standard's own parameters: 802.11a, g, n, ac, ax and be."""
 
 import re
-from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cache
-from math import isclose
 from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
 
-from discostorm import _checks
-from discostorm.data import read_data
+from discostorm import _checks, notation as nt
 from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.channel import PAPER_LINKS, Link, Padding, Wifi, data_time
-
-_MICRO = 10**6
-_MEGA = 10**6
-_GIGA = 10**9
-#: Units in which people speak of a radio: those in which it is given, and the power of ten between.
-_SHOWN = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
-_RESPONSE_RATES = (6, 12, 24)
-
-Row = dict[str, str]
+from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, Padding
+from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_of, response
 
 #: What of a `Radio` is no number.
 _WORDS = ("standard", "name")
+
+
+@dataclass(frozen=True)
+class Wifi:
+    """A Wi-Fi channel in infrastructure mode.
+
+    Parameters
+    ----------
+    name : str
+        What to call it in tables and figures.
+    unicast : Link
+        Frames to one receiver; also every frame from a host up to the access point.
+    multicast : Link
+        Multicast frames from the access point down to all hosts.
+    aggregation : Aggregation, optional
+        If given, frames to one receiver share exchanges: all that go up to the access
+        point, and down the unicast ones. Needs links with padding; its overhead stands in
+        for that of the unicast link.
+    radio : Radio, optional
+        The radio whose rates these are, with the standard's timing in parts; None for a
+        channel of your own. Two channels are equal whatever their radios.
+
+    Raises
+    ------
+    ValueError
+        If one link has padding and the other has none, or there is aggregation without.
+    """
+
+    name: str
+    unicast: Link
+    multicast: Link
+    aggregation: Aggregation | None = None
+    radio: "Radio | None" = field(default=None, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        _checks.instance("unicast", self.unicast, Link)
+        _checks.instance("multicast", self.multicast, Link)
+        if (self.unicast.padding is None) != (self.multicast.padding is None):
+            raise ValueError(
+                "unicast and multicast must both have padding or both have none; got "
+                f"unicast.padding={self.unicast.padding}, "
+                f"multicast.padding={self.multicast.padding}"
+            )
+        if self.aggregation is not None:
+            _checks.instance("aggregation", self.aggregation, Aggregation)
+        if self.aggregation is not None and self.unicast.padding is None:
+            raise ValueError("aggregation must be None unless the links have padding")
+
+    @property
+    def model(self) -> Model:
+        """How a frame becomes airtime on this channel."""
+        if self.aggregation is not None:
+            return "aggregated"
+        return "linear" if self.unicast.padding is None else "padded"
+
+    def values(self) -> dict[sp.Symbol, float]:
+        """Return the value of each symbol of the notation that this channel sets."""
+        values: dict[sp.Symbol, float] = {
+            nt.R_UNI: self.unicast.rate,
+            nt.O_UNI: self.unicast.overhead,
+            nt.R_MULTI: self.multicast.rate,
+            nt.O_MULTI: self.multicast.overhead,
+        }
+        for link, symbols in ((self.unicast, UNICAST), (self.multicast, MULTICAST)):
+            if link.padding is not None:
+                padding = link.padding
+                given = (padding.bits, padding.added, padding.per_grid, padding.grid)
+                values |= dict(zip(symbols, map(float, given), strict=True))
+        if self.aggregation is not None:
+            values |= {
+                nt.N_AGG: float(self.aggregation.mpdus),
+                nt.A_MOST: float(self.aggregation.most_bytes),
+                nt.O_AGG: self.aggregation.overhead,
+                nt.A_LEAST: float(self.aggregation.least_bytes),
+            }
+        return values
 
 
 @dataclass(frozen=True)
@@ -113,91 +179,95 @@ class Radio:
         for key, value in others.items():
             if value is not None and not isinstance(value, Hashable):  # to be looked up
                 _checks.one(key, value, "a number")
-        _parts(self)  # raises if the standard has no such combination
+        _ = self._parts  # raises if the standard has no such combination
+
+    @property
+    def _parts(self) -> Parts:
+        return parts_of(**{key: value for key, value in vars(self).items() if key != "name"})
 
     @property
     def slot(self) -> float:
         """Duration of a slot [s]."""
-        return float(_parts(self).slot / _MICRO)
+        return float(self._parts.slot / MICRO)
 
     @property
     def sifs(self) -> float:
         """Short interframe space [s]."""
-        return float(_parts(self).sifs / _MICRO)
+        return float(self._parts.sifs / MICRO)
 
     @property
     def aifs(self) -> float:
         """Wait before the back-off [s]: SIFS and AIFSN slots, which are DIFS if AIFSN is 2."""
-        return float(_parts(self).aifs / _MICRO)
+        return float(self._parts.aifs / MICRO)
 
     @property
     def cw_min(self) -> int:
         """Least contention window [slots]: the back-off is drawn from 0 to this."""
-        return int(_parts(self).timing["cw_min"])
+        return int(self._parts.timing["cw_min"])
 
     @property
     def cw_max(self) -> int:
         """Greatest contention window [slots]."""
-        return int(_parts(self).timing["cw_max"])
+        return int(self._parts.timing["cw_max"])
 
     @property
     def preamble(self) -> float:
         """Everything of a unicast PPDU before its data [s]."""
-        return float(_parts(self).preamble / _MICRO)
+        return float(self._parts.preamble / MICRO)
 
     @property
     def multicast_preamble(self) -> float:
         """Everything of a multicast PPDU before its data [s]."""
-        return float(Fraction(_parts(self).basic["preamble_us"]) / _MICRO)
+        return float(Fraction(self._parts.basic["preamble_us"]) / MICRO)
 
     @property
     def signal_extension(self) -> float:
         """Silence that counts to each OFDM PPDU in 2.4 GHz [s]; multicast at DSSS has none."""
-        return float(_parts(self).extension / _MICRO)
+        return float(self._parts.extension / MICRO)
 
     @property
     def rate(self) -> float:
         """Data rate of unicast frames [bit/s]."""
-        parts = _parts(self)
-        return float(parts.bits_exact / parts.symbol * _MEGA)
+        parts = self._parts
+        return float(parts.bits_exact / parts.symbol * MEGA)
 
     @property
     def basic_rate(self) -> float:
         """Data rate of multicast frames [bit/s]."""
-        return float(_parts(self).basic["rate_Mbit_s"]) * _MEGA
+        return float(self._parts.basic["rate_Mbit_s"]) * MEGA
 
     @property
     def padding(self) -> Padding:
         """How a unicast frame fills symbols."""
-        parts = _parts(self)
+        parts = self._parts
         return Padding(
             int(parts.bits_exact),
-            float(parts.symbol / _MICRO),
-            float(parts.grid / _MICRO),
+            float(parts.symbol / MICRO),
+            float(parts.grid / MICRO),
             parts.added,
         )
 
     @property
     def multicast_padding(self) -> Padding:
         """How a multicast frame fills symbols."""
-        basic = _parts(self).basic
-        symbol = float(Fraction(basic["symbol_us"]) / _MICRO)
+        basic = self._parts.basic
+        symbol = float(Fraction(basic["symbol_us"]) / MICRO)
         return Padding(int(basic["bits_per_symbol"]), symbol, symbol, int(basic["added_bits"]))
 
     @property
     def ack(self) -> float:
         """Duration of an acknowledgement with its preamble [s]."""
-        return float(_response("ACK", _parts(self).response_rate) / _MICRO)
+        return float(response("ACK", self._parts.response_rate) / MICRO)
 
     @property
     def block_ack(self) -> float:
         """Duration of a block acknowledgement with its preamble [s]."""
-        return float(_block_ack(_parts(self), int(self.mpdus)) / _MICRO)
+        return float(block_ack(self._parts.response_rate, int(self.mpdus)) / MICRO)
 
     @property
     def most_bytes(self) -> int:
         """Longest A-MPDU [B] that the standard and the longest PPDU allow; 0 without any."""
-        parts = _parts(self)
+        parts = self._parts
         if not parts.limits:
             return 0
         # What of the longest PPDU is left for data, in whole symbols.
@@ -229,19 +299,19 @@ class Radio:
         Wifi
             With padding on both links, and with aggregation if `mpdus` is above 1.
         """
-        parts = _parts(self)
+        parts = self._parts
         # Microseconds as fractions, so that the sums are exact.
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
         answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
-        extended = parts.extension * (parts.basic["extended"] == "yes")
+        extended = parts.extension if parts.basic["extended"] == "yes" else 0
         unicast = Link(
             rate=self.rate,
-            overhead=float((answered + _response("ACK", parts.response_rate)) / _MICRO),
+            overhead=float((answered + response("ACK", parts.response_rate)) / MICRO),
             padding=self.padding,
         )
         multicast = Link(
             rate=self.basic_rate,
-            overhead=float((waiting + Fraction(parts.basic["preamble_us"]) + extended) / _MICRO),
+            overhead=float((waiting + Fraction(parts.basic["preamble_us"]) + extended) / MICRO),
             padding=self.multicast_padding,
         )
         aggregation = None
@@ -249,137 +319,23 @@ class Radio:
             aggregation = Aggregation(
                 mpdus=int(self.mpdus),
                 most_bytes=self.most_bytes,
-                overhead=float((answered + _block_ack(parts, int(self.mpdus))) / _MICRO),
+                overhead=float(
+                    (answered + block_ack(parts.response_rate, int(self.mpdus))) / MICRO
+                ),
                 least_bytes=self.least_subframe,
             )
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 
-@dataclass(frozen=True)
-class _Parts:
-    """What the standard says of a radio; times in microseconds, exact."""
-
-    timing: Row
-    basic: Row
-    limits: Row | None
-    slot: Fraction
-    sifs: Fraction
-    aifs: Fraction
-    extension: Fraction
-    preamble: Fraction
-    symbol: Fraction
-    grid: Fraction
-    bits_exact: Fraction
-    added: int
-    response_rate: int
-    usual_name: str
-
-
-@cache
-def _parts(radio: Radio) -> _Parts:
-    """Return what the standard says of a radio, or refuse what it does not have."""
-    standard = radio.standard
-    known = [row["standard"] for row in read_data("wifi/standards.csv")]
-    if standard not in known:
-        raise ValueError(
-            f"standard must be {', '.join(known[:-1])} or {known[-1]}; got {standard!r}"
-        )
-    (own,) = _rows("standards", standard=standard)
-
-    bands = own["bands_GHz"].split()
-    in_band = [(float(b) * _GIGA, _rows("bands", band_GHz=b)[0]) for b in bands]
-    hertz, timing = (
-        in_band[-1] if radio.band is None else _choose("band", radio.band, in_band, standard, "GHz")
-    )
-    ghz = timing["band_GHz"]
-    widths = [
-        (float(row["width_MHz"]) * _MEGA, row)
-        for row in _rows("widths", standard=standard, bands_GHz=ghz)
-    ]
-    _, width = _choose("width", radio.width, widths, standard, "MHz")
-    mhz = width["width_MHz"]
-    counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
-    streams = int(_choose("streams", radio.streams, counts, standard)[0])
-
-    exceptions = {
-        int(row["mcs"]): row
-        for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
-    }
-    codings = [
-        (float(row["mcs"]), row)
-        for row in _rows("mcs", standards=standard)
-        if exceptions.get(int(row["mcs"]), {}).get("encoders") != "0"
-    ]
-    where = f"{standard} at {mhz} MHz with {streams} spatial stream{'s'[: streams > 1]}"
-    index, coding = codings[-1] if radio.mcs is None else _choose("mcs", radio.mcs, codings, where)
-    guards = [
-        (float(row["guard_interval_us"]) / _MICRO, row)
-        for row in _rows("symbols", standard=standard)
-    ]
-    shortest = min(guard for guard, _ in guards)
-    wanted = shortest if radio.guard_interval is None else radio.guard_interval
-    guard_interval, symbols = _choose("guard_interval", wanted, guards, standard, "µs")
-    basics = [
-        (float(row["rate_Mbit_s"]) * _MEGA, row) for row in _rows("basic_rates", bands_GHz=ghz)
-    ]
-    basic_rate, basic = (
-        basics[0]
-        if radio.multicast_rate is None
-        else _choose("multicast_rate", radio.multicast_rate, basics, f"{ghz} GHz", "Mbit/s")
-    )
-    _checks.whole("aifsn", radio.aifsn, 2, 15)
-    limits = _rows("ampdu", standard=standard)
-    most = int(limits[0]["most_mpdus"]) if limits else 1
-    _checks.whole("mpdus", radio.mpdus, 1, most, f" for {standard}")
-    spacings = [(float(row["us"]) / _MICRO, row) for row in read_data("wifi/start_spacings.csv")]
-    _choose("start_spacing", radio.start_spacing, spacings, "an A-MPDU", "µs")
-
-    slot, sifs = Fraction(timing["slot_us"]), Fraction(timing["sifs_us"])
-    training_fields = streams + streams % 2 * (streams > 1)
-    # A symbol holds whole bits. From 802.11ax on the product may not be whole, and the rates
-    # in the standard's tables are those before rounding down (27.5).
-    coded = int(width["data_subcarriers"]) * int(coding["coded_bits"]) * streams
-    product = coded * Fraction(coding["coding_rate"])
-    encoders = _encoders(own, int(product), exceptions.get(int(index)))
-    ldpc = bool(own["bcc_most_MHz"]) and (
-        int(mhz) > int(own["bcc_most_MHz"]) or index > int(own["bcc_most_mcs"])
-    )
-    unusual = (
-        f", {ghz} GHz" if hertz != in_band[-1][0] else "",
-        f", MCS {index:g}" if index != codings[-1][0] else "",
-        f", {guard_interval * _MICRO:g} µs" if guard_interval > shortest else "",
-        f", multicast {basic_rate / _MEGA:g} Mbit/s" if basic_rate != basics[0][0] else "",
-        f", AIFSN {radio.aifsn:g}" if radio.aifsn != 2 else "",
-        f", A-MPDU {radio.mpdus:g}" if radio.mpdus > 1 else "",
-        f", start spacing {radio.start_spacing * _MICRO:g} µs" if radio.start_spacing else "",
-    )
-    return _Parts(
-        timing=timing,
-        basic=basic,
-        limits=limits[0] if limits else None,
-        slot=slot,
-        sifs=sifs,
-        aifs=sifs + int(radio.aifsn) * slot,
-        extension=Fraction(timing["signal_extension_us"]),
-        preamble=_preamble(standard, training_fields, Fraction(symbols["ltf_us"])),
-        symbol=Fraction(symbols["symbol_us"]),
-        grid=Fraction(symbols["grid_us"]),
-        bits_exact=product,
-        added=int(own["service_bits"]) + (0 if ldpc else encoders * int(own["tail_bits"])),
-        response_rate=max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"])),
-        usual_name=f"{standard} {mhz} MHz {streams}x{streams}" + "".join(unusual),
-    )
-
-
 #: What may follow standard, width and streams in the name of a radio, in which unit of SI.
 _UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
-    (r"(\S+) GHz", "band", _GIGA),
+    (r"(\S+) GHz", "band", GIGA),
     (r"MCS (\d+)", "mcs", 1),
-    (r"(\S+) µs", "guard_interval", Fraction(1, _MICRO)),
-    (r"multicast (\S+) Mbit/s", "multicast_rate", _MEGA),
+    (r"(\S+) µs", "guard_interval", Fraction(1, MICRO)),
+    (r"multicast (\S+) Mbit/s", "multicast_rate", MEGA),
     (r"AIFSN (\d+)", "aifsn", 1),
     (r"A-MPDU (\d+)", "mpdus", 1),
-    (r"start spacing (\S+) µs", "start_spacing", Fraction(1, _MICRO)),
+    (r"start spacing (\S+) µs", "start_spacing", Fraction(1, MICRO)),
 )
 
 
@@ -400,87 +356,20 @@ def radio_named(name: str) -> Radio:
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
             f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {name!r}"
         )
-    given: dict[str, Any] = {"width": float(made[2]) * _MEGA, "streams": int(made[3])}
+    given: dict[str, Any] = {"width": float(made[2]) * MEGA, "streams": int(made[3])}
     for part in unusual:
-        for pattern, field, unit in _UNUSUAL:
+        for pattern, key, unit in _UNUSUAL:
             found = re.fullmatch(pattern, part, re.IGNORECASE)
-            if found and field not in given:
+            if found and key not in given:
                 try:
                     value = Fraction(found[1]) * Fraction(unit)
                 except (ValueError, ZeroDivisionError):
                     continue
-                given[field] = int(value) if unit == 1 else float(value)
+                given[key] = int(value) if unit == 1 else float(value)
                 break
         else:
             raise ValueError(f"{part!r} is not what the name of a radio may have, or twice there")
     return Radio(made[1].lower(), **given)
-
-
-def _rows(name: str, **wanted: object) -> list[Row]:
-    """Return the rows of a Wi-Fi data file that have the wanted values."""
-    return [
-        row
-        for row in read_data(f"wifi/{name}.csv")
-        if all(str(value) in row[column].split() for column, value in wanted.items())
-    ]
-
-
-def _choose(
-    name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
-) -> tuple[float, Row]:
-    """Return the row of the value, or refuse the value with those that there are.
-
-    Parameters are in SI units; a refusal is in those in which people speak of them.
-    """
-    rows = list(rows)
-    given = _checks.number(name, value, 0)
-    for allowed, row in rows:
-        if isclose(given, allowed, rel_tol=1e-9):
-            return allowed, row
-    si, power = _SHOWN[unit]
-    one = 10.0**power
-    known = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
-    listed = " or ".join(filter(None, (", ".join(known[:-1]), known[-1])))
-    got = f"{given / one:.12g} {unit}" if unit else repr(value)
-    if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in rows):
-        got = f"{value!r} {si}; {name} is in {si}, such as {known[0]}e{power}"
-    raise ValueError(f"{name} must be {listed}{' ' * bool(unit)}{unit} for {where}; got {got}")
-
-
-def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
-    """Return the duration of everything before the data [us]."""
-    times = {"PPDU": 1, "training field": training_fields}
-    parts = _rows("preambles", standard=standard)
-    fixed = sum(Fraction(part["us"]) * times[part["once_per"]] for part in parts)
-    return fixed + training_fields * ltf
-
-
-def _response(frame: str, rate: int) -> Fraction:
-    """Return the duration of a control frame at a rate [Mbit/s] of clause 17 [us]."""
-    (octets,) = (int(row["bytes"]) for row in read_data("wifi/frames.csv") if row["name"] == frame)
-    (row,) = _rows("basic_rates", rate_Mbit_s=rate)
-    bits, added = int(row["bits_per_symbol"]), int(row["added_bits"])
-    data = data_time(*map(sp.Integer, (octets, bits, added, 1, int(row["symbol_us"]))))
-    return Fraction(row["preamble_us"]) + Fraction(int(data))
-
-
-def _block_ack(parts: _Parts, mpdus: int) -> Fraction:
-    """Return the duration of a block acknowledgement whose bitmap has room for the MPDUs [us]."""
-    bitmaps = [
-        int(row["name"].removeprefix("BlockAck "))
-        for row in read_data("wifi/frames.csv")
-        if row["name"].startswith("BlockAck ")
-    ]
-    room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
-    return _response(f"BlockAck {room}", parts.response_rate)
-
-
-def _encoders(standard_row: Row, bits: int, exception: Row | None) -> int:
-    """Return the number of convolutional encoders; each adds its tail."""
-    if exception:
-        return int(exception["encoders"])
-    most = standard_row["bits_per_encoder"]
-    return -(-bits // int(most)) if most else 1
 
 
 def _named(*radios: Radio) -> Mapping[str, Wifi]:

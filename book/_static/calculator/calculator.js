@@ -275,9 +275,8 @@
       }, 0),
     );
     if (powers.slice(MODEL.saturation.length).some(Boolean)) return byNewton(powers, MODEL.limit);
-    const [c, b, a, third] = powers;
-    const degree = Math.min(protocol.degree, third ? 3 : 2);
-    return F[MODEL.saturation[degree]]({ c, b, a, third, U_limit: MODEL.limit });
+    const [c, b, a] = powers;
+    return F[MODEL.saturation[Math.min(protocol.degree, 2)]]({ c, b, a, U_limit: MODEL.limit });
   }
 
   /** The same where it has no closed form: from a number that is too large each step is down, none too far. */
@@ -533,7 +532,7 @@
         const share = message.both / front.utilization || 0;
         const bar = make("span", { class: "calc-bar", "aria-hidden": "true" }, make("span"));
         bar.firstChild.style.width = `${100 * share}%`;
-        bar.firstChild.style.background = colorOf(answer, front);
+        bar.firstChild.style.background = `var(${front.protocol.color})`;
         const of = (what) => `${front.name} ${message.name} ${what}`;
         return make(
           "tr",
@@ -556,10 +555,16 @@
   function readTheme() {
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(`--pst-color-${name}`).trim();
-    theme = { text: color("text-base"), background: color("background"), border: color("border") };
+    theme = {
+      text: color("text-base"),
+      background: color("background"),
+      border: color("border"),
+      lines: Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(MODEL.protocols[name].color).trim()])),
+    };
   }
 
-  const colorOf = (answer, one) => MODEL.palette[answer.drawn.indexOf(one)];
+  // A product has one color everywhere; lines of the same differ in their dashes.
+  const colorOf = (one) => theme.lines[one.name];
   const dashOf = (answer, one) => DASHES[answer.drawn.indexOf(one)];
 
   /** A piece of a protocol's line, for the legend. */
@@ -571,7 +576,7 @@
     };
     const svg = draw("svg", { class: "calc-sample", viewBox: "0 0 36 8", "aria-hidden": "true" });
     const dash = dashOf(answer, one).join(" ");
-    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, stroke: colorOf(answer, one), "stroke-width": 3, "stroke-dasharray": dash }));
+    svg.append(draw("line", { x2: 36, y1: 4, y2: 4, style: `stroke: var(${one.protocol.color})`, "stroke-width": 3, "stroke-dasharray": dash }));
     return svg;
   }
 
@@ -687,8 +692,8 @@
         const y = u.valToPos(one.utilization, "y", true);
         ctx.beginPath();
         ctx.arc(x, y, 6 * scale, 0, 2 * Math.PI);
-        ctx.fillStyle = one === answer.front ? colorOf(answer, one) : background;
-        ctx.strokeStyle = one === answer.front ? text : colorOf(answer, one);
+        ctx.fillStyle = one === answer.front ? colorOf(one) : background;
+        ctx.strokeStyle = one === answer.front ? text : colorOf(one);
         ctx.lineWidth = 2 * scale;
         ctx.fill();
         ctx.stroke();
@@ -775,7 +780,7 @@
         series: [
           {},
           ...order.map((index) => ({
-            stroke: colorOf(answer, answer.drawn[index]),
+            stroke: colorOf(answer.drawn[index]),
             width: answer.drawn[index] === answer.front ? 3 : 2,
             dash: dashOf(answer, answer.drawn[index]),
             points: { show: false },

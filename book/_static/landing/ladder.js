@@ -1,5 +1,5 @@
 // The ladder of assumptions: switches, and where the markers go. The numbers are the package's, from
-// the data on the page (discostorm.paper.ladder); what is here looks them up.
+// the data on the page (discostorm.book.ladder); what is here looks them up.
 "use strict";
 
 (() => {
@@ -27,7 +27,7 @@
   }
   const markers = DATA.protocols.map(({ name, color }, i) => {
     const marker = make("span", { class: `ladder-marker ladder-${i}` }, make("b", {}, ""), ` ${name}`);
-    marker.style.setProperty("--color", color);
+    marker.style.setProperty("--color", `var(${color})`);
     line.append(marker);
     return marker;
   });

@@ -1,5 +1,5 @@
 // The live storm of the first page. Messages, their order and their airtime are the package's, from
-// the data on the page (discostorm.paper.storm); what is here moves dots and adds up airtime.
+// the data on the page (discostorm.book.storm); what is here moves dots and adds up airtime.
 "use strict";
 
 (() => {
@@ -58,13 +58,6 @@
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(`--pst-color-${name}`).trim();
     theme = { text: color("text-base"), ground: color("background"), line: color("border"), muted: color("text-muted") };
-  }
-
-  /** A protocol's color; on a dark ground it is lighter. */
-  function shade({ color }) {
-    if (document.documentElement.dataset.theme !== "dark") return color;
-    const parts = [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
-    return `rgb(${parts.map((part) => Math.round(0.6 * part + 0.4 * 255)).join(" ")})`;
   }
 
   let [width, height, places, radius] = [0, 0, [], 0];
@@ -174,8 +167,9 @@
   }
 
   function paint() {
-    theme.color = shade(now.protocol);
-    byId("over").parentElement.style.setProperty("--color", theme.color);
+    // The protocol's color in the palette, by the name of its property.
+    theme.color = getComputedStyle(document.documentElement).getPropertyValue(now.protocol.color).trim();
+    byId("over").parentElement.style.setProperty("--color", `var(${now.protocol.color})`);
   }
 
   function choose() {

@@ -7,37 +7,27 @@ from base64 import b64encode
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from html import escape
-from importlib import import_module
 from textwrap import wrap
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import sympy as sp
+from IPython.display import SVG, Markdown, display
+from matplotlib_inline.backend_inline import set_matplotlib_formats
 
-from discostorm import words
+from discostorm import figures, words
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm.planner import Plan, Remedy
-
-try:
-    from IPython.display import SVG, Markdown, display
-    from matplotlib_inline.backend_inline import set_matplotlib_formats
-
-    import_module("tabulate")  # by which pandas writes tables
-except ImportError as error:
-    raise ImportError(
-        f"discostorm.notebook needs {error.name}; to get it: pip install 'discostorm[book]'",
-        name=error.name,
-    ) from error
 
 
 def setup() -> None:
     """Make figures come out in the looks of the book, as vectors, the same every time."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
-    plt.style.use(data_path("discostorm.mplstyle"))
+    plt.style.use(figures.SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
 
 
@@ -375,8 +365,11 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
         printed = result.output.rstrip("\n").split("\n")
         rest = len(printed) - (lines or len(printed))
         shown += [f"$ {command}", *printed[:lines]]
-        shown += [f"... and {rest} more lines"] * (rest > 0)
-        shown += [f"[exit code {result.exit_code}]"] * (result.exit_code != 0) + [""]
+        if rest > 0:
+            shown.append(f"... and {rest} more lines")
+        if result.exit_code != 0:
+            shown.append(f"[exit code {result.exit_code}]")
+        shown.append("")
     fitting = [
         part for line in shown[:-1] for part in (wrap(line, width) if len(line) > width else [line])
     ]

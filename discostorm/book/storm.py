@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from discostorm import figures, words
 from discostorm._numeric import evaluate
 from discostorm.messages import Protocol
+from discostorm.palette import lights
 from discostorm.paper.enumeration import Endpoint, Process, Sent, walk
 from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
@@ -29,6 +30,8 @@ MOST = (12, 3, 20)
 
 #: What `export` counts with.
 LETTERS = string.digits + string.ascii_letters
+
+_NEUTRAL = lights("neutral")
 
 #: Moments that `picture` shows, as parts of the airtime of the storm.
 MOMENTS = (0.004, 0.5, 1.0)
@@ -79,7 +82,7 @@ def export() -> dict[str, Any]:
             "airtimes": [airtimes(protocol)[kind] for kind in kinds],
             "numbers": numbers,
             "runs": "".join(LETTERS[index] for index in runs),
-            "color": figures.COLORS[protocol.name],
+            "color": figures.property_of(protocol),
         }
     most = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     return {"letters": LETTERS, "most": most, "protocols": storms}
@@ -163,7 +166,7 @@ def _where(hosts: int) -> list[tuple[float, float]]:
 def _draw(
     axes: Axes, protocol: Protocol, sent: list[Sent], last: int, hosts: int, scale: float = 1
 ) -> None:
-    color = figures.COLORS[protocol.name]
+    color = figures.color_of(protocol)
     places = _where(hosts)
     for age, one in enumerate(reversed(sent[max(0, last - 11) : last + 1])):
         ends = [one.sender.host]
@@ -172,12 +175,12 @@ def _draw(
             x, y = places[end - 1]
             axes.plot((0, x), (0, y), color=color, alpha=0.9 - 0.07 * age, lw=1.4 * scale, zorder=1)
     told, whole = _heard(sent[: last + 1], hosts), _heard(sent, hosts)
-    ring: dict[str, Any] = {"marker": "o", "mec": "#777777", "mew": scale, "ms": 13 * scale}
+    ring: dict[str, Any] = {"marker": "o", "mec": _NEUTRAL["gray"], "mew": scale, "ms": 13 * scale}
     for host, (x, y) in enumerate(places):
         share = told[host] / whole[host] if whole[host] else 1.0
         axes.plot(x, y, color="white", zorder=2, **ring)
         axes.plot(x, y, "o", color=color, ms=13 * scale * share**0.5, mew=0, zorder=3)
-    axes.plot(0, 0, "s", color="#333333", ms=12 * scale, zorder=4)
+    axes.plot(0, 0, "s", color=_NEUTRAL["charcoal"], ms=12 * scale, zorder=4)
     axes.text(0, 0, "AP", color="white", ha="center", va="center", fontsize=7 * scale, zorder=5)
     axes.set(xlim=(-1.25, 1.25), ylim=(-1.25, 1.25), aspect="equal")
     axes.axis("off")
@@ -193,7 +196,7 @@ def _heard(sent: list[Sent], hosts: int) -> list[int]:
 
 
 def _bar(axes: Axes, protocol: Protocol, used: float) -> None:
-    axes.barh(0, 1, color="white", edgecolor="#777777")
-    axes.barh(0, min(used, 1), color=figures.COLORS[protocol.name])
+    axes.barh(0, 1, color="white", edgecolor=_NEUTRAL["gray"])
+    axes.barh(0, min(used, 1), color=figures.color_of(protocol))
     axes.set(xlim=(0, 1), yticks=[], xticks=[])
     axes.spines[:].set_visible(False)

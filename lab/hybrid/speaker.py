@@ -1,7 +1,7 @@
 """The rules of the hybrid discovery: what a speaker does, when, and with what it hears.
 
-Stated once: `discostorm.simulation.hybrid` lets all speakers of a fleet follow them on a simulated
-medium, `lab/hybrid.py` lets a process follow them that speaks UDP.
+Stated once: `simulation` lets all speakers of a fleet follow them on a simulated medium, `wire`
+lets a process follow them that speaks UDP.
 
 A host's *set* is what its processes and endpoints are, in as many parts as it takes datagrams;
 hosts are numbered by their addresses. Each speaker keeps which parts it holds and which it knows to
@@ -31,8 +31,8 @@ from numpy.typing import NDArray
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import header_bytes
-from discostorm.simulation.channel import Timing
 from discostorm.simulation.traffic import hosts_of
+from hybrid.channel import Timing
 
 Bits = NDArray[np.uint64]
 Indices = NDArray[np.int64]

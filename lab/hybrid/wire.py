@@ -1,6 +1,6 @@
 """One speaker of the hybrid discovery, over UDP: its packets, and the process that sends them.
 
-What it does when is `discostorm.simulation.speaker`, the same rules as in the simulator. Here is
+What it does when is `speaker`, the same rules as in the simulator. Here is
 what these leave out: octets. Each datagram must have as many of them as the rules say.
 """
 
@@ -18,8 +18,8 @@ import numpy as np
 
 import discostorm as ds
 from discostorm.messages import header_bytes
-from discostorm.simulation.channel import timing_of
-from discostorm.simulation.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
+from hybrid.channel import timing_of
+from hybrid.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
 
 GROUP, PORT = "239.255.77.1", 17777
 #: Kind and flags, part, address, incarnation, how many sets it holds, hash of these.

@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.simulation import _queue
-from discostorm.simulation.channel import Channel, Frame, timing_of
-from discostorm.simulation.speaker import (
+from discostorm.wifi import Wifi
+from hybrid.channel import Channel, Frame, timing_of
+from hybrid.speaker import (
     BEAT,
     NEVER,
     Indices,
@@ -30,7 +31,6 @@ from discostorm.simulation.speaker import (
     beat_period,
     sizes_of,
 )
-from discostorm.wifi import Wifi
 
 #: Takes the speakers and a generator, returns who dies.
 Choice = Callable[["Speakers", np.random.Generator], Indices]

@@ -23,16 +23,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import hybrid_speaker as wire
 import stage
-from hybrid_speaker import PORT
 from run import ALONE, BUILD, run, start
 from stage import begin_capture, build_bridge, build_host, end_capture, say
 
-from discostorm.simulation.speaker import parameters
+from hybrid import wire
+from hybrid.speaker import parameters
+from hybrid.wire import PORT
 
 LAB = Path(__file__).resolve().parent
-STAGE = [*ALONE, str(LAB / "hybrid.py"), "--play"]
+STAGE = [*ALONE, str(LAB / "run_hybrid.py"), "--play"]
 CAPACITY = 64  # addresses of a cell
 START = 3.0  # s from the last speaker's readiness to the start
 LATE = 0.1  # s; a clock that rings later spoils the run
@@ -303,7 +303,9 @@ def write(path: Path, folder: Path, done: list[dict[str, Any]]) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--grid", type=Path, default=LAB / "hybrid.csv", help="table of points")
+    parser.add_argument(
+        "--grid", type=Path, default=LAB / "hybrid" / "grid.csv", help="table of points"
+    )
     parser.add_argument("--captures", type=Path, default=BUILD / "hybrid")
     parser.add_argument("--out", type=Path, help="table to write")
     parser.add_argument("--side-by-side", type=int, default=2, help="runs at a time")

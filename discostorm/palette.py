@@ -1,0 +1,51 @@
+"""The palette: every color of figures, calculator, pages and ledger, from ``data/palette.csv``.
+
+Python takes them from here, style sheets and scripts of the book from ``palette.css``, in which the
+custom property ``--ds-product-fast-dds`` is the color of Fast DDS (`make palette`).
+"""
+
+import re
+from dataclasses import dataclass
+
+from discostorm.data import read_data
+
+
+@dataclass(frozen=True)
+class Color:
+    """A row of the palette.
+
+    Parameters
+    ----------
+    group, key : str
+        What it is the color of, such as "product" and "Fast DDS".
+    light, dark : str
+        The color on a light and on a dark ground, as "#0072B2". Figures are drawn for light
+        ground; what only they have is "" for dark, as the book's style sheet inverts them.
+    """
+
+    group: str
+    key: str
+    light: str
+    dark: str
+
+    @property
+    def property(self) -> str:
+        """The custom property of style sheets, such as "--ds-product-fast-dds"."""
+        return "--ds-" + re.sub(r"\W|_", "-", f"{self.group} {self.key}".lower())
+
+
+PALETTE = {
+    (row["group"], row["key"]): Color(row["group"], row["key"], row["light"], row["dark"])
+    for row in read_data("palette.csv")
+}
+
+
+def lights(group: str) -> dict[str, str]:
+    """Return the colors of a group on light ground by their keys, in the order of the file.
+
+    Examples
+    --------
+    >>> lights("family")
+    {'DDS': '#0072B2', 'Zenoh': '#D55E00'}
+    """
+    return {key: color.light for (of, key), color in PALETTE.items() if of == group}

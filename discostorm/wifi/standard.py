@@ -1,0 +1,214 @@
+"""What the standard says of a radio: rows of ``data/wifi/``, and times that are exact."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import isclose
+from typing import Any
+
+import sympy as sp
+
+from discostorm import _checks, words
+from discostorm.data import read_data
+from discostorm.wifi.channel import data_time
+
+MICRO = 10**6
+MEGA = 10**6
+GIGA = 10**9
+#: Units in which people speak of a radio: those in which it is given, and the power of ten between.
+_SHOWN = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
+_RESPONSE_RATES = (6, 12, 24)
+
+Row = dict[str, str]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What the standard says of a radio; times in microseconds, exact."""
+
+    timing: Row
+    basic: Row
+    limits: Row | None
+    slot: Fraction
+    sifs: Fraction
+    aifs: Fraction
+    extension: Fraction
+    preamble: Fraction
+    symbol: Fraction
+    grid: Fraction
+    bits_exact: Fraction
+    added: int
+    response_rate: int
+    usual_name: str
+
+
+@cache
+def parts_of(
+    standard: str,
+    band: float | None,
+    width: float,
+    streams: int,
+    mcs: int | None,
+    guard_interval: float | None,
+    multicast_rate: float | None,
+    aifsn: int,
+    mpdus: int,
+    start_spacing: float,
+) -> Parts:
+    """Return what the standard says of a `Radio`, or refuse what it does not have."""
+    known = [row["standard"] for row in read_data("wifi/standards.csv")]
+    if standard not in known:
+        raise ValueError(f"standard must be {words.listed(known, 'or')}; got {standard!r}")
+    (own,) = _rows("standards", standard=standard)
+
+    bands = own["bands_GHz"].split()
+    in_band = [(float(b) * GIGA, _rows("bands", band_GHz=b)[0]) for b in bands]
+    hertz, timing = in_band[-1] if band is None else _choose("band", band, in_band, standard, "GHz")
+    ghz = timing["band_GHz"]
+    widths = [
+        (float(row["width_MHz"]) * MEGA, row)
+        for row in _rows("widths", standard=standard, bands_GHz=ghz)
+    ]
+    _, channel = _choose("width", width, widths, standard, "MHz")
+    mhz = channel["width_MHz"]
+    counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
+    streams = int(_choose("streams", streams, counts, standard)[0])
+
+    exceptions = {
+        int(row["mcs"]): row
+        for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
+    }
+    codings = [
+        (float(row["mcs"]), row)
+        for row in _rows("mcs", standards=standard)
+        if exceptions.get(int(row["mcs"]), {}).get("encoders") != "0"
+    ]
+    where = f"{standard} at {mhz} MHz with {words.many(streams, 'spatial stream')}"
+    index, coding = codings[-1] if mcs is None else _choose("mcs", mcs, codings, where)
+    guards = [
+        (float(row["guard_interval_us"]) / MICRO, row)
+        for row in _rows("symbols", standard=standard)
+    ]
+    shortest = min(guard for guard, _ in guards)
+    wanted = shortest if guard_interval is None else guard_interval
+    guard, symbols = _choose("guard_interval", wanted, guards, standard, "µs")
+    basics = [
+        (float(row["rate_Mbit_s"]) * MEGA, row) for row in _rows("basic_rates", bands_GHz=ghz)
+    ]
+    basic_rate, basic = (
+        basics[0]
+        if multicast_rate is None
+        else _choose("multicast_rate", multicast_rate, basics, f"{ghz} GHz", "Mbit/s")
+    )
+    _checks.whole("aifsn", aifsn, 2, 15)
+    limits = _rows("ampdu", standard=standard)
+    most = int(limits[0]["most_mpdus"]) if limits else 1
+    _checks.whole("mpdus", mpdus, 1, most, f" for {standard}")
+    spacings = [(float(row["us"]) / MICRO, row) for row in read_data("wifi/start_spacings.csv")]
+    _choose("start_spacing", start_spacing, spacings, "an A-MPDU", "µs")
+
+    slot, sifs = Fraction(timing["slot_us"]), Fraction(timing["sifs_us"])
+    training_fields = streams + streams % 2 if streams > 1 else 1
+    # A symbol holds whole bits. From 802.11ax on the product may not be whole, and the rates
+    # in the standard's tables are those before rounding down (27.5).
+    coded = int(channel["data_subcarriers"]) * int(coding["coded_bits"]) * streams
+    product = coded * Fraction(coding["coding_rate"])
+    encoders = _encoders(own, int(product), exceptions.get(int(index)))
+    ldpc = bool(own["bcc_most_MHz"]) and (
+        int(mhz) > int(own["bcc_most_MHz"]) or index > int(own["bcc_most_mcs"])
+    )
+    unusual = (
+        f", {ghz} GHz" if hertz != in_band[-1][0] else "",
+        f", MCS {index:g}" if index != codings[-1][0] else "",
+        f", {guard * MICRO:g} µs" if guard > shortest else "",
+        f", multicast {basic_rate / MEGA:g} Mbit/s" if basic_rate != basics[0][0] else "",
+        f", AIFSN {aifsn:g}" if aifsn != 2 else "",
+        f", A-MPDU {mpdus:g}" if mpdus > 1 else "",
+        f", start spacing {start_spacing * MICRO:g} µs" if start_spacing else "",
+    )
+    return Parts(
+        timing=timing,
+        basic=basic,
+        limits=limits[0] if limits else None,
+        slot=slot,
+        sifs=sifs,
+        aifs=sifs + int(aifsn) * slot,
+        extension=Fraction(timing["signal_extension_us"]),
+        preamble=_preamble(standard, training_fields, Fraction(symbols["ltf_us"])),
+        symbol=Fraction(symbols["symbol_us"]),
+        grid=Fraction(symbols["grid_us"]),
+        bits_exact=product,
+        added=int(own["service_bits"]) + (0 if ldpc else encoders * int(own["tail_bits"])),
+        response_rate=max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"])),
+        usual_name=f"{standard} {mhz} MHz {streams}x{streams}" + "".join(unusual),
+    )
+
+
+def _rows(name: str, **wanted: object) -> list[Row]:
+    """Return the rows of a Wi-Fi data file that have the wanted values."""
+    return [
+        row
+        for row in read_data(f"wifi/{name}.csv")
+        if all(str(value) in row[column].split() for column, value in wanted.items())
+    ]
+
+
+def _choose(
+    name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
+) -> tuple[float, Row]:
+    """Return the row of the value, or refuse the value with those that there are.
+
+    Parameters are in SI units; a refusal is in those in which people speak of them.
+    """
+    rows = list(rows)
+    given = _checks.number(name, value, 0)
+    for allowed, row in rows:
+        if isclose(given, allowed, rel_tol=1e-9):
+            return allowed, row
+    si, power = _SHOWN[unit]
+    one = 10.0**power
+    known = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
+    shown = f" {unit}" if unit else ""
+    got = f"{given / one:.12g}{shown}" if unit else repr(value)
+    # Who is off by a thousand takes another unit; of what may be zero as well, zero tells nothing.
+    some = [(allowed, text) for (allowed, _), text in zip(rows, known, strict=True) if allowed]
+    if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in some):
+        got = f"{value!r} {si}; {name} is in {si}, such as {some[0][1]}e{power}"
+    raise ValueError(f"{name} must be {words.listed(known, 'or')}{shown} for {where}; got {got}")
+
+
+def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
+    """Return the duration of everything before the data [us]."""
+    times = {"PPDU": 1, "training field": training_fields}
+    parts = _rows("preambles", standard=standard)
+    fixed = sum(Fraction(part["us"]) * times[part["once_per"]] for part in parts)
+    return fixed + training_fields * ltf
+
+
+def response(frame: str, rate: int) -> Fraction:
+    """Return the duration of a control frame at a rate [Mbit/s] of clause 17 [us]."""
+    (octets,) = (int(row["bytes"]) for row in read_data("wifi/frames.csv") if row["name"] == frame)
+    (row,) = _rows("basic_rates", rate_Mbit_s=rate)
+    bits, added = int(row["bits_per_symbol"]), int(row["added_bits"])
+    data = data_time(*map(sp.Integer, (octets, bits, added, 1, int(row["symbol_us"]))))
+    return Fraction(row["preamble_us"]) + Fraction(int(data))
+
+
+def block_ack(response_rate: int, mpdus: int) -> Fraction:
+    """Return the duration of a block acknowledgement whose bitmap has room for the MPDUs [us]."""
+    bitmaps = [
+        int(row["name"].removeprefix("BlockAck "))
+        for row in read_data("wifi/frames.csv")
+        if row["name"].startswith("BlockAck ")
+    ]
+    room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
+    return response(f"BlockAck {room}", response_rate)
+
+
+def _encoders(standard_row: Row, bits: int, exception: Row | None) -> int:
+    """Return the number of convolutional encoders; each adds its tail."""
+    if exception:
+        return int(exception["encoders"])
+    most = standard_row["bits_per_encoder"]
+    return -(-bits // int(most)) if most else 1
