@@ -281,6 +281,10 @@ def test_plan(folder: Path) -> None:
     assert [row["remedy"] for row in rows] == list(expected.to_frame().index)
     assert [float(row["saved"]) for row in rows] == expected.to_frame()["saved"].tolist()
     assert run("plan", "fleet.toml").output == ds.plan(fleet).advice() + "\n"
+    told = read_json(run("plan|fleet.toml|--json|--nodes|7"))["fleet"]
+    assert [group["shared"] for group in told] == [16, 16]
+    told = read_json(run("plan|fleet.toml|--json|--shared|91"))["fleet"]
+    assert [group["shared"] for group in told] == [91, 90]
 
 
 def test_figures_shows_progress_and_lists_what_it_wrote(folder: Path) -> None:
@@ -404,6 +408,7 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ("plan|none.toml", "none.toml: No such file or directory"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
         ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
+        ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one for each"),
         ("plan|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
         ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not one of 'dds', 'zenoh'"),
         ("figures", "Missing option '--out'"),

@@ -11,8 +11,8 @@ import discostorm as ds
 from discostorm.cli.fleets import called, file_option, read
 from discostorm.cli.options import numbers, one_protocol_option, output_options, wifi_options
 from discostorm.cli.output import Output, as_text, bad_input, print_rows, visible, working
-from discostorm.fleet import Fleet, HostGroup
-from discostorm.robots import likely_nodes, shared_endpoints
+from discostorm.fleet import Fleet
+from discostorm.ros2 import usually_shared
 from discostorm.wifi import Wifi
 
 
@@ -91,14 +91,8 @@ def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None)
         changed = group if told is None else replace(group, nodes=told)
         if shared is not None:
             changed = replace(changed, shared=min(shared, group.endpoints))
-        elif group.shared == _usually_shared(group):
+        elif group.shared == usually_shared(group.endpoints, group.nodes):
             # What ROS 2 shares for its nodes is that of other nodes now; what a file says stays.
-            changed = replace(changed, shared=_usually_shared(changed))
+            changed = replace(changed, shared=usually_shared(group.endpoints, changed.nodes))
         groups.append(changed)
     return replace(fleet, groups=tuple(groups))
-
-
-def _usually_shared(group: HostGroup) -> float:
-    """Return what ROS 2 shares of the endpoints of each process [1]."""
-    nodes = likely_nodes(group.endpoints) if group.nodes is None else group.nodes
-    return min(shared_endpoints(nodes), float(group.endpoints))
