@@ -4,9 +4,6 @@
 `protocol` the table.
 """
 
-from typing import TYPE_CHECKING, Any
-
-from discostorm.messages import units
 from discostorm.messages.message import (
     HOPS,
     LEAST_PER_UNIT,
@@ -102,10 +99,3 @@ __all__ = [
     "header_bytes",
     "hop_airtime",
 ]
-
-
-if not TYPE_CHECKING:
-
-    def __getattr__(name: str) -> Any:
-        # What was pickled when this was one module names the functions of its units here.
-        return getattr(units, name)
