@@ -71,7 +71,7 @@ def test_what_has_labels_is_refused_and_the_way_to_pass_it_is_told(value: Any) -
 
 def test_what_has_labels_or_masks_is_refused_in_a_list_too() -> None:
     one, other = pd.Series([7, 8], index=[5, 3]), pd.Series([7, 8], index=[3, 5])
-    for value in ([one, other], [[one], [other]], (7, Labelled())):
+    for value in ([one, other], (7, Labelled())):
         with pytest.raises(TypeError, match=r"hosts must be .*whose labels.*\.to_numpy\(\)"):
             ds.utilization(ds.DDS, value, 2, 10)
     for masked in ([np.ma.masked, 7], [np.ma.array([7, 8], mask=[0, 1]), np.array([7, 8])]):
