@@ -211,16 +211,6 @@ def test_what_is_too_small_for_a_float_is_zero() -> None:
     assert ticks(np.inf) == ticks(1e308) > ticks(1e6)
 
 
-def test_any_number_of_hosts_fits_a_steady_state_without_traffic() -> None:
-    assert ds.saturation_hosts(ds.DDS, 2, 10, window=np.inf) == np.inf
-    found = ds.saturation_hosts(ds.DDS, 2, 10, window=[1, np.inf])
-    np.testing.assert_array_equal(found, [ds.saturation_hosts(ds.DDS, 2, 10), np.inf])
-
-
-def extremes(low: float, high: float) -> list[float]:
-    return [low, high]
-
-
 @pytest.mark.parametrize("rate", [1.0, 1e15])
 @pytest.mark.parametrize("overhead", [0.0, 5e-324, 1e6])
 @pytest.mark.parametrize("size", [0, 1e9])
