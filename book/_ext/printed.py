@@ -42,7 +42,7 @@ _CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
 #: What stands between blocks and is not seen.
 _UNSEEN = (nodes.Invisible, nodes.raw)
 #: Points that a heading takes, and a chapter's last section that begins where it ends.
-_HEADING, _ENDING = 45.0, 280.0
+_HEADING, _ENDING = 45.0, 310.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"

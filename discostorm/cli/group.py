@@ -38,7 +38,7 @@ class Commands(click.Group):
             return super().main(*args, **kwargs)
         except OSError as error:  # click itself answers a closed pipe
             click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
-            sys.stdout = None  # type: ignore[assignment]  # or it would be tried again at the end
+            sys.stdout = None  # or it would be tried again at the end
             sys.exit(1)
 
 
