@@ -177,12 +177,12 @@ def read_ten_times_as_many(name: str) -> float:
 
 def storm_beside_numpy() -> float:
     """Compare the storm of 300 hosts with NumPy's drawing ten back-offs for each transmission."""
-    from discostorm.simulation.run import one_run, plan_runs
+    from discostorm.simulation.run import one_run, set_up
 
     infinite = float("inf")
     wifi = ds.Radio("802.11n", streams=2, aifsn=3).wifi()
     swarm = ds.Fleet.swarm(300, 2, 10)
-    plan = plan_runs(swarm, ds.DDS, wifi, (infinite, infinite), 0.0, 0.0, False, 1.0, False)
+    plan = set_up(swarm, ds.DDS, wifi, (infinite, infinite), 0.0, 0.0, False, 1.0, False)
     sent = one_run(plan, np.random.SeedSequence(0)).counts["ppdus"]
     rng = np.random.default_rng(0)
 

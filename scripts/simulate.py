@@ -25,7 +25,7 @@ import discostorm as ds
 from discostorm import staggered
 from discostorm.simulation._compile import sources
 from discostorm.simulation.result import CAUSES
-from discostorm.simulation.run import finish, plan_runs
+from discostorm.simulation.run import finish, set_up
 from discostorm.simulation.traffic import ticks
 
 ROOT = Path(__file__).parents[1]
@@ -347,7 +347,7 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
     for count, rules in product(stations, ("standard", "Bianchi")):
         starts = np.zeros(count + 1)
         starts[-1] = 1e4  # is there only to be sent to
-        what = plan_runs(
+        what = set_up(
             ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
             ds.Protocol("saturation", (sedp,)),
             Setting("DDS", 2).wifi,

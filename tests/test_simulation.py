@@ -29,12 +29,12 @@ from discostorm.simulation._memory import available
 from discostorm.simulation.cell import SUCCESS, Cell
 from discostorm.simulation.engine import advance
 from discostorm.simulation.result import CAUSES
-from discostorm.simulation.run import Plan, finish, one_run, plan_runs
+from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import TICK, hosts_of, ticks
 
 FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
-SEDP = ds.DDS.message("SEDP")
+SPDP, SEDP = ds.DDS.messages[:2]
 UNLIMITED = (np.inf, np.inf)
 
 
@@ -47,19 +47,19 @@ def plan(
     loss: Any = 0.0,
     recovery: bool = False,
     until: float = 1e5,
-) -> Plan:
+) -> Setup:
     """Return a plan without limits of the queues whose radio the test may change."""
-    return plan_runs(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
+    return set_up(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
 
 
-def cell_of(what: Plan, seed: int = 0) -> Cell:
+def cell_of(what: Setup, seed: int = 0) -> Cell:
     return what.cell(np.random.SeedSequence(seed))[0]
 
 
 # ---------------------------------------------------------------- the closed form, exactly
 
 
-def drained(what: Plan) -> int:
+def drained(what: Setup) -> int:
     """Return when the last frame is over if each back-off is its mean, also the first [ticks]."""
     waiting = int(what.radio["cw_min"][0]) * int(what.radio["slot"][0]) // 2
     what.radio["cw_min"] = what.radio["cw_max"] = 0
@@ -223,7 +223,7 @@ def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit)
         assert found == pytest.approx(unit.count(fleet), rel=1e-12)
 
 
-def made(what: Plan, seed: int) -> NDArray[np.int64]:
+def made(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return how many frames of each row each run hands to the queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
     cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
@@ -305,18 +305,6 @@ def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
     assert np.isfinite(found.convergence_time).all()
 
 
-def test_answers_in_a_circle_are_refused() -> None:
-    spdp, sedp, heartbeat, acknack = ds.DDS.messages
-    rows = (
-        *(spdp, sedp, heartbeat),
-        acknack,
-        replace(acknack, name="ping", role="other", answers="pong"),
-        replace(acknack, name="pong", role="other", answers="ping"),
-    )
-    with pytest.raises(ValueError, match="must not lead back to itself; got ping answers pong"):
-        ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
-
-
 def renamed(table: ds.Protocol) -> ds.Protocol:
     """Return a table in which everything has another name, in another alphabetical order."""
     names: dict[str | None, str | None] = {None: None}
@@ -347,43 +335,53 @@ def test_names_decide_nothing(name: str) -> None:
     assert found.counts["arrived"] > 0
 
 
-@pytest.mark.parametrize(
-    ("change", "wanted"),
-    [
-        (
-            lambda t: replace(t, messages=(*t.messages[:1], replace(t.messages[1], role=None))),
-            "its message 'SEDP' has no role; give each message of the table one",
-        ),
-        (lambda t: replace(t, timers=None), "it has no timers; give it some, such as"),
-        (
-            lambda t: replace(t, messages=tuple(replace(m, role="other") for m in t.messages)),
-            "its processes announce themselves to servers",
-        ),
-    ],
+PING, PONG = (
+    replace(ds.DDS.message("ACKNACK"), name=one, role="other", answers=other)
+    for one, other in (("ping", "pong"), ("pong", "ping"))
 )
-def test_a_table_that_does_not_say_what_recovery_takes_is_refused_by_name(
-    change: Callable[[ds.Protocol], ds.Protocol], wanted: str
+REFUSED: list[tuple[dict[str, Any], str]] = [
+    (
+        {"messages": (SPDP, replace(SEDP, role=None))},
+        "recovery must be False for the protocol 'mine': its message 'SEDP' has no role; give each",
+    ),
+    ({"timers": None}, "recovery must be False for the protocol 'mine': it has no timers; give it"),
+    (
+        {"messages": (replace(SPDP, role="other"), SEDP)},
+        "recovery must be False for the protocol 'mine': its processes announce themselves to",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, cast="multicast", unit=PROCESS))},
+        "protocol 'mine', message 'SEDP': unit must have receivers",
+    ),
+    ({"messages": ds.DDS.messages[:3]}, "none, or one message each.*; got 'Heartbeat'"),
+    (
+        {"messages": (*ds.DDS.messages[:3], replace(ds.DDS.messages[3], answers="SEDP"))},
+        "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
+    ),
+    (
+        {"messages": (*ds.DDS.messages, PING, PONG)},
+        "message 'ping': answers must not lead back to itself; got ping answers pong answers ping$",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, answers="Z"))},
+        "message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$",
+    ),
+    (
+        {"lease": 4e-8},
+        "protocol 'mine': lease must be at least 1e-07 s to be simulated; got 4e-08$",
+    ),
+]
+
+
+@pytest.mark.parametrize(("change", "wanted"), REFUSED)
+def test_tables_that_do_not_say_what_recovery_takes_are_refused(
+    change: dict[str, Any], wanted: str
 ) -> None:
-    table = change(replace(ds.DDS, name="mine"))
-    with pytest.raises(
-        ValueError, match=f"recovery must be False for the protocol 'mine': {wanted}"
-    ):
+    table = replace(ds.DDS, name="mine", **change)
+    with pytest.raises(ValueError, match=wanted):
         ds.simulate(SWARM, table, RADIO.wifi())
-    assert ds.simulate(SWARM, table, RADIO.wifi(), recovery=False).counts["arrived"] > 0
-
-
-def test_data_and_heartbeats_that_cannot_be_repaired_are_refused() -> None:
-    spdp, sedp, heartbeat, acknack = ds.DDS.messages
-    for rows, wanted in (
-        ((spdp, replace(sedp, cast="multicast", unit=PROCESS)), "'SEDP': unit must have receivers"),
-        ((spdp, sedp, heartbeat), "must have none, or one message each.*got 'Heartbeat'"),
-        (
-            (spdp, sedp, heartbeat, replace(acknack, answers="SEDP")),
-            "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
-        ),
-    ):
-        with pytest.raises(ValueError, match=wanted):
-            ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
+    found = ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
+    assert found.counts["arrived"] > 0
 
 
 # ---------------------------------------------------------------- saturation
@@ -407,7 +405,7 @@ def bianchi(stations: int, success: float, collision: float, slot: float) -> flo
     return good / ((1 - busy) * slot + good * success + (busy - good) * collision)
 
 
-def saturated(what: Plan, stations: int, seconds: float) -> float:
+def saturated(what: Setup, stations: int, seconds: float) -> float:
     """Return how many frames a second arrive when all but the last host send all the time."""
     cell = cell_of(what)
     cell = finish(cell, ticks(seconds), what.reserve)
@@ -448,7 +446,7 @@ def frozen(stations: int, success: float, collision: float, slot: float) -> floa
 
 def saturation_plan(
     stations: int, endpoints: int, radio: ds.Radio = RADIO, payload: ds.Payload = SEDP.payload
-) -> Plan:
+) -> Setup:
     starts = np.zeros(stations + 1)
     starts[-1] = 1e4  # only there to be sent to
     row = replace(SEDP, hops=("up",), answers=None, payload=payload)
@@ -818,19 +816,10 @@ def test_rows_that_cannot_be_simulated_are_refused(
         ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
 
 
-def test_tables_that_cannot_be_simulated_are_refused() -> None:
-    wifi = RADIO.wifi()
-    spdp = ds.DDS.message("SPDP")
-    table = replace(ds.DDS, name="own", messages=(spdp, replace(SEDP, answers="Z")))
-    wanted = "^protocol 'own', message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$"
-    with pytest.raises(ValueError, match=wanted):
-        ds.simulate(SWARM, table, wifi)
-    table = ds.Protocol("own", tuple(replace(spdp, name=f"{n}") for n in range(65)))
+def test_a_table_with_too_many_messages_is_refused() -> None:
+    table = ds.Protocol("own", tuple(replace(SPDP, name=f"{n}") for n in range(65)))
     with pytest.raises(ValueError, match=r"at most 64 messages to simulate; got 65$"):
-        ds.simulate(SWARM, table, wifi)
-    wanted = "^protocol 'DDS': lease must be at least 1e-07 s to be simulated; got 4e-08$"
-    with pytest.raises(ValueError, match=wanted):
-        ds.simulate(SWARM, replace(ds.DDS, lease=4e-8), wifi)
+        ds.simulate(SWARM, table, RADIO.wifi())
 
 
 def test_a_queue_too_large_to_count_has_no_limit() -> None:
@@ -882,21 +871,6 @@ def test_long_runs_are_announced(
     seconds, megabytes = what.estimate()
     assert 5 < seconds < 200
     assert 500 < megabytes < 10_000
-
-
-def test_a_storm_is_what_its_collisions_are_one_by_one() -> None:
-    """While transmissions are noted down each is worked out alone, else many in one go."""
-    for table in (ds.DDS, ds.PROTOCOLS["Fast DDS"]):
-        what = plan(ds.Fleet.swarm(30, 1, 4), table, RADIO.wifi())
-        cell, alone = cell_of(what), cell_of(what)
-        alone = alone._replace(log=np.zeros(500_000, alone.log.dtype))
-        cell, alone = (finish(one, ticks(1e4), what.reserve) for one in (cell, alone))
-        assert cell.log.size < alone.now["logged"][0] < alone.log.size
-        for name in set(cell.now.dtype.names or ()) - {"logged", "free"}:
-            assert cell.now[name] == alone.now[name], name
-        assert cell.now["collided"][0] > 5_000
-        np.testing.assert_array_equal(cell.airtime, alone.airtime)
-        np.testing.assert_array_equal(cell.stations["missed"], alone.stations["missed"])
 
 
 def test_long_runs_are_estimated_by_how_long_they_are() -> None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm.simulation.run import Plan, finish, one_run, plan_runs
+from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import kind_records, ticks
 
 Row = dict[str, str]
@@ -37,11 +37,11 @@ def channel(mpdus: int, aifsn: int) -> ds.Wifi:
     return wifi
 
 
-def plan_of(row: Row) -> Plan:
+def plan_of(row: Row) -> Setup:
     wifi = channel(64 if int(row["ampdu"]) else 1, int(row["aifsn"]))
     protocol = ds.PROTOCOLS[row["protocol"]]
     window = float(row["window_s"])
-    what = plan_runs(
+    what = set_up(
         ds.Fleet.swarm(*(int(row[name]) for name in ("hosts", "processes", "endpoints"))),
         protocol,
         wifi,
@@ -96,7 +96,7 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
     sedp = replace(sedp, payload=payload, hops=("up",), answers=None)
     starts = np.zeros(stations + 1)
     starts[-1] = 1e4  # only there to be sent to
-    what = plan_runs(
+    what = set_up(
         ds.Fleet.swarm(stations + 1, 1, max(12_000 // stations**2, 200)),
         ds.Protocol("saturation", (sedp,)),
         channel(1, int(row["aifsn"])),

@@ -12,21 +12,26 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.simulation._memory import available
 from discostorm.simulation.result import Run, Simulation
+from discostorm.simulation.starts import Start, told
 from discostorm.wifi import Wifi
 
 if TYPE_CHECKING:
-    from discostorm.simulation.run import Plan
+    from discostorm.simulation.run import Setup
 
 __all__ = ["Simulation", "simulate"]
+
+#: Frames and seconds; None for no limit.
+Queue: TypeAlias = tuple[float | None, float | None] | NDArray[Any]
 
 #: What users wait for without being told how long it takes [s].
 _PATIENCE = 60.0
@@ -39,9 +44,9 @@ def simulate(
     protocol: Protocol,
     wifi: Wifi,
     *,
-    queue: tuple[float, float] | None = (500, 0.5),
-    start: Any = 0.0,
-    loss: Any = 0.0,
+    queue: Queue | None = (500, 0.5),
+    start: Start = 0.0,
+    loss: ArrayLike = 0.0,
     recovery: bool = True,
     runs: int = 1,
     seed: int = 0,
@@ -64,7 +69,7 @@ def simulate(
     fleet : Fleet
         At least two hosts; hosts, processes and endpoints must be whole numbers.
     protocol : Protocol
-        Its messages, schedules, answers and lease.
+        Its messages, schedules, answers and lease; for recovery also roles and timers.
     wifi : Wifi
         A channel with a radio, such as `discostorm.PAPER` or ``Radio(...).wifi()``.
     queue : tuple of (float, float), optional
@@ -138,10 +143,9 @@ def simulate(
     _checks.whole("seed", seed, 0)
     _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
 
-    from discostorm.simulation.run import plan_runs
-    from discostorm.simulation.traffic import told
+    from discostorm.simulation.run import set_up
 
-    plan = plan_runs(
+    setup = set_up(
         fleet,
         protocol,
         wifi,
@@ -154,10 +158,10 @@ def simulate(
     )
     seeds = np.random.SeedSequence(int(seed)).spawn(int(runs))
     settings = {
-        "hosts": plan.hosts.processes.size,
-        "queue_frames": plan.queue[0],
-        "queue_s": plan.queue[1],
-        "start": told(plan.start),
+        "hosts": setup.hosts.processes.size,
+        "queue_frames": setup.queue[0],
+        "queue_s": setup.queue[1],
+        "start": told(setup.start),
         "loss": np.asarray(loss, dtype=np.float64).tolist(),
         "recovery": recovery,
         "runs": int(runs),
@@ -165,14 +169,14 @@ def simulate(
         "until_s": float(until),
         "eifs": eifs,
     }
-    return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(plan, seeds))
+    return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(setup, seeds))
 
 
-def _queue(queue: Any) -> tuple[float, float]:
+def _queue(queue: Queue | None) -> tuple[float, float]:
     """Return frames and seconds of a queue; infinity for no limit."""
     if queue is None:
         return np.inf, np.inf
-    given = queue.tolist() if isinstance(queue, np.ndarray) else queue
+    given: Any = queue.tolist() if isinstance(queue, np.ndarray) else queue
     if not (isinstance(given, (tuple, list)) and len(given) == 2):
         raise TypeError(
             f"queue must be None or a tuple of frames and seconds; got {_checks.short(queue)}"
@@ -189,19 +193,19 @@ def _say(text: str) -> None:
     sys.stderr.flush()
 
 
-def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
+def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     from joblib import Parallel, delayed
     from tqdm import tqdm
 
     from discostorm.simulation._compile import shown
     from discostorm.simulation.run import compiled, one_run
 
-    seconds, megabytes = plan.estimate()
+    seconds, megabytes = setup.estimate()
     free = available()
     if megabytes > free:
         raise ValueError(
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
-            f"and {free:.0f} MB are available; got {plan.hosts.host_of.size} processes"
+            f"and {free:.0f} MB are available; got {setup.hosts.host_of.size} processes"
         )
     with shown(_say):
         compiled()
@@ -213,12 +217,12 @@ def _all_runs(plan: Plan, seeds: list[np.random.SeedSequence]) -> list[Run]:
         found = []
         if len(seeds) == 1 or seconds * len(seeds) < _ALONE:
             for seed in seeds:
-                found.append(one_run(plan, seed))
+                found.append(one_run(setup, seed))
                 bar.update()
             return found
         jobs = Parallel(return_as="generator", **_jobs(int(min(free / megabytes, len(seeds)))))
         with _ctrl_c_ignored():
-            runs = jobs(delayed(one_run)(plan, seed) for seed in seeds)
+            runs = jobs(delayed(one_run)(setup, seed) for seed in seeds)
         for run in runs:
             found.append(run)
             bar.update()

@@ -1,10 +1,9 @@
 """Runs: what is to be simulated, made once; one run, from its start to its end."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
@@ -21,11 +20,11 @@ from discostorm.simulation.middleware import (
     repair_record,
 )
 from discostorm.simulation.result import CAUSES, COUNTS, Run
+from discostorm.simulation.starts import Start, delays
 from discostorm.simulation.traffic import (
     Bursts,
     Shares,
     bursts_of,
-    delays,
     grown,
     hosts_of,
     kind_records,
@@ -44,7 +43,7 @@ _PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
 
 
 @dataclass(frozen=True)
-class Plan:
+class Setup:
     """What is to be simulated; runs differ only in their seed."""
 
     hosts: Hosts
@@ -54,7 +53,7 @@ class Plan:
     radio: Records
     repairs: Records | None
     queue: tuple[float, float]
-    start: Any
+    start: Start
     loss: NDArray[np.float64]
     until: float
     spread: float
@@ -119,17 +118,17 @@ class Plan:
         return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * each) / 1e6
 
 
-def plan_runs(
+def set_up(
     fleet: Fleet,
     protocol: Protocol,
     wifi: Wifi,
     queue: tuple[float, float],
-    start: Any,
-    loss: Any,
+    start: Start,
+    loss: ArrayLike,
     recovery: bool,
     until: float,
     eifs: bool,
-) -> Plan:
+) -> Setup:
     """Check what `discostorm.simulate` was given and return what a run needs."""
     hosts = hosts_of(fleet)
     count = hosts.processes.size
@@ -156,7 +155,7 @@ def plan_runs(
     )
     # Refuses a bad one before all runs.
     starts = delays(start, count, np.random.default_rng(0))
-    return Plan(
+    return Setup(
         hosts,
         kinds,
         shares,
@@ -199,22 +198,22 @@ def finish(cell: Cell, until: int, reserve: int = 1024) -> Cell:
             cell = grown(cell)
 
 
-def one_run(plan: Plan, seed: np.random.SeedSequence) -> Run:
+def one_run(setup: Setup, seed: np.random.SeedSequence) -> Run:
     """Return what one run finds."""
-    cell, starts = plan.cell(seed)
-    until = min(ticks(float(starts.max()) + plan.until), int(_cell.NEVER) - 1)
-    cell = finish(cell, until, plan.reserve)
+    cell, starts = setup.cell(seed)
+    until = min(ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
+    cell = finish(cell, until, setup.reserve)
     now = cell.now[0]
     counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
     drained = float(now["drained"] * TICK) if now["open"] == 0 and now["coming"] == 0 else np.inf
-    if plan.repairs is None:
+    if setup.repairs is None:
         converged = drained if counts["arrived"] == counts["expected"] else np.inf
         pair_times = np.empty(0)
     else:
         converged = float(now["converged"] * TICK) if now["converged"] else np.inf
-        remote = plan.hosts.host_of[:, None] != plan.hosts.host_of
+        remote = setup.hosts.host_of[:, None] != setup.hosts.host_of
         done = cell.pairs["done"][remote]
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
     hosts = cell.stations[: now["hosts"]]

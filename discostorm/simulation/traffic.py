@@ -8,10 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
-from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass, replace
-from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -430,46 +427,3 @@ def grown(cell: Cell) -> Cell:
     events = np.zeros(2 * cell.events.size, _cell.EVENT)
     events[: cell.events.size] = cell.events
     return cell._replace(pool=pool, events=events)
-
-
-def told(start: Any) -> float | list[float] | str:
-    """Return what was given as starts, in words if they are drawn."""
-    if not hasattr(start, "rvs") and not callable(start):
-        number_or_list: float | list[float] = np.asarray(start, dtype=np.float64).tolist()
-        return number_or_list
-    if hasattr(start, "dist"):  # of SciPy, with its parameters
-        given = [*map(repr, start.args), *(f"{key}={value!r}" for key, value in start.kwds.items())]
-        return f"scipy.stats.{start.dist.name}({', '.join(given)})"
-    if "__str__" in vars(type(start)):
-        return str(start)
-    named = start if hasattr(start, "__qualname__") else type(start)
-    return f"{named.__module__}.{named.__qualname__}"
-
-
-def _check_call(start: Callable[..., Any], *given: Any) -> None:
-    """Refuse a function that does not take what it is given."""
-    with suppress(ValueError):  # some that are compiled do not say what they take
-        try:
-            signature(start).bind(*given)
-        except TypeError as error:
-            raise TypeError(
-                "start must be a function of a numpy.random.Generator and a number of hosts; "
-                f"got one that does not take these: {error}"
-            ) from error
-
-
-def delays(start: Any, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
-    """Return when each host starts [s]; see `discostorm.simulate`."""
-    if hasattr(start, "rvs"):
-        drawn = start.rvs(size=hosts, random_state=rng)
-    elif callable(start):
-        _check_call(start, rng, hosts)
-        drawn = start(rng, hosts)
-    else:
-        drawn = start
-    found = _checks.numbers("start", drawn, 0, _checks.MOST_SECONDS)
-    if np.ndim(found) and np.shape(found) != (hosts,):
-        raise ValueError(
-            f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"
-        )
-    return np.broadcast_to(np.asarray(found, dtype=np.float64), (hosts,))

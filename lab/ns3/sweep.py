@@ -21,7 +21,7 @@ from tqdm import tqdm
 
 import discostorm as ds
 from discostorm.messages import ENDPOINT_PAIR
-from discostorm.simulation.run import compiled, one_run, plan_runs
+from discostorm.simulation.run import compiled, one_run, set_up
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -382,7 +382,7 @@ TIMED = [
 
 def ours(run: Burst) -> Callable[[int], object]:
     """Return what simulates a burst here, from a seed, with nothing made before but its plan."""
-    plan = plan_runs(
+    plan = set_up(
         ds.Fleet.swarm(run.hosts, run.processes, run.endpoints),
         PROTOCOLS[run.protocol],
         ds.Radio("802.11n", streams=2, aifsn=run.aifsn, mpdus=64 if run.ampdu else 1).wifi(),

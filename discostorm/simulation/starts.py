@@ -1,0 +1,65 @@
+"""When hosts start: at times that are given, or that are drawn."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from inspect import signature
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from discostorm import _checks
+
+
+class Distribution(Protocol):
+    """What times are drawn from, such as the distributions of `scipy.stats`."""
+
+    def rvs(self, *, size: int, random_state: np.random.Generator) -> Any:
+        """Return so many times."""
+
+
+#: One time for all [s], one a host, or what these are drawn from.
+Start: TypeAlias = ArrayLike | Distribution | Callable[[np.random.Generator, int], ArrayLike]
+
+
+def told(start: Any) -> float | list[float] | str:
+    """Return what was given as starts, in words if they are drawn."""
+    if not hasattr(start, "rvs") and not callable(start):
+        number_or_list: float | list[float] = np.asarray(start, dtype=np.float64).tolist()
+        return number_or_list
+    if hasattr(start, "dist"):  # of SciPy, with its parameters
+        given = [*map(repr, start.args), *(f"{key}={value!r}" for key, value in start.kwds.items())]
+        return f"scipy.stats.{start.dist.name}({', '.join(given)})"
+    if "__str__" in vars(type(start)):
+        return str(start)
+    named = start if hasattr(start, "__qualname__") else type(start)
+    return f"{named.__module__}.{named.__qualname__}"
+
+
+def _check_call(start: Callable[..., Any], *given: Any) -> None:
+    """Refuse a function that does not take what it is given."""
+    with suppress(ValueError):  # some that are compiled do not say what they take
+        try:
+            signature(start).bind(*given)
+        except TypeError as error:
+            raise TypeError(
+                "start must be a function of a numpy.random.Generator and a number of hosts; "
+                f"got one that does not take these: {error}"
+            ) from error
+
+
+def delays(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
+    """Return when each host starts [s]; see `discostorm.simulate`."""
+    if hasattr(start, "rvs"):
+        drawn = start.rvs(size=hosts, random_state=rng)
+    elif callable(start):
+        _check_call(start, rng, hosts)
+        drawn = start(rng, hosts)
+    else:
+        drawn = start
+    found = _checks.numbers("start", drawn, 0, _checks.MOST_SECONDS)
+    if np.ndim(found) and np.shape(found) != (hosts,):
+        raise ValueError(
+            f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"
+        )
+    return np.broadcast_to(np.asarray(found, dtype=np.float64), (hosts,))
