@@ -24,9 +24,6 @@ BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --ke
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
-# Makes the changes that `make mutation` tries; not in the lock, as nothing else needs it.
-COSMIC_RAY := cosmic-ray==8.7.0
-
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
@@ -35,7 +32,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid mutation ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -108,11 +105,6 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
 	@$(BIN)/python lab/run_hybrid.py --out discostorm/data/measured/hybrid.csv
-
-mutation: $(READY) ## see whether the tests notice small changes of the package (takes hours)
-	@sh scripts/install.sh build/mutation $(COSMIC_RAY)
-	@PATH="$$PWD/$(BIN):$$PWD/build/mutation/bin:$$PATH" PYTHONPATH="$$PWD/build/mutation" \
-		python scripts/mutation.py $(MODULES)
 
 build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }

@@ -2,7 +2,7 @@
 
 import reprlib
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from numbers import Real
 from os import PathLike, fspath
 from typing import Any
@@ -47,14 +47,6 @@ def exactly(value: float) -> str:
     return text if float(text) == value else f"{value:.15g}"
 
 
-def _parts(value: Any, depth: int = 64) -> Iterator[Any]:
-    """Yield a value and, of lists, all in them that is no plain number, as deep as NumPy goes."""
-    yield value
-    if isinstance(value, (list, tuple)) and depth and not set(map(type, value)) <= {int, float}:
-        for part in value:
-            yield from _parts(part, depth - 1)
-
-
 def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDArray[Any]:
     """Return ``value`` as an array of real numbers; whoever calls it checks their range.
 
@@ -68,7 +60,10 @@ def real(name: str, value: ArrayLike, allowed: str, *, one: bool = False) -> NDA
         If the rows differ in length, or a number is beyond all floats.
     """
     any_of = allowed if one else f"{allowed}, or an array of them"
-    for part in _parts(value):
+    inner = value if isinstance(value, (list, tuple)) else ()
+    if set(map(type, inner)) <= {int, float}:
+        inner = ()
+    for part in (value, *inner):
         if np.ma.is_masked(part):
             raise TypeError(f"{name} must be {any_of} without masked elements")
         if hasattr(part, "to_numpy"):

@@ -4,6 +4,12 @@ from collections.abc import Callable
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
+#: What took the place of a module.
+MODULES = {
+    "notebook": "discostorm.book.notebook",
+    "scalability": "discostorm.model, and saturation of it discostorm.saturation",
+}
+
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 

@@ -2,11 +2,9 @@
 
 All are ratios of the processor's time that two things take, measured in one run, one after the
 other in each of several rounds, so that what else the machine does touches both. Of each the
-fastest round counts: what disturbs makes slower, never faster. With ``--whole`` also how long
-`make book` and `make test` take, which is promised for two cores when nothing else runs.
+fastest round counts: what disturbs makes slower, never faster.
 """
 
-import argparse
 import lzma
 import os
 import resource
@@ -24,20 +22,12 @@ from numpy.typing import NDArray
 import discostorm as ds
 from discostorm.capture import files
 from discostorm.data import data_path
-from discostorm.uncertainty import bounds
 
 ROOT = Path(__file__).parents[1]
 FLEET = ROOT / "discostorm" / "data" / "fleets" / "nav2_laptop.toml"
 
 Floats = NDArray[np.float64]
 Action = Callable[[], object]
-
-
-def seconds(action: Action) -> float:
-    """Return how long an action takes."""
-    start = time.perf_counter()
-    action()
-    return time.perf_counter() - start
 
 
 def work(action: Action) -> float:
@@ -76,27 +66,6 @@ def by_hand(hosts: Floats, processes: Floats, endpoints: Floats) -> Floats:
     return result
 
 
-def by_hand_in_place(hosts: Floats, processes: Floats, endpoints: Floats) -> Floats:
-    """Return the same, as fast as it goes: in blocks that fit the cache, in place, checked."""
-    result, size = np.empty_like(hosts), 32_768
-    here, remote = np.empty(size), np.empty(size)
-    for start in range(0, len(hosts), size):
-        h, p, e, out = (
-            array[start : start + size] for array in (hosts, processes, endpoints, result)
-        )
-        for values, least in ((h, 1), (p, 1), (e, 0)):
-            assert np.minimum.reduce(values) >= least
-            assert np.maximum.reduce(values) <= 1e9
-        np.multiply(e, ENDPOINT, out=out)
-        np.add(out, PAIR, out=out)
-        np.multiply(h, p, out=here[: len(out)])
-        np.subtract(here[: len(out)], p, out=remote[: len(out)])
-        np.multiply(out, remote[: len(out)], out=out)
-        np.add(out, PROCESS, out=out)
-        np.multiply(out, here[: len(out)], out=out)
-    return result
-
-
 def grid() -> tuple[Floats, Floats, Floats]:
     """Return hosts, processes and endpoints of 10^6 swarms."""
     axes = np.meshgrid(np.arange(1.0, 101), np.arange(1.0, 101), np.arange(100.0))
@@ -104,12 +73,12 @@ def grid() -> tuple[Floats, Floats, Floats]:
     return hosts, processes, endpoints
 
 
-def on_arrays(hand: Callable[[Floats, Floats, Floats], Floats]) -> float:
+def on_arrays() -> float:
     """Compare utilization on 10^6 points with the closed form by hand."""
     swarms = grid()
     # Both round each of some ten operations.
-    assert np.allclose(ds.utilization(ds.DDS, *swarms), hand(*swarms), rtol=1e-12, atol=0)
-    return ratio(lambda: ds.utilization(ds.DDS, *swarms), lambda: hand(*swarms), rounds=41)
+    assert np.allclose(ds.utilization(ds.DDS, *swarms), by_hand(*swarms), rtol=1e-12, atol=0)
+    return ratio(lambda: ds.utilization(ds.DDS, *swarms), lambda: by_hand(*swarms), rounds=41)
 
 
 def on_numbers() -> float:
@@ -132,10 +101,12 @@ def members(groups: int) -> ds.Fleet:
     return ds.Fleet(tuple(ds.HostGroup(2, 1 + i % 3, i % 100) for i in range(groups)))
 
 
-def on_groups(task: Callable[[ds.Fleet], object]) -> float:
-    """Compare 1000 groups with 100."""
+def on_groups() -> float:
+    """Compare utilization of 1000 groups with that of 100."""
     many, few = members(1000), members(100)
-    return ratio(lambda: task(many), lambda: task(few), rounds=5)
+    return ratio(
+        lambda: ds.utilization(ds.DDS, many), lambda: ds.utilization(ds.DDS, few), rounds=5
+    )
 
 
 def run(*command: str) -> None:
@@ -161,19 +132,6 @@ def python(code: str) -> Action:
 def command(*arguments: str) -> Action:
     """Return an action that runs the command line in a fresh process."""
     return lambda: run(sys.executable, "-m", "discostorm", *arguments)
-
-
-def beside_help(*arguments: str) -> float:
-    """Compare a command with `discostorm --help`."""
-    return ratio(command(*arguments), command("--help"), rounds=5)
-
-
-def figures() -> float:
-    """Compare the command that writes the figures with importing what draws them."""
-    with tempfile.TemporaryDirectory() as folder:
-        return ratio(
-            command("figures", "--out", folder), python("import discostorm.figures"), rounds=3
-        )
 
 
 #: What tshark is asked for: of each packet about what `read_capture` tells of its messages.
@@ -238,69 +196,43 @@ def storm_beside_numpy() -> float:
 #: How often a measure above its limit is taken anew: the machine may have been busy with others.
 AGAIN = 2
 
-SWARM = ("--hosts", "7", "--processes", "2", "--endpoints", "10")
+CAPTURES = ("fast_dds", "zenoh_data")
 
 #: What is compared, how, and the limit.
 RATIOS: list[tuple[str, Callable[[], float], float]] = [
-    ("utilization, 10^6 points / by hand, short", lambda: on_arrays(by_hand), 1.1),
-    ("utilization, 10^6 points / by hand, in place", lambda: on_arrays(by_hand_in_place), 1.4),
+    ("utilization, 10^6 points / by hand", on_arrays, 2),
     ("utilization of a swarm / a check by NumPy", on_numbers, 38),
-    ("utilization, 1000 groups / 100", lambda: on_groups(lambda f: ds.utilization(ds.DDS, f)), 11),
-    (
-        "saturation beside 1000 groups / 100",
-        lambda: on_groups(lambda f: ds.saturation_hosts(ds.DDS, limit=1e9, fleet=f)),
-        12,
-    ),
-    ("bounds, 1000 groups / 100", lambda: on_groups(lambda f: bounds(ds.DDS, f)), 11),
-    ("plan of 1000 groups / 100", lambda: on_groups(ds.plan), 12),
-    (
-        "import discostorm.model / import sympy",
-        lambda: ratio(python("import discostorm.model"), python("import sympy"), rounds=7),
-        1.4,
-    ),
+    ("utilization, 1000 groups / 100", on_groups, 11),
     (
         "discostorm --help / import sympy, numpy",
         lambda: ratio(command("--help"), python("import sympy, numpy"), rounds=7),
-        1.2,
-    ),
-    ("discostorm utilization / --help", lambda: beside_help("utilization", *SWARM), 1.3),
-    (
-        "discostorm saturation / --help",
-        lambda: beside_help("saturation", "--processes", "2", "--endpoints", "10"),
         1.5,
     ),
-    ("discostorm plan / --help", lambda: beside_help("plan", str(FLEET)), 1.7),
-    ("discostorm claims / --help", lambda: beside_help("claims"), 3.0),
-    ("discostorm figures / importing them", figures, 3.4),
+    (
+        "discostorm plan / --help",
+        lambda: ratio(command("plan", str(FLEET)), command("--help"), rounds=5),
+        1.7,
+    ),
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
     (
         "read_capture, 10^6 packets / 10^5",
-        lambda: max(map(read_ten_times_as_many, ("fast_dds", "zenoh_data"))),
+        lambda: max(map(read_ten_times_as_many, CAPTURES)),
         13,
     ),
-]
-#: What a capture of 100 000 packets takes.
-CAPTURES = [
-    (f"read_capture / tshark, {name}", lambda name=name: read_beside_tshark(name), 0.1)
-    for name in ("fast_dds", "cyclone_dds_010", "zenoh_data")
-]
-
-#: What the whole takes [s] on two cores when nothing else runs.
-WHOLE: list[tuple[str, Callable[[], float], float]] = [
-    ("clean book build (make book)", lambda: seconds(lambda: run("make", "book")), 60),
-    ("whole test suite (make test)", lambda: seconds(lambda: run("make", "test")), 150),
+    (
+        "read_capture / tshark",
+        lambda: max(map(read_beside_tshark, CAPTURES)),
+        0.1,
+    ),
 ]
 
 
 def main() -> int:
     """Print each measure with its limit; return 1 if one is exceeded."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--whole", action="store_true", help="also make book and make test")
-    measures = RATIOS + (WHOLE if parser.parse_args().whole else [])
-    if shutil.which("tshark"):
-        measures += CAPTURES
-    else:
-        print("read_capture is not measured: there is no tshark here (apt install tshark)")
+    measures = RATIOS
+    if not shutil.which("tshark"):
+        print("read_capture / tshark is not measured: there is no tshark (apt install tshark)")
+        measures = [each for each in RATIOS if "tshark" not in each[0]]
     width = max(len(name) for name, *_ in measures)
     print(f"{'':{width}}  {'measured':>9}  {'at most':>9}")
     exceeded = 0

@@ -45,12 +45,13 @@ def sources() -> Iterator[Path]:
 class ByFileOrPage(LoadScopeScheduling):
     """Keep in one process the tests of a file, of simulation, and in test_browser.py of a page.
 
-    Pages come last, as they take a few seconds each: so all processes end at about the same time.
+    Simulation comes first, as it has most tests, and pages last, as they take a few seconds each:
+    so all processes end at about the same time.
     """
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
-        if "simulation" in file:
+        if "simulat" in nodeid or file.endswith(("test_hybrid.py", "test_recovery.py")):
             return "simulation"  # compiled by one of the processes, and not by each
         if file.endswith(("test_links.py", "test_chapters.py")):
             return "links"  # both look at all pages, which are parsed once

@@ -21,6 +21,21 @@ def multicast(frame: int) -> Fraction:
     return 8 * frame / R_UNI + O_UNI + 8 * frame / R_MULTI + O_MULTI
 
 
+def messages(n_h: int, n_p: int, n_e: int) -> dict[tuple[str, str], int]:
+    """Return how many messages are sent: equations (1) to (10), by phase, of a host and of all."""
+    remote = (n_h - 1) * n_p
+    return {
+        ("SPDP", "host"): n_p,
+        ("SPDP", "all"): n_h * n_p,
+        ("SEDP", "host"): n_p * remote * n_e + 4 * n_p * remote,
+        ("SEDP", "all"): n_h * (n_h - 1) * n_p**2 * (n_e + 4),
+        ("Scouting", "host"): n_p + (n_h - 1) * n_p**2,
+        ("Scouting", "all"): n_h * n_p + n_h * (n_h - 1) * n_p**2,
+        ("Declaration", "host"): (n_h - 1) * n_p**2 * n_e + 2 * (n_h - 1) * n_p**2,
+        ("Declaration", "all"): n_h * (n_h - 1) * n_p**2 * (n_e + 2),
+    }
+
+
 def utilization(
     protocol: str, h: int | Fraction, p: int | Fraction, e: int | Fraction
 ) -> dict[str, Fraction]:

@@ -380,11 +380,6 @@ def test_link(name: str, low: str) -> None:
     fails(TypeError, f"{name} must be one number, not an array; got [1, 2]", link, **{name: [1, 2]})
 
 
-def test_rate_zero() -> None:
-    text = "rate must be a finite number of at least 1 and at most 1e+15; got 0"
-    fails(ValueError, text, ds.Link, rate=0, overhead=0)
-
-
 def test_wifi() -> None:
     link = ds.Link(6e6, 120e-6)
     fails(

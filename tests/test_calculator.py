@@ -273,7 +273,7 @@ def same(numbers: dict[str, float]) -> Any:
 
 
 def test_says_what_python_says(tab: Page) -> None:
-    settings = random_settings(500)
+    settings = random_settings(300)
     answers = tab.evaluate("settings => calculatorTest.run(settings)", settings)
     models = {channel(entries).model for entries in settings}
     assert models == {"linear", "padded", "aggregated"}

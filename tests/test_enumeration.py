@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from hypothesis import given, settings, strategies as st
+from paper import messages
 
 import discostorm as ds
 from discostorm.paper import enumeration
@@ -13,21 +14,6 @@ from discostorm.paper.enumeration import EVERYONE, Endpoint, Process, walk
 
 SWARMS = list(product(range(1, 6), range(1, 5), (0, 2, 4, 6)))
 PROTOCOLS = (ds.DDS, ds.ZENOH)
-
-
-def printed(n_h: int, n_p: int, n_e: int) -> dict[tuple[str, str], int]:
-    """Return the paper's equations (1) to (10), typed here once more, by phase and level."""
-    remote = (n_h - 1) * n_p
-    return {
-        ("SPDP", "host"): n_p,
-        ("SPDP", "all"): n_h * n_p,
-        ("SEDP", "host"): n_p * remote * n_e + 4 * n_p * remote,
-        ("SEDP", "all"): n_h * (n_h - 1) * n_p**2 * (n_e + 4),
-        ("Scouting", "host"): n_p + (n_h - 1) * n_p**2,
-        ("Scouting", "all"): n_h * n_p + n_h * (n_h - 1) * n_p**2,
-        ("Declaration", "host"): (n_h - 1) * n_p**2 * n_e + 2 * (n_h - 1) * n_p**2,
-        ("Declaration", "all"): n_h * (n_h - 1) * n_p**2 * (n_e + 2),
-    }
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
@@ -40,7 +26,7 @@ def test_counts_equal_the_closed_forms_for_each_message_phase_and_hop(
         kinds = Counter((message.kind, message.hop) for message in sent)
         phases = Counter((message.phase, message.hop) for message in sent)
         hosts = Counter((message.phase, message.hop, message.sender.host) for message in sent)
-        right = printed(n_h, n_p, n_e)
+        right = messages(n_h, n_p, n_e)
         for hop in ("up", "down"):
             for message in protocol.messages:
                 assert kinds[message.name, hop] == message.load(fleet)

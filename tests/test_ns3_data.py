@@ -6,6 +6,7 @@ from statistics import mean
 
 import pytest
 import sympy as sp
+from paper import messages
 
 from discostorm.data import read_data
 
@@ -65,10 +66,11 @@ def test_every_message_was_measured_up_and_down() -> None:
 def expected(row: dict[str, str], what: str) -> int:
     """Count messages sent, or receivers that expect them, in all runs of a row."""
     hosts, processes, endpoints = (whole(row, name) for name in ("hosts", "processes", "endpoints"))
-    pairs = hosts * (hosts - 1) * processes**2
-    unicast = pairs * (endpoints + (4 if row["protocol"] == "DDS" else 3))
-    multicast = hosts * processes * (hosts - 1 if what == "receivers" else 1)
-    return whole(row, "runs") * (unicast + multicast)
+    sent = messages(hosts, processes, endpoints)
+    phases = ("SPDP", "SEDP") if row["protocol"] == "DDS" else ("Scouting", "Declaration")
+    # Of what is sent by multicast, one message of each process, all other hosts are receivers.
+    more = hosts * processes * (hosts - 2) if what == "receivers" else 0
+    return whole(row, "runs") * (sum(sent[phase, "all"] for phase in phases) + more)
 
 
 def test_bursts_add_up() -> None:

@@ -1,6 +1,5 @@
 """What stands in more than one file of the project says the same."""
 
-import csv
 import doctest
 import re
 from pathlib import Path
@@ -78,13 +77,3 @@ def test_every_reference_is_cited() -> None:
     pages = [*ROOT.glob("book/*.md"), *ROOT.glob("notebooks/*.ipynb")]
     prose = "".join(page.read_text(encoding="utf-8") for page in pages)
     assert not {key for key in keys if f"{{cite}}`{key}`" not in prose}
-
-
-def test_what_mutation_leaves_is_in_the_code_and_has_a_reason() -> None:
-    with (ROOT / "tests" / "mutation_survivors.csv").open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert len(rows) > 10
-    for row in rows:
-        lines = (ROOT / "discostorm" / f"{row['module']}.py").read_text(encoding="utf-8")
-        assert row["before"] in " ".join(line.strip() for line in lines.splitlines())
-        assert row["reason"]

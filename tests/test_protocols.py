@@ -1,4 +1,4 @@
-"""A protocol is one file: all that takes protocols finds it."""
+"""A protocol is rows, or one file: all that takes protocols finds it; a table says what it is."""
 
 import json
 import shutil
@@ -11,6 +11,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.messages import Message, Protocol, Timers
+from discostorm.protocols.defaults import timers
 
 ROOT = Path(__file__).parents[1]
 
@@ -143,6 +144,7 @@ def test_every_table_says_whose_it_is_and_what_its_messages_are_for(table: Proto
     # Only a proposal is of no family; the paper's tables and proposals are of no product.
     assert (table.family is None) == (table.basis == "proposal")
     assert (table.product is None) == (table.basis in ("paper", "proposal"))
+    assert table.product is None or table.timers == timers(table.product)
     roles = [message.role for message in table.messages]
     assert None not in roles
     assert "announcement" in roles or table.name.startswith("Zenoh router")

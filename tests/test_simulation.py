@@ -34,7 +34,7 @@ from discostorm.simulation.traffic import TICK, hosts_of, ticks
 
 FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
-SEDP = ds.DDS.message("SEDP")
+SPDP, SEDP = ds.DDS.messages[:2]
 UNLIMITED = (np.inf, np.inf)
 
 
@@ -305,18 +305,6 @@ def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
     assert np.isfinite(found.convergence_time).all()
 
 
-def test_answers_in_a_circle_are_refused() -> None:
-    spdp, sedp, heartbeat, acknack = ds.DDS.messages
-    rows = (
-        *(spdp, sedp, heartbeat),
-        acknack,
-        replace(acknack, name="ping", role="other", answers="pong"),
-        replace(acknack, name="pong", role="other", answers="ping"),
-    )
-    with pytest.raises(ValueError, match="must not lead back to itself; got ping answers pong"):
-        ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
-
-
 def renamed(table: ds.Protocol) -> ds.Protocol:
     """Return a table in which everything has another name, in another alphabetical order."""
     names: dict[str | None, str | None] = {None: None}
@@ -347,43 +335,53 @@ def test_names_decide_nothing(name: str) -> None:
     assert found.counts["arrived"] > 0
 
 
-@pytest.mark.parametrize(
-    ("change", "wanted"),
-    [
-        (
-            lambda t: replace(t, messages=(*t.messages[:1], replace(t.messages[1], role=None))),
-            "its message 'SEDP' has no role; give each message of the table one",
-        ),
-        (lambda t: replace(t, timers=None), "it has no timers; give it some, such as"),
-        (
-            lambda t: replace(t, messages=tuple(replace(m, role="other") for m in t.messages)),
-            "its processes announce themselves to servers",
-        ),
-    ],
+PING, PONG = (
+    replace(ds.DDS.message("ACKNACK"), name=one, role="other", answers=other)
+    for one, other in (("ping", "pong"), ("pong", "ping"))
 )
-def test_a_table_that_does_not_say_what_recovery_takes_is_refused_by_name(
-    change: Callable[[ds.Protocol], ds.Protocol], wanted: str
+REFUSED: list[tuple[dict[str, Any], str]] = [
+    (
+        {"messages": (SPDP, replace(SEDP, role=None))},
+        "recovery must be False for the protocol 'mine': its message 'SEDP' has no role; give each",
+    ),
+    ({"timers": None}, "recovery must be False for the protocol 'mine': it has no timers; give it"),
+    (
+        {"messages": (replace(SPDP, role="other"), SEDP)},
+        "recovery must be False for the protocol 'mine': its processes announce themselves to",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, cast="multicast", unit=PROCESS))},
+        "protocol 'mine', message 'SEDP': unit must have receivers",
+    ),
+    ({"messages": ds.DDS.messages[:3]}, "none, or one message each.*; got 'Heartbeat'"),
+    (
+        {"messages": (*ds.DDS.messages[:3], replace(ds.DDS.messages[3], answers="SEDP"))},
+        "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
+    ),
+    (
+        {"messages": (*ds.DDS.messages, PING, PONG)},
+        "message 'ping': answers must not lead back to itself; got ping answers pong answers ping$",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, answers="Z"))},
+        "message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$",
+    ),
+    (
+        {"lease": 4e-8},
+        "protocol 'mine': lease must be at least 1e-07 s to be simulated; got 4e-08$",
+    ),
+]
+
+
+@pytest.mark.parametrize(("change", "wanted"), REFUSED)
+def test_tables_that_do_not_say_what_recovery_takes_are_refused(
+    change: dict[str, Any], wanted: str
 ) -> None:
-    table = change(replace(ds.DDS, name="mine"))
-    with pytest.raises(
-        ValueError, match=f"recovery must be False for the protocol 'mine': {wanted}"
-    ):
+    table = replace(ds.DDS, name="mine", **change)
+    with pytest.raises(ValueError, match=wanted):
         ds.simulate(SWARM, table, RADIO.wifi())
-    assert ds.simulate(SWARM, table, RADIO.wifi(), recovery=False).counts["arrived"] > 0
-
-
-def test_data_and_heartbeats_that_cannot_be_repaired_are_refused() -> None:
-    spdp, sedp, heartbeat, acknack = ds.DDS.messages
-    for rows, wanted in (
-        ((spdp, replace(sedp, cast="multicast", unit=PROCESS)), "'SEDP': unit must have receivers"),
-        ((spdp, sedp, heartbeat), "must have none, or one message each.*got 'Heartbeat'"),
-        (
-            (spdp, sedp, heartbeat, replace(acknack, answers="SEDP")),
-            "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
-        ),
-    ):
-        with pytest.raises(ValueError, match=wanted):
-            ds.simulate(SWARM, replace(ds.DDS, messages=rows), RADIO.wifi())
+    found = ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
+    assert found.counts["arrived"] > 0
 
 
 # ---------------------------------------------------------------- saturation
@@ -818,19 +816,10 @@ def test_rows_that_cannot_be_simulated_are_refused(
         ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
 
 
-def test_tables_that_cannot_be_simulated_are_refused() -> None:
-    wifi = RADIO.wifi()
-    spdp = ds.DDS.message("SPDP")
-    table = replace(ds.DDS, name="own", messages=(spdp, replace(SEDP, answers="Z")))
-    wanted = "^protocol 'own', message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$"
-    with pytest.raises(ValueError, match=wanted):
-        ds.simulate(SWARM, table, wifi)
-    table = ds.Protocol("own", tuple(replace(spdp, name=f"{n}") for n in range(65)))
+def test_a_table_with_too_many_messages_is_refused() -> None:
+    table = ds.Protocol("own", tuple(replace(SPDP, name=f"{n}") for n in range(65)))
     with pytest.raises(ValueError, match=r"at most 64 messages to simulate; got 65$"):
-        ds.simulate(SWARM, table, wifi)
-    wanted = "^protocol 'DDS': lease must be at least 1e-07 s to be simulated; got 4e-08$"
-    with pytest.raises(ValueError, match=wanted):
-        ds.simulate(SWARM, replace(ds.DDS, lease=4e-8), wifi)
+        ds.simulate(SWARM, table, RADIO.wifi())
 
 
 def test_a_queue_too_large_to_count_has_no_limit() -> None:

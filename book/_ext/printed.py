@@ -20,11 +20,13 @@ _MEASURE = 446.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
-#: Measures that a table would have if no line of it were broken: more is read in small type only,
-#: and with its first columns in one if all that stands in them is at most so wide [pt].
-_TOWERS, _NARROW = 4.5, 110.0
-#: How much wider a word is in the type of a column's head than in that of the cells.
-_SANS = 1.15
+#: Width of a letter, on average, as a share of the size of its type.
+_LETTER = 0.51
+#: Letters of a table's longest cells from which on it is read in small type only, with its first
+#: columns in one if no cell of them has more than so many.
+_TOWERS, _NARROW = 480, 26
+#: Letters beyond which more room makes a column no shorter than the table is.
+_SENTENCE = 100
 #: Points: what is kept on one page of a table, what the rules of a row take, and those of a table.
 _TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
@@ -40,7 +42,7 @@ _CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
 #: What stands between blocks and is not seen.
 _UNSEEN = (nodes.Invisible, nodes.raw)
 #: Points that a heading takes, and a chapter's last section that begins where it ends.
-_HEADING, _ENDING = 45.0, 280.0
+_HEADING, _ENDING = 45.0, 310.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
@@ -116,94 +118,65 @@ def _link(app: Sphinx, name: str, text: str = _MORE) -> nodes.raw:
     )
 
 
-def _width(text: str, size: float, *, is_code: bool) -> float:
-    """Return roughly how wide a line is [pt]: letters of Times are half as wide as it is high."""
-    if is_code:
-        return 0.52 * size * len(text)
-    capitals = sum(letter.isupper() for letter in text)
-    return size * (0.5 * len(text) + 0.25 * capitals)
-
-
 def _breakable(word: re.Match[str]) -> str:
     return re.sub(r"(?<=[_/:.])(?=\w)", _BREAK, word[0])
 
 
-def _least(entry: nodes.entry, size: float) -> float:
-    """Return how wide the longest word of a cell is [pt]; a formula is a word."""
-    is_code = any(True for _ in entry.findall(nodes.literal))
-    if isinstance(entry.parent.parent, nodes.thead):
-        size *= _SANS
-    # Code is broken at some signs, too; at no space that is there to prevent it.
-    words = re.split(
-        rf"[ \n{_BREAK}]|(?<=[.,;?!/])" if is_code else rf"[ \n{_BREAK}]", entry.astext()
-    )
-    formulas = [_formula(each.astext()) for each in entry.findall(nodes.math)]
-    if formulas:
-        words = formulas
-    return max((_width(word, size, is_code=is_code) for word in words), default=0.0)
+def _seen(node: nodes.Node) -> str:
+    """Return a text, of a formula about as many letters as are seen."""
+    text = node.astext()
+    return re.sub(r"\\[a-zA-Z]+\s?|[{}^_$]", "", text) if "\\" in text or "_{" in text else text
 
 
-def _natural(entry: nodes.entry, size: float) -> float:
-    """Return how wide a cell is on one line [pt], or each of those that were put together."""
-    return max(_each(entry, size), default=0.0)
+def _letters(entry: nodes.entry) -> int:
+    """Return how many letters the longest paragraph of a cell has."""
+    return max((len(_seen(each)) for each in entry.children), default=0)
 
 
-def _each(entry: nodes.entry, size: float) -> list[float]:
-    """Return how wide each paragraph of a cell is on one line [pt]."""
-    is_code = any(True for _ in entry.findall(nodes.literal))
-    return [_width(_formula(each.astext()), size, is_code=is_code) for each in entry.children]
-
-
-def _formula(tex: str) -> str:
-    """Return about as many letters as are seen of a formula."""
-    return re.sub(r"\\[a-zA-Z]+\s?|[{}^_$]", "", tex) if "\\" in tex or "_{" in tex else tex
-
-
-def _lines(row: list[nodes.entry], widths: list[float], size: float) -> list[float]:
-    """Return how many lines each cell of a row takes, not in whole ones where it is broken."""
-    return [
-        sum(max(1, natural / width) for natural in _each(entry, size))
-        for entry, width in zip(row, widths, strict=True)
-    ]
+def _longest_word(entry: nodes.entry) -> int:
+    """Return how many letters the longest word of a cell has; a formula is a word."""
+    formulas = [_seen(each) for each in entry.findall(nodes.math)]
+    return max(map(len, formulas or re.split(rf"[ \n{_BREAK}]", entry.astext())))
 
 
 def _shared(rows: list[list[nodes.entry]], size: float) -> list[float] | None:
-    """Return a width for each column [pt], or nothing if the longest words do not fit."""
+    """Return a width for each column [pt], or nothing if the longest words do not fit.
+
+    What these leave goes to the columns by the share of their longest cells.
+    """
     columns = list(zip(*rows, strict=True))
-    widths = [max(_least(entry, size) for entry in column) + 2 for column in columns]
-    left = _MEASURE - _GAP * len(columns) - sum(widths)
+    # The type of heads is wider.
+    least = [max(map(_longest_word, column)) + 2 for column in columns]
+    more = [
+        max(0, min(max(map(_letters, column)), _SENTENCE) + 1 - word)
+        for column, word in zip(columns, least, strict=True)
+    ]
+    left = (_MEASURE - _GAP * len(columns)) / (_LETTER * size) - sum(least)
     if left < 0:
         return None
-    full = [
-        max(least, max(_natural(entry, size) for entry in column) + 2)
-        for least, column in zip(widths, columns, strict=True)
+    share = min(1.0, left / max(1, sum(more)))
+    return [
+        _LETTER * size * (word + share * letters) for word, letters in zip(least, more, strict=True)
     ]
-    if sum(full) - sum(widths) <= left:
-        return full
 
-    def height(widths: list[float]) -> tuple[float, float]:
-        # Not in whole lines: a little more width that saves none yet is a step towards it.
-        lines = [_lines(row, widths, size) for row in rows]
-        return sum(map(max, lines)), sum(map(sum, lines))
 
-    # What is left goes, a little at a time, to the column that makes the table shortest by it.
-    step = left / 40
-    for _ in range(40):
-        wider = [[w + step * (i == j) for j, w in enumerate(widths)] for i in range(len(columns))]
-        widths = min(wider, key=height)
-    return widths
+def _height(row: list[nodes.entry], widths: list[float], size: float) -> float:
+    """Return about how high a row is [pt]."""
+    lines = (
+        sum(math.ceil((len(_seen(e)) or 1) * _LETTER * size / width) for e in entry.children)
+        for entry, width in zip(row, widths, strict=True)
+    )
+    return 1.2 * size * max(lines) + _RULES
 
 
 def _rows(table: nodes.table) -> list[list[nodes.entry]]:
     return [list(row.findall(nodes.entry)) for row in table.findall(nodes.row)]
 
 
-def _stack(table: nodes.table, size: float) -> None:
+def _stack(table: nodes.table, letters: list[int]) -> None:
     """Put the narrow columns with which a table begins into half as many, two lines each."""
     rows = _rows(table)
-    columns = zip(*rows, strict=True)
-    widths = [max(_natural(entry, size) for entry in column) for column in columns]
-    narrow = next((n for n, width in enumerate(widths) if width > _NARROW), len(widths))
+    narrow = next((n for n, most in enumerate(letters) if most > _NARROW), len(letters))
     (group,) = table.findall(nodes.tgroup)
     for row in [*rows, list(group.findall(nodes.colspec))]:
         for upper, lower in zip(row[: narrow // 2 * 2 : 2], row[1:narrow:2], strict=True):
@@ -229,13 +202,10 @@ def _fit(table: nodes.table, sizes: tuple[tuple[float, str], ...] = _SIZES) -> N
         if not isinstance(text.parent, nodes.math):
             kept = words.unbroken(text)
             text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, kept)))
-    small, _ = _SIZES[-1]
-    unbroken = sum(
-        max(_natural(e, small) for e in column) for column in zip(*_rows(table), strict=True)
-    )
-    if unbroken > _TOWERS * _MEASURE:
+    letters = [max(map(_letters, column)) for column in zip(*_rows(table), strict=True)]
+    if sum(letters) > _TOWERS:
         sizes = _SIZES[-1:]
-        _stack(table, small)
+        _stack(table, letters)
     rows = _rows(table)
     right = [
         any("text-right" in e.get("classes", ()) for e in column)
@@ -245,7 +215,7 @@ def _fit(table: nodes.table, sizes: tuple[tuple[float, str], ...] = _SIZES) -> N
         widths = _shared(rows, size)
         if widths is None:
             continue
-        heights = [1.2 * size * math.ceil(max(_lines(row, widths, size))) + _RULES for row in rows]
+        heights = [_height(row, widths, size) for row in rows]
         _keep(table, _AROUND + sum(heights if sum(heights) < _TOGETHER else heights[:4]))
         _keep_its_ends(table)
         spec = "".join(
@@ -290,7 +260,7 @@ def _announces(paragraph: nodes.paragraph) -> bool:
 
 def _natural_height(paragraph: nodes.paragraph) -> float:
     measure = _MEASURE - (0 if isinstance(paragraph.parent, nodes.section) else 50)
-    return 12 * math.ceil(_width(paragraph.astext(), 10, is_code=False) / measure) + 6
+    return 12 * math.ceil(_LETTER * 10 * len(paragraph.astext()) / measure) + 6
 
 
 def _describe_and_scale(figure: nodes.figure) -> None:

@@ -36,12 +36,9 @@ class Commands(click.Group):
             if sys.stdout is None:  # closed before the start: click would write to nobody
                 raise OSError(errno.EBADF, os.strerror(errno.EBADF))
             return super().main(*args, **kwargs)
-        except OSError as error:
-            if error.errno != errno.EPIPE:
-                click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
-            if sys.stdout is not None:
-                # Or the interpreter would try again when it ends.
-                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        except OSError as error:  # click itself answers a closed pipe
+            click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
+            sys.stdout = None  # or it would be tried again at the end
             sys.exit(1)
 
 
