@@ -12,6 +12,8 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from discostorm import _renamed
+
 pytestmark = pytest.mark.book
 
 ROOT = Path(__file__).parents[1]
@@ -93,7 +95,8 @@ def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
         for path in (wheel / "discostorm").rglob("*.py")
     )
     assert "discostorm.book.notebook" in modules
-    modules.remove("discostorm.__main__")
+    for name in ("__main__", *_renamed.MODULES):
+        modules.remove(f"discostorm.{name}")
     # Without the site-packages of this Python.
     command = [sys.executable, "-I", "-S", "-c", IMPORT, wheel, folder, *modules]
     done = subprocess.run(command, cwd=folder, text=True, capture_output=True, check=False)
