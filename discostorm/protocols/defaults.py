@@ -1,14 +1,8 @@
 """The middlewares' default periods, leases, counts and sizes."""
 
+from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.messages import Timers
-
-
-def products() -> list[str]:
-    """Return the products whose defaults are known, in the order of the data file."""
-    return list(
-        dict.fromkeys(row["product"] for row in read_data("vendors/middleware_defaults.csv"))
-    )
 
 
 def defaults(product: str) -> dict[str, float]:
@@ -35,10 +29,8 @@ def defaults(product: str) -> dict[str, float]:
     >>> defaults("Zenoh")["lease"]
     10.0
     """
-    if product not in products():
-        names = " or ".join(repr(name) for name in products())
-        raise ValueError(f"product must be {names}; got {product!r}")
     rows = read_data("vendors/middleware_defaults.csv")
+    _checks.choice("product", product, list(dict.fromkeys(row["product"] for row in rows)))
     return {row["quantity"]: float(row["value"]) for row in rows if row["product"] == product}
 
 
