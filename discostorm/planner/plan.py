@@ -8,6 +8,7 @@ from itertools import combinations
 from typing import Any, Literal
 
 from discostorm import _checks, words
+from discostorm._renamed import renamed
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import burst, message_costs, utilization, without_each
@@ -26,6 +27,10 @@ from discostorm.wifi import PAPER, Wifi
 _KEPT, _TABLES, _TOGETHER = 5, 3, 3
 
 
+@renamed(
+    nodes="HostGroup.nodes or `nodes` of a fleet file",
+    shared="HostGroup.shared or `shared` of a fleet file",
+)
 def plan(
     fleet: Fleet,
     protocol: Protocol = DDS,
