@@ -68,13 +68,16 @@ def run(path: Path) -> Run:
                 )
     # The kernel reports its own Python version, which would differ from reader to reader.
     notebook.metadata["language_info"] = {"name": "python"}
-    # Beside it first, as a full disk would leave half of it.
-    beside = path.with_suffix(".tmp")
-    try:
-        nbformat.write(notebook, beside)
-        beside.replace(path)
-    finally:
-        beside.unlink(missing_ok=True)
+    text = nbformat.writes(notebook).rstrip("\n") + "\n"
+    # What comes out the same is left alone, so that nothing made from it looks old.
+    if text != path.read_text(encoding="utf-8"):
+        # Beside it first, as a full disk would leave half of it.
+        beside = path.with_suffix(".tmp")
+        try:
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(path)
+        finally:
+            beside.unlink(missing_ok=True)
     pairs = enumerate(zip(before, notebook.cells, strict=True), 1)
     changed = [number for number, (old, new) in pairs if old != new]
     return Run(time.perf_counter() - start, changed)
