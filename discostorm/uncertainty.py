@@ -174,7 +174,7 @@ def bounds(
     protocol : Protocol
         `DDS`, `ZENOH`, or a table of your own.
     hosts, processes, endpoints : array_like, or a Fleet alone
-        As for `discostorm.utilization`.
+        How many there are [1], as for `discostorm.utilization`.
     phase : str, optional
         One of the protocol's phases; all of them if left out.
     ranges : mapping, optional

@@ -75,7 +75,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     Examples
     --------
     >>> import discostorm as ds
-    >>> capture = ds.read_capture("tests/captures/fast_dds.pcap.xz")
+    >>> from discostorm.data import data_path
+    >>> capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz"))
     >>> capture.fleet()
     Fleet(groups=(HostGroup(hosts=3, processes=2, endpoints=10),))
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]

@@ -93,13 +93,12 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    _checks.one_each([("window", window)])
+    span = _checks.number("window", window, _checks.LEAST_SECONDS, endless=True)
     as_fleet(fleet, None, None)  # raises if there are symbols
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         _checks.whole(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
 
-    span = float(window)
     base = Setting(fleet, protocol, wifi)
     found = tuple(changes_of(base))
     singles = {step: _remedy(base, [step], span) for step in found if isinstance(step, Change)}
