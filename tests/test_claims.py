@@ -316,6 +316,41 @@ def test_sentences_that_were_left_out_have_rows_in_their_places(
     assert (keys[place - 1], keys[place + 1]) == (before, after)
 
 
+def test_a_figure_has_the_weakest_verdict_of_its_rows() -> None:
+    order = ["holds", "weaker holds", "fails"]
+    known = claims.figures()
+    assert list(known) == ["1", "2", "3", "4"]
+    for number, figure in known.items():
+        about = [claim for claim in claims.claims() if claim.where == f"Fig. {number}"]
+        assert list(figure.claims) == about
+        decided = [claim.outcome() for claim in about if claim.test]
+        assert figure.stated == figure.outcome()
+        assert figure.stated == (max(decided, key=order.index) if decided else "no test")
+        assert {figure.label} == ({f"claims-{claim.section}" for claim in about} or {""})
+
+
+def test_figures_show_their_badges_in_their_chapters_and_on_the_map() -> None:
+    table = (ROOT / "book/paper_map.md").read_text(encoding="utf-8")
+    for number, figure in claims.figures().items():
+        row = rf"\| {number} \| {figure.what} \| {{ref}}`Fig. {number} .*\| (.*) \|"
+        assert re.findall(row, table) == [figure.badge()]
+        if not figure.claims:
+            continue
+        (chapter,) = (
+            path
+            for path in (ROOT / "notebooks").glob("*.ipynb")
+            if f"(paper-fig-{number})=" in path.read_text(encoding="utf-8")
+        )
+        cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
+        shown = [
+            "".join(output["data"]["text/markdown"])
+            for cell in cells
+            for output in cell.get("outputs", [])
+            if "text/markdown" in output.get("data", {})
+        ]
+        assert figure.caption() in [text.replace("\N{NO-BREAK SPACE}", " ") for text in shown]
+
+
 @pytest.mark.usefixtures("fresh_values")
 def test_a_changed_formula_changes_verdicts(monkeypatch):
     thrice = replace(
