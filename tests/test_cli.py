@@ -331,7 +331,7 @@ def test_claims() -> None:
     ours = {row["statement"]: row["ours"] for row in rows}
     seven = ours["DDS saturates at approximately 7 hosts."]
     assert float(seven) == ds.saturation_hosts(ds.DDS, 2, 10)
-    assert ours["A host sends one SPDP message for each of its processes."] == "N_P"
+    assert ours["SPDP load of all hosts, up and down."] == "N_H*N_P"
     assert ours["Hosts on one channel contend for airtime."] == ""
     holds, fails = (VERDICTS[outcome]["verdict"] for outcome in ("holds", "fails"))
     some = read_json(run("claims", f"--verdict|{fails}", "--json"))

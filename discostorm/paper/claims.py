@@ -3,7 +3,8 @@
 ``data/paper/claims.csv`` says of each claim, by a key, where the paper makes it, in our words,
 and which outcome of its tests we state; its remark has places for what was computed. The tests
 are in `predicates`, by the same key: verdicts are computed from them. What an outcome is called
-stands in ``data/paper/verdicts.csv``.
+stands in ``data/paper/verdicts.csv``. A figure of the paper has the weakest verdict of the claims
+about it, which ``data/paper/figures.csv`` lists.
 """
 
 from collections import Counter
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
+from discostorm import words
 from discostorm.data import read_data
 from discostorm.paper.criteria import Test
 from discostorm.paper.predicates import NUMBERS, TESTS, WEAKER
@@ -22,6 +24,9 @@ if TYPE_CHECKING:
 
 #: What tests can say of a claim.
 Outcome = Literal["holds", "weaker holds", "fails", "no test"]
+
+#: What a figure is as good as: the first of these that one of its claims has.
+_WEAKEST_FIRST: tuple[Outcome, ...] = ("fails", "weaker holds", "holds")
 
 #: The word, the sign and the meaning of each outcome.
 VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv")}
@@ -101,6 +106,92 @@ class Claim:
         return VERDICTS[self.outcome()]["sign"]
 
 
+@dataclass(frozen=True)
+class Figure:
+    """A figure of the paper, with the claims about it.
+
+    Parameters
+    ----------
+    number : str
+        Its number in the paper.
+    what : str
+        What it shows.
+    stated : str
+        The outcome that the book states as its badge; a test compares it with `outcome`.
+    claims : tuple of Claim
+        The claims about it; none of a drawing.
+    label : str
+        Label in the book of their section in the ledger; empty if there are none.
+    """
+
+    number: str
+    what: str
+    stated: str
+    claims: tuple[Claim, ...]
+    label: str
+
+    def outcome(self) -> Outcome:
+        """Return the weakest outcome of its claims, of those that have a test."""
+        found = [claim.outcome() for claim in self.claims]
+        return next((each for each in _WEAKEST_FIRST if each in found), "no test")
+
+    def badge(self) -> str:
+        """Return sign and verdict, and where its claims are, as Markdown.
+
+        Examples
+        --------
+        >>> figures()["1"].badge()
+        '? not checkable: a drawing'
+        """
+        word = VERDICTS[self.outcome()]
+        said = f"{word['sign']} {word['verdict']}"
+        if not self.claims:
+            return f"{said}: a drawing"
+        return f"{said} ([rows {_listed(self.claims)}](#{self.label}))"
+
+    def caption(self) -> str:
+        """Return the badge in sentences, for the chapter that makes the figure again."""
+        counts = Counter(claim.verdict() for claim in self.claims)
+        found = [
+            f"{counts[word['verdict']]} {word['verdict']}"
+            for word in VERDICTS.values()
+            if counts[word["verdict"]]
+        ]
+        return (
+            f"**Fig. {self.number} of the paper: {self.badge()}.** This is the weakest verdict of "
+            f"{len(self.claims)} statements about the figure: {words.listed(found)}."
+        )
+
+
+def _listed(claims: tuple[Claim, ...]) -> str:
+    """Return the numbers of claims, those that follow each other as a range."""
+    runs: list[list[int]] = []
+    for claim in claims:
+        if runs and claim.id == runs[-1][-1] + 1:
+            runs[-1].append(claim.id)
+        else:
+            runs.append([claim.id])
+    return ", ".join(
+        f"{run[0]}\N{EN DASH}{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs
+    )
+
+
+@cache
+def figures() -> dict[str, Figure]:
+    """Return the figures of the paper, by their numbers."""
+    by_key = {claim.key: claim for claim in claims()}
+    return {
+        row["figure"]: Figure(
+            row["figure"],
+            row["what"],
+            row["outcome"],
+            tuple(by_key[key] for key in row["claims"].split()),
+            row["label"],
+        )
+        for row in read_data("paper/figures.csv")
+    }
+
+
 @cache
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
@@ -127,7 +218,7 @@ def _remark(key: str, template: str) -> str:
         return template
     numbers = NUMBERS[key]() if key in NUMBERS else {}
     for name, tests in {"ours": TESTS, "weaker": WEAKER}.items():
-        if key in tests:
+        if key in tests and sp.sympify(tests[key].ours()).is_number:
             numbers[name] = float(tests[key].ours())
             numbers[f"{name}_us"] = 1e6 * numbers[name]
     return template.format(**numbers)

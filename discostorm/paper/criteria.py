@@ -221,7 +221,7 @@ def _named(argument: Any) -> str:
 def _singular(text: str) -> str:
     """Return a text in which one thing is not many of them."""
     return re.sub(
-        r"\b1 (process(?=es\b)|(?:variable|message|bit|host|kind|frame)(?=s\b))e?s", r"1 \1", text
+        r"\b1 (process(?=es\b)|(?:message|session|bit|host|kind|frame)(?=s\b))e?s", r"1 \1", text
     )
 
 

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import product as combinations
 from statistics import median
 
 import numpy as np
@@ -14,7 +15,11 @@ from discostorm.model import message_costs, utilization
 from discostorm.paper import enumeration
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.protocols.defaults import defaults
+from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
+
+#: Efforts of remedies that need neither new programs nor other software.
+_CONFIGURATION = {"setting", "file"}
 
 
 def default(product: str, quantity: str) -> float:
@@ -56,6 +61,12 @@ def start_saved(arrangement: str, hosts: float) -> float:
     return min(saved)
 
 
+def remedies_by_configuration() -> float:
+    """Return which part of the planner's remedies is a setting or a file of configuration."""
+    efforts = [row["effort"] for row in read_data("vendors/remedies.csv") if row["effort"]]
+    return sum(effort in _CONFIGURATION for effort in efforts) / len(efforts)
+
+
 def runs_found(arrangement: str, event: str) -> float:
     """Return the part of the runs in which a newcomer found the living before the dead was back."""
     times = measured.death_times(arrangement, event, "newcomer", "newcomer", "found")
@@ -91,6 +102,26 @@ def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     return float(row["drain_time_s"]) / float(closed) - 1
 
 
+def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how long a simulated burst takes, relative to the paper's U."""
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    counts = {name: float(row[name]) for name in ("hosts", "processes", "endpoints")}
+    return float(row["drain_time_s"]) / float(utilization(protocol, Fleet.swarm(**counts)))
+
+
+def collided(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return which part of the transmissions of a simulated burst collides."""
+    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    return float(row["collided"])
+
+
+def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
+    """Return the most hosts whose simulated burst is over in a second, relative to saturation."""
+    rows = _simulated("drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus)
+    most = max(int(row["hosts"]) for row in rows if float(row["drain_time_s"]) <= 1)
+    return most / float(saturation_hosts(protocol, 2, 10))
+
+
 def multicast_lost(protocol: Protocol, hosts: float) -> float:
     """Return which part of the receptions of multicast a simulated burst loses to collisions."""
     (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1)
@@ -121,6 +152,40 @@ def enumerated_down_for_up(
         sent.hop for sent in _walk(protocol, hosts, processes, endpoints) if sent.phase == phase
     )
     return hops["down"] / hops["up"]
+
+
+def enumeration_agrees(
+    protocol: Protocol, hosts: float, processes: float, endpoints: float
+) -> float:
+    """Return in which part of all swarms up to this one the enumeration counts the load."""
+    swarms = list(combinations(_upto(1, hosts), _upto(1, processes), _upto(0, endpoints)))
+    agree = [
+        sum(sent.hop == "up" for sent in _walk(protocol, *swarm))
+        == sum(float(message.load(Fleet.swarm(*swarm))) for message in protocol.messages)
+        for swarm in swarms
+    ]
+    return sum(agree) / len(agree)
+
+
+def enumerated_spread(
+    protocol: Protocol, kind: str, hosts: float, processes: float, endpoints: float
+) -> float:
+    """Return how many times the least of a host's messages the most is, by enumeration.
+
+    Over the swarms of 2 to so many hosts and of 0 to so many endpoints, with so many processes.
+    """
+    each = [
+        sum(
+            (sent.sender.host, sent.kind, sent.hop) == (1, kind, "up")
+            for sent in _walk(protocol, many, processes, each_has)
+        )
+        for many, each_has in combinations(_upto(2, hosts), _upto(0, endpoints))
+    ]
+    return max(each) / min(each)
+
+
+def _upto(first: int, last: float) -> range:
+    return range(first, int(last) + 1)
 
 
 def enumeration_ratio(

@@ -86,23 +86,6 @@ def overhead_of_named_intervals(cast: str) -> float:
     return overhead_with_backoff(cast) - float(band["cw_min"]) / 2 * float(band["slot_us"]) * 1e-6
 
 
-def aggregation_bound(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float
-) -> float:
-    """Return U with full A-MPDUs of 802.11n relative to U with a frame at a time."""
-    aggregated, single = (
-        utilization(
-            protocol,
-            hosts,
-            processes,
-            endpoints,
-            Radio("802.11n", streams=2, mpdus=mpdus).wifi(),
-        )
-        for mpdus in (64, 1)
-    )
-    return float(aggregated / single)
-
-
 def standard_bound(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
     exact = utilization(protocol, hosts, processes, endpoints, Radio("802.11n", streams=2).wifi())

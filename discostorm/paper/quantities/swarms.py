@@ -62,16 +62,6 @@ def control_saved() -> sp.Expr:
     return 1 - sp.simplify(load(ZENOH, "control") / load(DDS, "control"))
 
 
-def load_variables(protocol: Protocol) -> int:
-    """Return how many variables the load depends on."""
-    return len(protocol.load().free_symbols)
-
-
-def host_load_variables(protocol: Protocol, *names: str) -> int:
-    """Return how many variables the load of one host depends on."""
-    return len(host_load(protocol, *names).free_symbols)
-
-
 def growth_factor(protocol: Protocol) -> sp.Expr:
     """Return what one more host multiplies U by, in the limit of many hosts."""
     # Of two polynomials of the same degree, the leading coefficients are what remains.
