@@ -99,7 +99,7 @@ def version(product: str) -> str:
     return found.name.removeprefix(f"{package}-").removesuffix(".dist-info")
 
 
-def arrangements(point: dict[str, str]) -> dict[tuple[str, str], Any]:
+def staged(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     """Return what is run at a point: every product as shipped, or the one that it names."""
     shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
     if "arrangement" not in point:
@@ -122,7 +122,7 @@ def jobs(
         for point in points:
             if run > int(point["runs"]):
                 continue
-            for (product, variant), (command, env, servers) in arrangements(point).items():
+            for (product, variant), (command, env, servers) in staged(point).items():
                 if only and f"{product}-{variant}" not in only:
                     continue
                 hosts, processes, endpoints = (

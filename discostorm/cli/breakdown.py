@@ -16,7 +16,7 @@ from discostorm.wifi import Wifi
 
 
 @says_what_matches
-@click.command(short_help="What each message costs.")
+@click.command()
 @swarm_options
 @protocol_option
 @wifi_options

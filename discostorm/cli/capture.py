@@ -38,7 +38,7 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
     return value
 
 
-@click.command(short_help="What a capture holds, against the model.")
+@click.command()
 @click.argument("file", metavar="FILE")
 @protocol_option_of(
     "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"

@@ -14,7 +14,7 @@ from discostorm.data import read_data
 VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv")]
 
 
-@click.command(short_help="The paper's claims and their verdicts.")
+@click.command()
 @click.option(
     "--verdict",
     type=click.Choice(VERDICTS),

@@ -11,7 +11,7 @@ from discostorm.cli.options import output_options
 from discostorm.cli.output import BadInput, Output, print_rows, visible, working
 
 
-@click.command(short_help="Write the paper's figures and their data.")
+@click.command()
 @click.option("--out", required=True, metavar="DIR", help="Folder to write to, made if missing.")
 @output_options
 def figures(out: str, output: Output) -> None:

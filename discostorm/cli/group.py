@@ -6,25 +6,44 @@ import errno
 import io
 import os
 import sys
+from importlib import import_module
 from typing import Any
 
 import click
 
 import discostorm as ds
-from discostorm.cli import (
-    breakdown,
-    capture,
-    claims,
-    figures,
-    plan,
-    saturation,
-    simulate,
-    utilization,
-)
+
+#: The commands, each in the module of its name, which is loaded when it is needed.
+COMMANDS = {
+    "breakdown": "What each message costs.",
+    "capture": "What a capture holds, against the model.",
+    "claims": "The paper's claims and their verdicts.",
+    "figures": "Write the paper's figures and their data.",
+    "plan": "Advice for a fleet: what would help most.",
+    "saturation": "Hosts at which the channel is full.",
+    "simulate": "The start of a fleet on the air, frame by frame.",
+    "utilization": "Airtime of discovery in one second.",
+}
 
 
 class Commands(click.Group):
     """Commands whose output may fail: a full disk is told, a closed pipe is not."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """Return the names of the commands; see `click.Group.list_commands`."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """Return the command of that name; see `click.Group.get_command`."""
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = getattr(import_module(f"discostorm.cli.{cmd_name}"), cmd_name)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """Write what each command does, without loading it."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
         """Run a command; see `click.Group.main`."""
@@ -60,16 +79,3 @@ def main() -> None:
       discostorm utilization --hosts 7 --processes 2 --endpoints 10
       discostorm plan fleet.toml
     """
-
-
-for _command in (
-    breakdown.breakdown,
-    capture.capture,
-    claims.claims,
-    figures.figures,
-    plan.plan,
-    saturation.saturation,
-    simulate.simulate,
-    utilization.utilization,
-):
-    main.add_command(_command)

@@ -16,7 +16,7 @@ from discostorm.ros2 import usually_shared
 from discostorm.wifi import Wifi
 
 
-@click.command(short_help="Advice for a fleet: what would help most.")
+@click.command()
 @file_option
 @one_protocol_option
 @click.option(

@@ -66,7 +66,7 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
 
 
 @says_what_matches
-@click.command(short_help="Hosts at which the channel is full.")
+@click.command()
 @packed(
     "kinds",
     _kinds,

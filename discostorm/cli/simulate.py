@@ -52,7 +52,7 @@ class Runs:
 
 
 @says_what_matches
-@click.command(short_help="The start of a fleet on the air, frame by frame.")
+@click.command()
 @file_option
 @one_protocol_option
 @packed(

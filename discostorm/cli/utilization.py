@@ -15,7 +15,7 @@ from discostorm.wifi import Wifi
 
 
 @says_what_matches
-@click.command(short_help="Airtime of discovery in one second.")
+@click.command()
 @several_swarms_options
 @protocol_option
 @wifi_options
