@@ -16,9 +16,9 @@ from discostorm import _checks
 Value = float | NDArray[np.float64]
 
 
-def plain(number: float) -> float:
-    """Return a number as int if it is whole, so that expressions show no floats without need."""
-    return int(number) if float(number).is_integer() else number
+def plain(number: Any) -> Any:
+    """Return a float as int if it is whole, so that expressions show no floats without need."""
+    return int(number) if isinstance(number, float) and number.is_integer() else number
 
 
 def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:

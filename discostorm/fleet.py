@@ -11,10 +11,9 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Polynomial
+from discostorm._numeric import Polynomial, plain
 from discostorm.fleet_file import COUNTS as COUNTS, LEAST as LEAST, fleet_tables, told_of
 from discostorm.ros2 import check_nodes, usually_shared
 
@@ -287,6 +286,22 @@ class Fleet:
             for group, one, other in zip(self.groups, before, after, strict=True)
         ]
 
+    @cached_property
+    def matched_of(self) -> list[Count]:
+        """For a process of each group, its endpoints that match one in every other process."""
+        share = plain(self.matching)
+        shared = (plain(group.shared) for group in self.groups)
+        return [
+            own + (group.endpoints - own) * share
+            for group, own in zip(self.groups, shared, strict=True)
+        ]
+
+    @cached_property
+    def matched(self) -> Count:
+        """The endpoints in the fleet that match one in every other process."""
+        pairs = zip(self.processes_of, self.matched_of, strict=True)
+        return reduce(add, (processes * matched for processes, matched in pairs))
+
     def matches(self) -> float:
         """Return 1 if anything matches, 0 if nothing does."""
         return float(self.matching > 0 or any(group.shared != 0 for group in self.groups))
@@ -330,47 +345,6 @@ class Fleet:
             for group in self.groups
             for count in (*group.counts(), group.shared)
         )
-
-
-def as_fleet(
-    hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
-) -> Fleet:
-    """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
-    given = {"processes": processes, "endpoints": endpoints}
-    if isinstance(hosts, Fleet):
-        for name, value in given.items():
-            if value is not None:
-                raise TypeError(
-                    f"{name} must be left out when hosts is a Fleet; got {_checks.short(value)}"
-                )
-        fleet = hosts
-    else:
-        for name, value in given.items():
-            if value is None:
-                raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
-        fleet = Fleet.swarm(*map(_kept, (hosts, processes, endpoints)))
-    reject_symbols(fleet)
-    return fleet
-
-
-def _kept(value: Any) -> Any:
-    """Return an array that `HostGroup` need not copy, as the fleet does not outlive the call."""
-    if not isinstance(value, np.ndarray) or not value.ndim:
-        return value
-    view = value.view()
-    view.flags.writeable = False
-    return view
-
-
-def reject_symbols(fleet: Fleet) -> None:
-    """Raise a TypeError if the fleet is in symbols."""
-    for group in () if fleet._of_numbers else fleet.groups:
-        for name, count in zip(COUNTS, group.counts(), strict=True):
-            if is_symbolic(count):
-                raise TypeError(
-                    f"{name} must be a number here, not an expression; got {count}. "
-                    "In symbols: Protocol.utilization"
-                )
 
 
 def is_symbolic(value: Any) -> bool:

@@ -17,6 +17,7 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
+from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import (
     Value,
     compiled,
@@ -28,8 +29,6 @@ from discostorm.fleet import (
     COUNTS,
     SWARM,
     Fleet,
-    as_fleet,
-    reject_symbols,
 )
 from discostorm.messages import (
     HOPS,

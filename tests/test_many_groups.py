@@ -14,6 +14,7 @@ from discostorm.saturation import saturation
 from discostorm.uncertainty import bounds
 
 PROTOCOLS = (ds.DDS, ds.ZENOH)
+SERVER_ON_A_ROBOT = ds.PROTOCOLS["Fast DDS Discovery Server, on a robot"]
 
 
 def fleet(groups: int) -> ds.Fleet:
@@ -53,8 +54,9 @@ def test_counted_numbers_are_those_of_the_symbols(protocol: ds.Protocol, wifi: d
         lambda members: ds.utilization(ds.DDS, members),
         lambda members: ds.saturation_hosts(ds.ZENOH, limit=1e9, fleet=members),
         lambda members: bounds(ds.ZENOH, members),
+        lambda members: ds.utilization(SERVER_ON_A_ROBOT, members),
     ],
-    ids=["utilization", "saturation", "bounds"],
+    ids=["utilization", "saturation", "bounds", "what matches of others"],
 )
 def test_ten_times_the_groups_take_about_ten_times_as_long(
     task: Callable[[ds.Fleet], object],

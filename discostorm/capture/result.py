@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks
+from discostorm._arguments import reject_symbols
 from discostorm._numeric import evaluate
 from discostorm.capture import gathered
 from discostorm.capture.compare import (
@@ -21,7 +22,7 @@ from discostorm.capture.compare import (
     window,
 )
 from discostorm.capture.pcap import CaptureError
-from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
+from discostorm.fleet import COUNTS, Fleet, HostGroup
 from discostorm.messages import Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from discostorm import _checks
 from discostorm._numeric import plain
-from discostorm.fleet import Count, Fleet, HostGroup
+from discostorm.fleet import Count, Fleet
 
 What = Literal[
     "process",
@@ -157,10 +157,10 @@ class Unit:
     def count(self, fleet: Fleet) -> Count:
         """Return how many of them a fleet has: a number, array or expression, as its counts."""
         total: Count = 0
-        for index, group in enumerate(fleet.groups):
+        for index in range(len(fleet.groups)):
             own = _holders(self.what, fleet, index, away=self.to == "server")
             own = own * _receivers(self.to, fleet, index)
-            total = total + own * _each(self.what, fleet, group)
+            total = total + own * _each(self.what, fleet, index)
         return total if self.factor is None else total * _factor(self.factor, fleet)
 
     def senders(self, hosts: Hosts) -> NDArray[Any]:
@@ -223,20 +223,19 @@ def _holders(what: What, fleet: Fleet, index: int, away: bool) -> Count:
     return fleet.processes_of[index]
 
 
-def _each(what: What, fleet: Fleet, group: HostGroup) -> Count:
+def _each(what: What, fleet: Fleet, index: int) -> Count:
     """Return how many of them one process or host of a group has."""
-    shared = plain(group.shared) if isinstance(group.shared, float) else group.shared
-    matched = shared + (group.endpoints - shared) * plain(fleet.matching)
+    group = fleet.groups[index]
     if what in ("endpoint", "endpoint of a kind of host"):
         return group.endpoints
     if what in ("matched endpoint", "matched endpoint of a host"):
-        return matched
+        return fleet.matched_of[index]
     if what == "unmatched endpoint":
-        return (group.endpoints - shared) * plain(1 - fleet.matching)
+        return (group.endpoints - plain(group.shared)) * plain(1 - fleet.matching)
     if what == "matched writer":
-        return matched / 2
+        return fleet.matched_of[index] / 2
     if what == "matched endpoint of others":
-        return Unit("matched endpoint").count(fleet) - matched
+        return fleet.matched - fleet.matched_of[index]
     if what == "listed endpoint":
         return group.endpoints * (group.endpoints + 1) / 2
     return 1

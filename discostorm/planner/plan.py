@@ -8,8 +8,9 @@ from itertools import combinations
 from typing import Any, Literal
 
 from discostorm import _checks, words
+from discostorm._arguments import as_fleet
 from discostorm._renamed import renamed
-from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
+from discostorm.fleet import COUNTS, LEAST, Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import burst, message_costs, utilization, without_each
 from discostorm.planner.changes import SLOTS, Change, Setting
