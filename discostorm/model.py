@@ -209,7 +209,7 @@ def unit_costs(
     protocol.of_phase(phase)  # raises if there is none
     seconds = checked_window(window)
     if isinstance(seconds, float):
-        return _mean_costs(protocol, wifi, phase, seconds)
+        return dict(_mean_costs(protocol, wifi, phase, seconds))
     return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(seconds))
 
 

@@ -110,7 +110,7 @@ def saturation_hosts(
         )
     total = sum_over_units(costs, _with_hosts(members, index, Polynomial((1.0, 1.0))))
     if not isinstance(total, Polynomial):
-        raise ValueError(_GROWS)
+        raise ValueError(f"utilization must grow with hosts; that of {protocol.name} does not")
     hosts = 1 + _root(total.powers[1:], most - single)
     # At the least limit allowed, rounding could give a little less than one host, and a
     # channel that hosts do not fill would have any number.
