@@ -211,7 +211,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     (
         "discostorm plan / import sympy, numpy",
         lambda: ratio(command("plan", str(FLEET)), python("import sympy, numpy"), rounds=5),
-        2,
+        2.5,
     ),
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 1.5),
     (
