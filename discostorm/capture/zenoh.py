@@ -364,6 +364,14 @@ def parse(data: Bytes, at: Places, end: Places) -> Columns:
     return {name: column[order] for name, column in zip(names, columns, strict=True)}
 
 
+def scopes(data: Bytes, at: Places, end: Places) -> Array:
+    """Return the number of the key expression that each declaration refers to, 0 if to none."""
+    head = data[at]
+    at = _where(_plain_integer, data, at + 1, end, head & _I > 0)
+    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
+    return _integer(data, _plain_integer(data, at + 1, end), end)[0]
+
+
 # ---------------------------------------------------------------- datagrams
 
 

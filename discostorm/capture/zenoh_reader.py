@@ -41,9 +41,11 @@ def _process(gathered: Gathered, known: dict[bytes, int], zid: bytes, role: int)
     """Return the number of a process of Zenoh; numbers of both protocols differ."""
     which = known.setdefault(zid, -2 - len(known))
     role_name = ("router", "peer", "client", "")[role & 3]
+    serves = role & 3 == 0
     # As Zenoh writes it.
     name = f"{int.from_bytes(zid, 'little'):x}"
-    gathered.processes.setdefault(which, KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip()))
+    process = KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip())
+    gathered.processes.setdefault(which, process).serves |= serves
     return which
 
 
@@ -164,11 +166,14 @@ def _add_messages(
 ) -> None:
     """Add the messages in batches, those that fragments of Zenoh make, and what they declare."""
     gathered.rows.append(rows)
-    declared = _declarations(data, found, stream)
+    names = _endpoint_names(data, found, stream)
     made, members = zenoh_streams.put_together(data, found, stream, gathered.notes)
     if made:
         joined, inner, last = _from_fragments(gathered, made, members, found, rows)
-        declared = stack([declared, _declarations(joined, inner, stream[last])])
+        names |= _endpoint_names(joined, inner, stream[last])
+    declared = _declarations(data, found, stream, names)
+    if made:
+        declared = stack([declared, _declarations(joined, inner, stream[last], names)])
     _count_endpoints(gathered, declared, process)
 
 
@@ -255,21 +260,35 @@ def _from_fragments(
     return joined, inner, last
 
 
-_TOKEN = zenoh.NAMES.index("DeclareToken")
+_TOKEN, _KEY_EXPRESSION = map(zenoh.NAMES.index, ("DeclareToken", "DeclareKeyExpr"))
 #: What is counted as an endpoint; a token is if it names one.
 _DECLARED = [*map(zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable")), _TOKEN]
 
 
-def _declarations(data: Bytes, found: Columns, stream: Array) -> Columns:
+def _endpoint_names(data: Bytes, found: Columns, stream: Array) -> set[tuple[int, int]]:
+    """Return the key expressions of endpoints of rmw_zenoh, each by its stream and number."""
+    chosen = np.flatnonzero(found["code"] == _KEY_EXPRESSION)
+    columns = stream[chosen], *(found[key][chosen] for key in ("number", "at", "end"))
+    return {
+        (of, number)
+        for of, number, begin, stop in zip(*(c.tolist() for c in columns), strict=True)
+        if _is_ros_endpoint(data[begin:stop].tobytes())
+    }
+
+
+def _declarations(
+    data: Bytes, found: Columns, stream: Array, names: set[tuple[int, int]]
+) -> Columns:
     """Return what messages declare: ``code``, ``number``, ``stream``, and ``ros``.
 
-    The last says whether a token is of an endpoint of rmw_zenoh.
+    The last says whether a token is of an endpoint of rmw_zenoh, by its text or by its name.
     """
     chosen = np.flatnonzero(np.isin(found["code"], _DECLARED))
     code, at, end = (found[key][chosen] for key in ("code", "at", "end"))
+    columns = code, at, end, stream[chosen], zenoh.scopes(data, at, end)
     ros = [
-        kind == _TOKEN and _is_ros_endpoint(data[begin:stop].tobytes())
-        for kind, begin, stop in zip(code.tolist(), at.tolist(), end.tolist(), strict=True)
+        kind == _TOKEN and ((of, scope) in names or _is_ros_endpoint(data[begin:stop].tobytes()))
+        for kind, begin, stop, of, scope in zip(*(c.tolist() for c in columns), strict=True)
     ]
     number = found["number"][chosen]
     return {"code": code, "number": number, "stream": stream[chosen], "ros": np.array(ros, bool)}
@@ -300,7 +319,7 @@ def _is_ros_endpoint(text: bytes) -> bool:
 
 def _declared(gathered: Gathered, which: int, count: int, tokens: bool) -> None:
     process = gathered.processes.get(which)
-    if process is None or process.product == "Zenoh router":
+    if process is None or process.serves:
         return  # a router passes on what others declare
     process.announced = True
     if tokens:
