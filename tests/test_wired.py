@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import lzma
 import pickle
 from functools import cache
 from pathlib import Path
@@ -186,6 +187,39 @@ def test_a_wired_server_is_no_robot_and_counts_agree(name: str, table: str, proc
     rows = capture.compare(ds.PROTOCOLS[table])
     counted = rows.loc[rows["units"].notna(), ["expected", "unicast", "multicast"]].sum()
     assert counted["unicast"] + counted["multicast"] == pytest.approx(counted["expected"], rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [(b"DS\0_EPROSIMA", b"DX\0_EPROSIMA"), (b"\0SERVER\0", b"\0SIMPLE\0")]
+)
+def test_a_discovery_server_is_known_by_its_type_or_its_prefix(
+    old: bytes, new: bytes, tmp_path: Path
+) -> None:
+    raw = lzma.decompress((CAPTURES / "fast_dds_server.pcap.xz").read_bytes())
+    assert old in raw
+    path = tmp_path / "a.pcap"
+    path.write_bytes(raw.replace(old, new))
+    assert ds.read_capture(path).serving() == (SERVER,)
+    path.write_bytes(
+        raw.replace(old, new).replace(b"\0SERVER\0", b"\0SIMPLE\0").replace(b"DS\0_E", b"DX\0_E")
+    )
+    assert ds.read_capture(path).serving() == ()
+
+
+def test_the_view_of_one_client_is_not_that_of_its_server(tmp_path: Path) -> None:
+    raw = lzma.decompress((CAPTURES / "fast_dds_server_matching.pcap.xz").read_bytes())
+    parts, at = [raw[:24]], 24
+    while at < len(raw):
+        size = int.from_bytes(raw[at + 8 : at + 12], "little")
+        packet = raw[at : at + 16 + size]
+        if bytes([10, 77, 0, 1]) in (packet[42:46], packet[46:50]):
+            parts.append(packet)
+        at += 16 + size
+    path = tmp_path / "a.pcap"
+    path.write_bytes(b"".join(parts))
+    capture = ds.read_capture(path)
+    assert capture.view() == "10.77.0.1"
+    assert capture.fleet() == ds.Fleet.swarm(3, 1, 10)
 
 
 def test_one_hop_is_charged_to_a_wired_host() -> None:

@@ -29,11 +29,11 @@ PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
 #: Parameters: where unicast discovery goes to, GUIDs, properties, the end.
 _UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
 _PROPERTIES = 0x59
-#: How a participant of Fast DDS says in its properties that it is a Discovery Server, as strings
-#: of CDR: captured, of version 2.9.1.
+#: How a participant of Fast DDS says in its properties that it is a Discovery Server
+#: (parameter_property_participant_type; two strings of CDR).
 _SERVER = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
-#: The GUID prefix of servers with a number, of which it is the third byte (README of Fast DDS's
-#: documentation, discovery_server: 44.53.<number>.5f.45.50.52.4f.53.49.4d.41).
+#: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
+#: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: The kind of a locator of UDP over IPv4.
 _UDP_4 = 1
