@@ -45,14 +45,17 @@ class HostGroup:
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
         everywhere: `discostorm.robots.shared_endpoints`.
+    wired : bool, optional
+        Whether they are wired to the access point: what they send does not take the air on its way
+        up, and what is sent to them not on its way down. False if left out.
 
     Raises
     ------
     ValueError
         If a number is NaN, infinite or out of range, or the shapes do not broadcast.
     TypeError
-        If one is neither made of real numbers nor a sympy expression with symbols, or
-        the name is not text.
+        If one is neither made of real numbers nor a sympy expression with symbols, the
+        name is not text, or `wired` is neither True nor False.
 
     Examples
     --------
@@ -67,9 +70,11 @@ class HostGroup:
     name: str = ""
     nodes: float | None = None
     shared: Count = 0.0
+    wired: bool = False
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
+        _checks.instance("wired", self.wired, bool)
         try:
             self._check()
         except (TypeError, ValueError) as error:
@@ -116,10 +121,10 @@ class HostGroup:
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
         # By way of the constructor, which makes the arrays read-only: also those of copies.
-        return HostGroup, (*self.counts(), self.name, self.nodes, self.shared)
+        return HostGroup, (*self.counts(), self.name, self.nodes, self.shared, self.wired)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self.name, self.nodes, *map(_comparable, (*self.counts(), self.shared)))
+        return (self.name, self.nodes, self.wired, *map(_comparable, (*self.counts(), self.shared)))
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
@@ -135,6 +140,8 @@ class HostGroup:
             parts.append(f"nodes={self.nodes:g}")
         if np.any(self.shared != 0):
             parts.append(f"shared={_brief(self.shared)}")
+        if self.wired:
+            parts.append("wired=True")
         return f"HostGroup({', '.join(parts)})"
 
 
@@ -203,7 +210,8 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name``, ``nodes`` and ``shared``; see `HostGroup`. A group without
+        and optionally a ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. Hosts that
+        are wired to the access point say ``wired = true``. A group without
         ``shared`` shares what ROS 2 makes for its processes and nodes
         (`discostorm.robots.shared_endpoints`), for the likely number of nodes if it has no
         ``nodes`` either (`discostorm.robots.likely_nodes`); programs without ROS 2 say
@@ -302,6 +310,20 @@ class Fleet:
         pairs = zip(self.processes_of, self.matched_of, strict=True)
         return reduce(add, (processes * matched for processes, matched in pairs))
 
+    @cached_property
+    def has_wired(self) -> bool:
+        """Whether any of its groups is wired to the access point."""
+        return any(group.wired for group in self.groups)
+
+    def reject_wired(self, what: str) -> None:
+        """Raise a ValueError if a group is wired, for those who take all hosts to be on the air."""
+        for name, group in zip(self.names, self.groups, strict=True):
+            if group.wired:
+                raise ValueError(
+                    f"wired must be False for {what}, as all hosts are on the air there; got "
+                    f"True for {name}. utilization, breakdown and plan count wired hosts"
+                )
+
     def matches(self) -> float:
         """Return 1 if anything matches, 0 if nothing does."""
         return float(self.matching > 0 or any(group.shared != 0 for group in self.groups))
@@ -323,6 +345,7 @@ class Fleet:
             | dict(
                 zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True)
             )
+            | ({"wired": True} if group.wired else {})
             for name, group in zip(self.names, self.groups, strict=True)
         ]
 

@@ -67,7 +67,7 @@ def _check(tables: dict[str, Any]) -> None:
 def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {_checks.short(table)}")
-    _only_keys(table, (*COUNTS, "name", "nodes", "shared"))
+    _only_keys(table, (*COUNTS, "name", "nodes", "shared", "wired"))
     for key, least in LEAST.items():
         allowed = _checks.wanted(least, _checks.MOST)
         if key not in table:
@@ -75,6 +75,8 @@ def _check_group(table: Any) -> None:
         _number(table, key, allowed)
     for key in ("nodes", "shared"):
         _number(table, key, _checks.wanted(0, _checks.MOST))
+    if not isinstance(table.get("wired", False), bool):
+        raise TypeError(f"wired must be true or false; got {_checks.short(table['wired'])}")
 
 
 def _number(table: dict[str, Any], key: str, allowed: str) -> None:

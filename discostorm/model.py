@@ -35,6 +35,7 @@ from discostorm.messages import (
     PAPER_WINDOW,
     Hop,
     Message,
+    OnAir,
     Protocol,
     Schedule,
     Unit,
@@ -45,6 +46,9 @@ from discostorm.wifi import PAPER, Cast, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
+
+#: What costs are counted by: units, or those of them that take the air on a hop.
+Counted = Unit | OnAir
 
 #: Length of a frame [B].
 _OCTETS = sp.Symbol("S", positive=True)
@@ -117,8 +121,8 @@ def utilization(
     >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
     array([1.011, 0.263])
     """
-    costs = unit_costs(protocol, wifi, window, phase)
-    return total_of(costs, as_fleet(hosts, processes, endpoints), window)
+    fleet = as_fleet(hosts, processes, endpoints)
+    return total_of(unit_costs(protocol, wifi, window, phase, fleet.has_wired), fleet, window)
 
 
 def burst(
@@ -161,26 +165,30 @@ def burst(
     True
     """
     _check(protocol, wifi)
-    costs = _costs(protocol, wifi, None, lambda schedule: schedule.extra)
-    return total_of(costs, as_fleet(hosts, processes, endpoints))
+    fleet = as_fleet(hosts, processes, endpoints)
+    costs = _costs(protocol, wifi, None, lambda schedule: schedule.extra, fleet.has_wired)
+    return total_of(costs, fleet)
 
 
-def total_of(costs: Mapping[Unit, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW) -> Value:
+def total_of(
+    costs: Mapping[Counted, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
+) -> Value:
     """Return the sum over units of cost times count, in the shape of the fleet and the window."""
     shape = _checks.shape(**fleet.arrays(), window=window)
-    total = sum_over_units(costs, fleet) if len(fleet.groups) > 1 else _of_swarm(costs, fleet)
+    unlike = len(fleet.groups) > 1 or fleet.has_wired
+    total = sum_over_units(costs, fleet) if unlike else _of_swarm(costs, fleet)
     if not shape:
         return float(total)
     return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape))
 
 
-def sum_over_units(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
+def sum_over_units(costs: Mapping[Counted, Value], fleet: Fleet) -> Any:
     """Return the sum over units of cost times count: a number, array, or `Polynomial`."""
     with np.errstate(under="ignore"):
         return sum(cost * unit.count(fleet) for unit, cost in costs.items())
 
 
-def _of_swarm(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
+def _of_swarm(costs: Mapping[Counted, Value], fleet: Fleet) -> Any:
     """Return the same sum for one group, by a function in which nothing is computed twice."""
     (group,) = fleet.groups
     function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
@@ -189,7 +197,9 @@ def _of_swarm(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
 
 
 @cache
-def _swarm_function(units: tuple[Unit, ...], matching: float, shares: bool) -> Callable[..., Any]:
+def _swarm_function(
+    units: tuple[Counted, ...], matching: float, shares: bool
+) -> Callable[..., Any]:
     """Return a function of the counts of a swarm, what is shared and the cost of each unit."""
     shared = sp.Symbol("N_S", nonnegative=True)
     swarm = Fleet((replace(SWARM.groups[0], shared=shared if shares else 0.0),), matching)
@@ -203,28 +213,36 @@ def unit_costs(
     wifi: Wifi = PAPER,
     window: ArrayLike = PAPER_WINDOW,
     phase: str | None = None,
-) -> dict[Unit, Value]:
-    """Return what each unit of a protocol adds to an average second of the window [s]."""
+    by_hop: bool = False,
+) -> dict[Counted, Value]:
+    """Return what each unit of a protocol adds to an average second of the window [s].
+
+    Those of each hop apart, ``by_hop``, for fleets with wired hosts.
+    """
     _check(protocol, wifi)
     protocol.of_phase(phase)  # raises if there is none
     seconds = checked_window(window)
     if isinstance(seconds, float):
-        return dict(_mean_costs(protocol, wifi, phase, seconds))
-    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(seconds))
+        return dict(_mean_costs(protocol, wifi, phase, seconds, by_hop))
+    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(seconds), by_hop)
 
 
 @lru_cache(maxsize=4096)
 def _mean_costs(
-    protocol: Protocol, wifi: Wifi, phase: str | None, window: float
-) -> dict[Unit, Value]:
-    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window))
+    protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
+) -> dict[Counted, Value]:
+    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
 
 
 def _costs(
-    protocol: Protocol, wifi: Wifi, phase: str | None, times: Callable[[Schedule], Value]
-) -> dict[Unit, Value]:
+    protocol: Protocol,
+    wifi: Wifi,
+    phase: str | None,
+    times: Callable[[Schedule], Value],
+    by_hop: bool = False,
+) -> dict[Counted, Value]:
     """Return the airtime of what is sent for each unit, each message so many times [s]."""
-    costs: dict[Unit, Value] = dict.fromkeys(protocol.units(phase), 0.0)
+    costs: dict[Counted, Value] = {} if by_hop else dict.fromkeys(protocol.units(phase), 0.0)
     for message in protocol.of_phase(phase):
         airtime = sum(_hop_seconds(message, hop, wifi) for hop in message.hops)
         if airtime == math.inf and wifi.aggregation is not None:
@@ -233,7 +251,12 @@ def _costs(
                 f"{protocol.name}; got {wifi.aggregation.most_bytes!r}"
             )
         sent = message.per_unit * times(message.schedule)
-        costs[message.unit] = costs[message.unit] + sent * airtime
+        if not by_hop:
+            costs[message.unit] = costs[message.unit] + sent * airtime
+            continue
+        for hop in message.hops:
+            counted = message.on_air(hop)
+            costs[counted] = costs.get(counted, 0.0) + sent * _hop_seconds(message, hop, wifi)
     return costs
 
 
@@ -308,16 +331,20 @@ def utilization_at(
         symbol: _checks.number(symbol.name, value, 0, above=symbol in (nt.R_UNI, nt.R_MULTI))
         for symbol, value in by_symbol("values", values, usual).items()
     }
-    units = protocol.units(phase)
-    costs = evaluate_each([protocol.cost(unit, phase) for unit in units], at)
-    return total_of(dict(zip(units, costs, strict=True)), fleet)
+    symbolic: Mapping[Any, sp.Expr] = (
+        protocol.costs_by_hop(phase)
+        if fleet.has_wired
+        else {unit: protocol.cost(unit, phase) for unit in protocol.units(phase)}
+    )
+    costs = evaluate_each(list(symbolic.values()), at)
+    return total_of(dict(zip(symbolic, costs, strict=True)), fleet)
 
 
 def without_each(
     protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[float]:
     """Return the utilization of a fleet of numbers without each of its groups in turn [1]."""
-    costs = unit_costs(protocol, wifi, window)
+    costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = []
     for index in range(len(fleet.groups)):
         groups = fleet.groups[:index] + fleet.groups[index + 1 :]
@@ -386,6 +413,12 @@ def message_costs(
     for message in protocol.messages:
         load = float(message.load(fleet) * message.schedule.mean(window))
         up, down = (load * (hop in message.hops) for hop in HOPS)
+        if fleet.has_wired:
+            sent = message.per_unit * message.schedule.mean(window)
+            up, down = (
+                float(sent * message.on_air(hop).count(fleet)) if hop in message.hops else 0.0
+                for hop in HOPS
+            )
         rows.append(
             {
                 "message": message.name,

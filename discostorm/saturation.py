@@ -94,8 +94,8 @@ def saturation_hosts(
     >>> round(ds.saturation_hosts(ds.DDS, fleet=fleet), 4)
     5.3365
     """
-    costs = unit_costs(protocol, wifi, window)
     members, index = _growing(processes, endpoints, fleet, group)
+    costs = unit_costs(protocol, wifi, window, by_hop=members.has_wired)
     single = total_of(costs, _with_hosts(members, index, 1), window)
     most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
     arrays = members.arrays() if fleet else {"processes": processes, "endpoints": endpoints}

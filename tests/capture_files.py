@@ -147,6 +147,18 @@ def ipv6_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
     return parts
 
 
+def ipv4_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
+    """Return an IPv4 packet as fragments of so many bytes, a multiple of 8."""
+    head, body = ip[:20], ip[20:]
+    parts = []
+    for at in range(0, len(body), size):
+        piece = body[at : at + size]
+        more = 0x2000 * (at + size < len(body))
+        fields = struct.pack(">HHH", len(piece) + 20, id_, at // 8 | more)
+        parts.append(head[:2] + fields + head[8:] + piece)
+    return parts
+
+
 def udp(
     payload: bytes, source: int = 1, target: int = 2, ports: tuple[int, int] = (7410, 7411)
 ) -> bytes:

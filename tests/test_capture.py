@@ -26,6 +26,7 @@ from capture_files import (
     CAPTURES,
     LINKS,
     Packet,
+    ipv4_fragments,
     ipv6,
     ipv6_fragments,
     packets,
@@ -45,6 +46,7 @@ from discostorm.capture import (
     Capture,
     CaptureError,
     files,
+    read as reading,
     read_capture,
     rtps as rtps_module,
 )
@@ -633,11 +635,94 @@ def test_what_is_compressed_or_of_low_latency_is_left_out(
     assert len(zenoh_kinds(capture)) == 3 + 10
 
 
+def over_udp(*batches: bytes, port: int = 7447) -> list[bytes]:
+    """Return datagrams of one side of a session: batches without their lengths."""
+    return [udp(part[2:], ports=(40000, port)) for part in batches]
+
+
+#: What the other side answers to `INIT_SYN`; it has the endpoints of `DECLARE` as well.
+INIT_ACK = b"\x21\x09\xf1" + ZID[::-1] + b"\x01c"
+
+
 def test_sessions_over_udp(read: Read) -> None:
-    found = [INIT_SYN[2:], DECLARE[2:], KEEP_ALIVE[2:]]
-    capture = read(raw(*(udp(part, ports=(40000, 7447)) for part in found)))
-    assert zenoh_kinds(capture) == EXPECTED[:-1]
-    assert set(capture.messages()["transport"]) == {"UDP"}
+    answer = udp(INIT_ACK, 2, 1, ports=(7447, 40000))
+    init, *rest = over_udp(INIT_SYN, DECLARE, KEEP_ALIVE)
+    capture = read(raw(init, answer, *rest))
+    assert zenoh_kinds(capture) == ["Init", *EXPECTED[:-1]]
+    rows, processes = capture.messages(), capture.processes()
+    assert set(rows["transport"]) == {"UDP"}
+    assert list(processes["endpoints"]) == [9, 0]
+    assert list(processes["host"]) == ["10.0.0.1", "10.0.0.2"]
+    assert (rows["process"].iloc[3], rows["peer"].iloc[3]) == tuple(processes.index)
+    assert rows["bytes"].sum() == sum(len(part) - 28 for part in (init, answer, *rest))
+
+
+@pytest.mark.parametrize("port", [7447, 5000])
+def test_datagrams_of_a_session_in_ip_fragments(
+    port: int, read: Read, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # What opens the session is in one piece, and what is declared in fragments of IP.
+    init, *rest = over_udp(INIT_SYN, DECLARE, DECLARE, KEEP_ALIVE, port=port)
+    pieces = [piece for id_, ip in enumerate(rest) for piece in ipv4_fragments(ip, 24, id_ + 2)]
+    capture = read(raw(init, *pieces))
+    assert zenoh_kinds(capture) == [*EXPECTED[:-2], *EXPECTED[1:-2], "KeepAlive"]
+    assert list(capture.processes()["endpoints"]) == [9]
+    assert capture.messages()["frames"].sum() == pytest.approx(1 + len(pieces))
+    assert not any("announcement" in note for note in capture.notes)
+    assert any("fragments are missing" in note for note in read(raw(init, *pieces[1:])).notes)
+    # Nor is anything lost where packets are read in parts.
+    monkeypatch.setattr(reading, "_AT_A_TIME", 1)
+    assert zenoh_kinds(read(raw(init, *pieces))) == zenoh_kinds(capture)
+
+
+def test_messages_in_fragments_of_zenoh_over_udp(read: Read) -> None:
+    content = DECLARE[4:]
+    parts = [
+        batch(b"\x66\x01" + content[:20]),
+        batch(b"\x26\x02" + content[20:]),
+    ]
+    capture = read(raw(*over_udp(INIT_SYN, *parts)))
+    assert sorted(zenoh_kinds(capture)) == sorted(["Init", *["Fragment"] * 2, *["Declare"] * 9])
+    assert list(capture.processes()["endpoints"]) == [9]
+
+
+def test_every_datagram_of_zenoh_that_is_not_read_has_its_note(read: Read) -> None:
+    # Of a session that was open before, all that can be read is.
+    late = over_udp(DECLARE, KEEP_ALIVE)
+    capture = read(raw(*late))
+    assert zenoh_kinds(capture) == EXPECTED[1:-1]
+    assert not any("not read" in note for note in capture.notes)
+    # At its port, what is none of it; elsewhere it is of somebody else.
+    garbage = [udp(b"\x1bgarbage", ports=(40001, port)) for port in (7447, 7447, 5353)]
+    notes = read(raw(*garbage, *late)).notes
+    assert [note for note in notes if "not read" in note] == [
+        "2 UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
+        "encrypted or compressed"
+    ]
+    # In a session that was opened.
+    broken = [*over_udp(INIT_SYN, KEEP_ALIVE), udp(b"\x1bgarbage", ports=(40000, 7447))]
+    assert any(
+        "1 batches of Zenoh that cannot be read" in note for note in read(raw(*broken)).notes
+    )
+
+
+@pytest.mark.parametrize(("extension", "word"), [(6, "compression"), (5, "low latency")])
+def test_compressed_over_udp(extension: int, word: str, read: Read) -> None:
+    init = batch(INIT_SYN[2:3].replace(b"\x01", b"\x81") + INIT_SYN[3:] + bytes([extension]))
+    answer = b"\xa1" + INIT_ACK[1:] + bytes([extension])
+    there = over_udp(init, batch(b"\x02\x0a\x01\x01c"), batch(b"\x1bgarbage"))
+    capture = read(raw(there[0], udp(answer, 2, 1, ports=(7447, 40000)), *there[1:]))
+    assert zenoh_kinds(capture) == ["Init", "Init", "Open"]
+    assert any(note == f"8 bytes of Zenoh sessions with {word}" for note in capture.notes)
+
+
+def test_a_group_that_peers_join_over_udp(read: Read) -> None:
+    join = b"\x07\x09\xf1" + ZID + b"\x0a\x01\x01"
+    packets_ = [udp(part, ports=(7450, 7450)) for part in (join, DECLARE[2:])]
+    to_all = [ip[:16] + bytes([224, 0, 0, 225]) + ip[20:] for ip in packets_]
+    capture = read(raw(*to_all))
+    assert zenoh_kinds(capture) == ["Join", *EXPECTED[1:-2]]
+    assert list(capture.processes()["endpoints"]) == [9]
 
 
 # ---------------------------------------------------------------- results

@@ -14,7 +14,6 @@ from discostorm.messages import (
     ENDPOINT_PAIR,
     MATCHED_WRITER,
     PAIR,
-    UNMATCHED,
     Message,
     Protocol,
 )
@@ -66,13 +65,13 @@ def from_host(fleet: Fleet, processes: pd.DataFrame) -> Shown:
 def completed(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Shown:
     """Return the fleet that was found, with what it does not announce itself."""
     shown = _with_publishers(shown, protocol, rows)
-    units = {message.unit for message in protocol.messages}
-    if MATCHED_WRITER not in units:
+    counted = {message.unit.what for message in protocol.messages}
+    if "matched writer" not in counted:
         return shown
     none, all_ = (
         replace(shown, fleet=Fleet(shown.fleet.groups, matching)) for matching in (0.0, 1.0)
     )
-    if UNMATCHED in units:
+    if "unmatched endpoint" in counted:
         # With every match one of two does not declare the key expression.
         kind = "Declare key expression"
         least, most = (

@@ -20,7 +20,8 @@ class KnownProcess:
         self.host = self.since = -1
         self.endpoints: set[int] = set()
         self.tokens = 0
-        self.announced = False
+        #: Whether it announced anything, and whether it is a server or router of others.
+        self.announced = self.serves = False
 
 
 class Gathered:
@@ -189,10 +190,11 @@ class Gathered:
         address = np.full(len(guid), -1)
         told = np.flatnonzero(announced["address"] > 0)
         address[told] = self.addresses.of(data, announced["address"][told], 4)
-        for which, id_, spdp, sender, where, datagram in zip(
+        for which, id_, spdp, serves, sender, where, datagram in zip(
             prefix.tolist(),
             entity.tolist(),
             announced["spdp"].tolist(),
+            rtps.serves(data, announced).tolist(),
             announced["sender"].tolist(),
             address.tolist(),
             announced["datagram"].tolist(),
@@ -202,6 +204,7 @@ class Gathered:
             if process is None:
                 process = self.processes[which] = KnownProcess(RTPS, "")
             process.announced = True
+            process.serves |= serves
             if not spdp:
                 process.endpoints.add(id_)
             elif which != sender and process.host < 0:

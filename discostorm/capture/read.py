@@ -167,6 +167,8 @@ def _processes(found: Gathered, rows: Columns) -> list[KnownProcess]:
     for which, process in found.processes.items():
         if process.protocol == RTPS:
             process.name = prefixes[which].hex()
+            if process.serves:
+                process.product += " Discovery Server"
     nobody = found.prefixes.known.get(bytes(12), -1)
     found.processes.pop(nobody, None)
     order = sorted(found.processes, key=lambda which: (found.processes[which].since, which))
@@ -257,6 +259,7 @@ def _process_table(
             "host": [addresses[one.host] if one.host >= 0 else "" for one in processes],
             "endpoints": [_endpoints(one) for one in processes],
             "time": [float(since[one.since]) if one.since >= 0 else np.nan for one in processes],
+            "server": np.array([one.serves for one in processes], bool),
         },
         index=pd.Index([one.name for one in processes], name="process", dtype=object),
     )
@@ -282,7 +285,7 @@ def _notes(
     notes += [f"{count} {what}" for what, count in found.notes.items()]
     if encrypted := int((messages["kind"] == "Encrypted").sum()):
         notes.append(f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind")
-    if silent := sum(1 for process in processes if not process.announced):
+    if silent := sum(1 for one in processes if not one.announced and not one.serves):
         notes.append(
             f"{silent} of {len(processes)} processes of which no announcement was "
             "captured: their endpoints are not known"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 import sympy as sp
@@ -23,7 +24,7 @@ from discostorm.capture.compare import (
 )
 from discostorm.capture.pcap import CaptureError
 from discostorm.fleet import COUNTS, Fleet, HostGroup
-from discostorm.messages import Protocol, header_bytes
+from discostorm.messages import HOPS, Hop, Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 
 if TYPE_CHECKING:
@@ -92,13 +93,24 @@ class Capture:
         -------
         pandas.DataFrame
             By ``process``, as the messages name them: ``protocol``, ``product``, ``host``,
-            its address, ``endpoints``, how many it announced, and ``time``, when it was seen
-            first [s]. A publisher of Zenoh announces nothing; of rmw_zenoh the tokens are
+            its address, ``endpoints``, how many it announced, ``time``, when it was seen
+            first [s], and ``server``, whether it says that it is a Discovery Server of Fast DDS or
+            a router of Zenoh. A publisher of Zenoh announces nothing; of rmw_zenoh the tokens are
             counted.
         """
         return self._processes.copy()
 
-    def fleet(self, protocol: str | None = None) -> Fleet:
+    def serving(self) -> tuple[str, ...]:
+        """Return the addresses of hosts with servers and routers alone, beside hosts without.
+
+        They are no robots. Unless `fleet`, `airtime` and `compare` are told which hosts are wired
+        to the access point, these are.
+        """
+        found = self._processes[self._processes["host"] != ""]
+        alone = found.groupby("host", sort=False, observed=True)["server"].all()
+        return () if alone.all() else tuple(map(str, alone.index[alone]))
+
+    def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
         """Return the fleet that was found: hosts, processes and the endpoints they announced.
 
         It is the whole fleet also from one robot's view, as everybody announces to everybody.
@@ -107,40 +119,51 @@ class Capture:
         ----------
         protocol : {"RTPS", "Zenoh"}, optional
             Take processes of that one only.
+        wired : sequence of str, optional
+            The addresses of all hosts that are wired to the access point; those of `serving` if
+            left out.
 
         Returns
         -------
         Fleet
-            A group for the hosts with as many processes and, in the mean, endpoints.
+            A group for the hosts with as many processes and, in the mean, endpoints, wired or
+            not. A wired host of `serving` is left out: it is in the tables of servers and routers
+            already. One that is not wired comes first, as in the tables of a server on a robot.
 
         Raises
         ------
         CaptureError
             If no process was found.
+        ValueError
+            If `wired` has an address that the capture does not show.
         """
+        on_wires, serving = self._wired(wired), set(self.serving())
         if protocol is not None:
             _checks.choice("protocol", protocol, gathered.PROTOCOLS[:2])
         found = self._processes
         if protocol is not None:
             found = found[found["protocol"] == protocol]
-        found = found[found["host"] != ""]
+        found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
+        found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
         if not len(found):
             what = "of a process" if protocol is None else f"of a process of {protocol}"
             raise CaptureError(f"{self.path}: there is no message {what} in it")
         by_host = found.groupby("host", sort=False, observed=True)["endpoints"]
-        like: dict[tuple[int, float], list[str]] = {}
+        like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:
-            like.setdefault((len(endpoints), float(endpoints.mean())), []).append(str(host))
+            alike = len(endpoints), float(endpoints.mean()), str(host) in on_wires
+            like.setdefault(alike, []).append(str(host))
         groups = [
-            HostGroup(len(hosts), processes, endpoints, _group_name(hosts, len(like)))
-            for (processes, endpoints), hosts in like.items()
+            HostGroup(len(hosts), some, each, _group_name(hosts, len(like)), wired=by_wire)
+            for (some, each, by_wire), hosts in like.items()
         ]
         return Fleet(tuple(groups))
 
     def view(self) -> str | None:
         """Return the address of the host whose traffic alone was captured, if it is so.
 
-        It is if there are at least three hosts, and all that is unicast is from or to that one.
+        It is if there are at least three hosts, and all that is unicast is from or to that one,
+        which has more than servers: from and to a server it is in any case.
         """
         hosts = set(self._processes["host"]) - {""}
         messages = self._on_air()
@@ -148,16 +171,18 @@ class Capture:
         if len(hosts) < 3 or unicast.empty:
             return None
         pairs = unicast[["sender", "receiver"]].drop_duplicates().astype(str).to_numpy().tolist()
-        common = set(pairs[0]).intersection(*map(set, pairs[1:])) & hosts
+        common = set(pairs[0]).intersection(*map(set, pairs[1:])) & hosts - set(self.serving())
         return common.pop() if len(common) == 1 else None
 
-    def airtime(self, wifi: Wifi = PAPER) -> pd.Series:
+    def airtime(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, up and again down [s].
 
         A message has its part of that of the packets that carried it. A packet is a frame
-        of its payload and the headers of the paper's Table II.
+        of its payload and the headers of the paper's Table II. Of a host that is ``wired`` to the
+        access point, of `serving` if left out, nothing goes up, and by unicast nothing down to it.
         """
         _checks.instance("wifi", wifi, Wifi)
+        on_wires = self._wired(wired)
         import pandas as pd
 
         rows = self._messages
@@ -168,15 +193,25 @@ class Capture:
         size = payload + np.where(udp, headers["UDP"], headers["TCP"])
         # Lengths repeat, and half a byte more or less is from sharing a packet.
         lengths, which = np.unique(np.round(size, 3), return_inverse=True)
-        each = {
-            cast: np.broadcast_to(_airtime(lengths, cast, wifi), lengths.shape)[which]
-            for cast in ("unicast", "multicast")
-        }
-        seconds = frames * np.where(rows["multicast"], each["multicast"], each["unicast"])
+        up, down = (~rows[end].isin(on_wires).to_numpy() for end in ("sender", "receiver"))
+        seconds = np.zeros(len(rows))
+        for hops, mine in ((HOPS, up & down), (("up",), up & ~down), (("down",), down & ~up)):
+            if not mine.any():
+                continue
+            each = {
+                cast: np.broadcast_to(_airtime(lengths, cast, hops, wifi), lengths.shape)[which]
+                for cast in get_args(Cast)
+            }
+            part = frames * np.where(rows["multicast"], each["multicast"], each["unicast"])
+            seconds[mine] = part[mine]
         return pd.Series(seconds, index=rows.index, name="airtime_s")
 
     def compare(
-        self, protocol: Protocol, fleet: Fleet | None = None, wifi: Wifi = PAPER
+        self,
+        protocol: Protocol,
+        fleet: Fleet | None = None,
+        wifi: Wifi = PAPER,
+        wired: Sequence[str] | None = None,
     ) -> pd.DataFrame:
         """Hold what was captured against the table of a protocol.
 
@@ -197,6 +232,9 @@ class Capture:
             publishers, it has as many of them as the table takes it to have.
         wifi : Wifi, optional
             The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            The addresses of all hosts that are wired to the access point; those of `serving` if
+            left out. For a server on a robot it is empty.
 
         Returns
         -------
@@ -217,6 +255,8 @@ class Capture:
             If an argument is of another type.
         CaptureError
             If no fleet is given, and no process was found.
+        ValueError
+            If `wired` has an address that the capture does not show.
         """
         _checks.instance("protocol", protocol, Protocol)
         _checks.instance("wifi", wifi, Wifi)
@@ -225,24 +265,26 @@ class Capture:
         if protocol.wired is not None and as_if_wired(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = completed(self._shown(self.fleet(wire)), protocol, rows)
+            shown = completed(self._shown(self.fleet(wire, wired)), protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols(fleet)
             for group in fleet.groups:
                 _checks.one_each(zip(COUNTS, group.counts(), strict=True))
             shown = self._shown(fleet)
-        rows = rows.assign(airtime_s=self.airtime(wifi))
+        rows = rows.assign(airtime_s=self.airtime(wifi, wired))
         seconds = window(protocol, self._messages, self.duration)
         return table(protocol, shown, rows, wire, seconds)
 
-    def picture(self, wifi: Wifi = PAPER) -> Figure:
+    def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
         """Draw messages over time, and their airtime against the channel.
 
         Parameters
         ----------
         wifi : Wifi, optional
             The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            As for `compare`.
 
         Returns
         -------
@@ -261,7 +303,20 @@ class Capture:
         if rows.empty:
             raise CaptureError(f"{self.path}: there is no message in it to draw")
         channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
-        return draw(rows.assign(airtime_s=self.airtime(wifi)), channel)
+        return draw(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
+
+    def _wired(self, wired: Sequence[str] | None) -> set[str]:
+        """Return the addresses of hosts that are wired to the access point."""
+        if wired is None:
+            return set(self.serving())
+        known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
+        for address in _checks.members("wired", wired, str) if len(wired) else ():
+            if address not in known:
+                raise ValueError(
+                    f"wired must have addresses that the capture shows, such as "
+                    f"{', '.join(sorted(known)[:3]) or 'none'}; got {address!r}"
+                )
+        return set(wired)
 
     def _on_air(self) -> pd.DataFrame:
         """Return the messages that go from host to host, once each."""
@@ -289,9 +344,10 @@ def _loopback_rows(addresses: pd.Series) -> pd.Series:
     return addresses.isin(loop)
 
 
-def _airtime(lengths: np.ndarray, cast: Cast, wifi: Wifi) -> Any:
+def _airtime(lengths: np.ndarray, cast: Cast, hops: tuple[Hop, ...], wifi: Wifi) -> Any:
     length = sp.Symbol("S")
     model = wifi.model
-    expression = uplink_airtime(length, model) + downlink_airtime(length, cast, model)
+    on = {"up": uplink_airtime(length, model), "down": downlink_airtime(length, cast, model)}
+    expression = sp.Add(*(on[hop] for hop in hops))
     given: dict[Any, Any] = {length: lengths}
     return evaluate(expression, given | wifi.values())

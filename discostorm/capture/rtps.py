@@ -1,5 +1,6 @@
 """RTPS: every submessage of every datagram, told apart by its entities."""
 
+import re
 from collections import Counter
 from functools import cache
 
@@ -25,8 +26,15 @@ _HEADER = 20
 #: SPDP's port for multicast in domain 0, and how far those of two domains are apart.
 _PORT, _PORTS = 7400, 250
 PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
-#: Parameters: where unicast discovery goes to, GUIDs, the end.
+#: Parameters: where unicast discovery goes to, GUIDs, properties, the end.
 _UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
+_PROPERTIES = 0x59
+#: How a participant of Fast DDS says in its properties that it is a Discovery Server
+#: (parameter_property_participant_type; two strings of CDR).
+_SERVER = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
+#: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
+#: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
+_SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: The kind of a locator of UDP over IPv4.
 _UDP_4 = 1
 _MOST_PARAMETERS = 512
@@ -239,7 +247,8 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
     """Return what messages of SPDP and SEDP announce, each once.
 
     Of each ``guid``, the place of its sixteen bytes; ``spdp``, whether it is a participant;
-    ``address``, the place of its IPv4 address for unicast discovery, 0 if it says none; the
+    ``address``, the place of its IPv4 address for unicast discovery, and ``properties``, that of
+    its properties, and their ``size``, 0 if it says none; the
     ``sender``, a process, and its ``datagram``.
     """
     high = _number(data, place + 16, "u4", little)
@@ -255,20 +264,37 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
     inside = at + 4 <= end
     encoding = np.where(inside, number(data, np.where(inside, at, 0), ">u2"), 0)
     inside &= (encoding == 2) | (encoding == 3)
-    wanted = (_PARTICIPANT_GUID, _ENDPOINT_GUID, _UNICAST)
+    wanted = (_PARTICIPANT_GUID, _ENDPOINT_GUID, _UNICAST, _PROPERTIES)
     told, _ = _parameters(data, at + 4, np.where(inside, end, at), encoding == 3, wanted)
     spdp = np.isin(found["writer"], [k for k, row in ENTITIES.items() if row["group"] == "SPDP"])
     guid = np.where(spdp, told[_PARTICIPANT_GUID], told[_ENDPOINT_GUID])
     guid = np.where(guid > 0, guid, in_qos[_KEY_HASH])
     locator = told[_UNICAST]
     has_address = (locator > 0) & (_number(data, locator, "u4", encoding == 3) == _UDP_4)
+    properties = told[_PROPERTIES]
+    size = _number(data, np.maximum(properties - 2, 0), "u2", encoding == 3).astype(np.int64)
     return {
         "guid": guid,
         "spdp": spdp,
+        "properties": properties,
+        "size": np.where(spdp & (properties > 0), np.minimum(size, end - properties), 0),
         "address": np.where(has_address, locator + 20, 0),
         "sender": found["process"],
         "datagram": found["datagram"],
     }
+
+
+def serves(data: Bytes, announced: Columns) -> Array:
+    """Return which announcements are of a Discovery Server of Fast DDS."""
+    columns = (announced[key].tolist() for key in ("guid", "properties", "size"))
+    found = [
+        bool(
+            _SERVER_PREFIX.match(data[guid : guid + 12].tobytes())
+            or (size and _SERVER.search(data[at : at + size].tobytes()))
+        )
+        for guid, at, size in zip(*columns, strict=True)
+    ]
+    return np.array(found, bool)
 
 
 def _parameters(

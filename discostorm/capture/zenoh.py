@@ -33,7 +33,7 @@ PORT, SCOUTING_PORT = 7447, 7446
 #: The versions of the protocol that are known to be alike in what is read here.
 VERSIONS = (8, 9)
 _SCOUT, _HELLO = 1, 2
-_OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, _JOIN = range(8)
+_OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
 _INTEREST, _RESPONSE_FINAL, _RESPONSE, _REQUEST, _PUSH, _DECLARE, _NETWORK_OAM = range(0x19, 0x20)
 _PUT, _DEL, _QUERY, _REPLY, _ERROR = range(1, 6)
 LOW_LATENCY, COMPRESSION = 5, 6
@@ -230,7 +230,8 @@ def _fragment(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places
     return np.where(after <= end, end, after), after
 
 
-def _join(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
+def read_join(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
+    """Read a Join, by which a member of a group opens its side."""
     at = _skip(_zid(data, at, end), end, 3 * (head & 0x40 > 0))
     for _ in range(3):
         at = _plain_integer(data, at, end)
@@ -304,7 +305,7 @@ _MESSAGES: dict[int, Layout] = {
     KEEP_ALIVE: _keep_alive,
     FRAME: _frame,
     FRAGMENT: _fragment,
-    _JOIN: _join,
+    JOIN: read_join,
     _INTEREST: _interest,
     _RESPONSE_FINAL: _frame,
     _RESPONSE: _response,
@@ -363,6 +364,14 @@ def parse(data: Bytes, at: Places, end: Places) -> Columns:
     return {name: column[order] for name, column in zip(names, columns, strict=True)}
 
 
+def scopes(data: Bytes, at: Places, end: Places) -> Array:
+    """Return the number of the key expression that each declaration refers to, 0 if to none."""
+    head = data[at]
+    at = _where(_plain_integer, data, at + 1, end, head & _I > 0)
+    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
+    return _integer(data, _plain_integer(data, at + 1, end), end)[0]
+
+
 # ---------------------------------------------------------------- datagrams
 
 
@@ -407,5 +416,5 @@ def _locators(data: Bytes, at: Places, end: Places) -> Places:
 def may_open(data: Bytes, at: Places, size: Array) -> Array:
     """Return which datagrams may start a session of Zenoh over UDP."""
     kind = data[at] & 0x1F
-    known: Array = np.isin(kind, (INIT, _JOIN)) & np.isin(data[at + 1], VERSIONS)
+    known: Array = np.isin(kind, (INIT, JOIN)) & np.isin(data[at + 1], VERSIONS)
     return known & (size > 4)

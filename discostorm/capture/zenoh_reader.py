@@ -1,11 +1,11 @@
-"""Messages of Zenoh and of its TCP, from datagrams and connections that were gathered."""
+"""Messages of Zenoh, over TCP and UDP, from datagrams and connections that were gathered."""
 
 from collections import Counter
 from typing import Any
 
 import numpy as np
 
-from discostorm.capture import ip, tcp, zenoh, zenoh_streams
+from discostorm.capture import ip, tcp, zenoh, zenoh_datagrams, zenoh_streams
 from discostorm.capture._bytes import (
     PAD,
     Array,
@@ -26,9 +26,10 @@ HTTPS = 443
 def read_zenoh(gathered: Gathered, copies: Array) -> None:
     """Read the datagrams and streams of Zenoh."""
     known: dict[bytes, int] = {}
-    for data, found in gathered.datagrams:
-        _read_datagrams(gathered, data, found, known)
-    gathered.datagrams = []
+    if gathered.datagrams:
+        rest = [_but_scouting(gathered, *part, known) for part in gathered.datagrams]
+        gathered.datagrams = []
+        _read_datagrams(gathered, rest, known)
     if gathered.segments:
         parts, gathered.segments = gathered.segments, []
         streams = tcp.streams([take(part, ~copies[part["frame"]]) for part in parts])
@@ -40,9 +41,11 @@ def _process(gathered: Gathered, known: dict[bytes, int], zid: bytes, role: int)
     """Return the number of a process of Zenoh; numbers of both protocols differ."""
     which = known.setdefault(zid, -2 - len(known))
     role_name = ("router", "peer", "client", "")[role & 3]
+    serves = role & 3 == 0
     # As Zenoh writes it.
     name = f"{int.from_bytes(zid, 'little'):x}"
-    gathered.processes.setdefault(which, KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip()))
+    process = KnownProcess(ZENOH, name, f"Zenoh {role_name}".strip())
+    gathered.processes.setdefault(which, process).serves |= serves
     return which
 
 
@@ -54,10 +57,10 @@ def _zenoh_saw(gathered: Gathered, which: int, source: int, frame: int) -> None:
         process.host = source
 
 
-def _read_datagrams(
+def _but_scouting(
     gathered: Gathered, data: Bytes, found: Columns, known: dict[bytes, int]
-) -> None:
-    """Read scouting, and sessions over UDP."""
+) -> tuple[Bytes, Columns]:
+    """Read scouting; return the other datagrams."""
     group = ip.multicast(gathered.addresses)[found["target"]]
     to_all = group | (found["to_port"] == zenoh.SCOUTING_PORT)
     code, identity = zenoh.scouting(data, found["at"], found["size"], to_all)
@@ -91,49 +94,37 @@ def _read_datagrams(
             "frames": found["parts"][rows],
         }
     )
-    _read_udp_sessions(gathered, data, take(found, ~is_scouting))
+    return data, take(found, ~is_scouting)
 
 
-def _read_udp_sessions(gathered: Gathered, data: Bytes, found: Columns) -> None:
-    opening = np.flatnonzero(zenoh.may_open(data, found["at"], found["size"]))
-    if not len(opening):
-        return
-    at = found["at"]
-    end = at + found["size"]
-    first = zenoh.parse(data, at[opening], end[opening])
-    whole = np.zeros(len(opening), bool)
-    whole[first["batch"][first["end"] == end[opening][first["batch"]]]] = True
-    whole[first["batch"][first["code"] == zenoh.UNREADABLE]] = False
-    ends = [found[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")]
-    there, back = ends[0] << 32 | ends[2], ends[1] << 32 | ends[3]
-    flows = set(zip(there[opening[whole]].tolist(), back[opening[whole]].tolist(), strict=True))
-    flows |= {(b, a) for a, b in flows}
-    mine = np.array(
-        [pair in flows for pair in zip(there.tolist(), back.tolist(), strict=True)], bool
-    )
-    # A group that is joined is spoken to by all.
-    groups = {b for _, b in flows}
-    is_group = ip.multicast(gathered.addresses)[found["target"]]
-    mine |= is_group & np.isin(back, list(groups))
-    found = take(found, mine)
-    at = found["at"]
-    messages = zenoh.parse(data, at, at + found["size"])
-    batch = messages["batch"]
-    size = messages["end"] - messages["at"]
-    gathered.rows.append(
-        {
-            "frame": found["frame"][batch],
-            "protocol": np.full(len(batch), ZENOH, np.uint8),
-            "kind": messages["code"],
-            "submessage": messages["code"],
-            "bytes": size,
-            "source": found["source"][batch],
-            "target": found["target"][batch],
-            "way": found["way"][batch],
-            "udp": np.ones(len(batch), bool),
-            "frames": found["parts"][batch] * size / np.maximum(found["wire"][batch], 1),
-        }
-    )
+def _read_datagrams(
+    gathered: Gathered, parts: list[tuple[Bytes, Columns]], known: dict[bytes, int]
+) -> None:
+    """Read sessions over UDP, each datagram being a batch."""
+    data, table, opened, reverse = zenoh_datagrams.sessions(parts, gathered.notes)
+    process = np.full(len(reverse) + 1, -1, np.int64)  # the last one: there is no such stream
+    for of, session in opened.items():
+        row = int(np.argmax(table["stream"] == of))
+        process[of] = _process(gathered, known, session.zid, session.role)
+        _zenoh_saw(gathered, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
+    found = _parsed(gathered, data, table["at"], table["end"])
+    batch, size = found["batch"], found["end"] - found["at"]
+    stream = table["stream"][batch]
+    rows = {
+        "frame": table["frame"][batch],
+        "protocol": np.full(len(batch), ZENOH, np.uint8),
+        "kind": found["code"],
+        "submessage": found["code"],
+        "bytes": size,
+        "process": process[stream],
+        "peer": process[reverse[stream]],
+        "source": table["source"][batch],
+        "target": table["target"][batch],
+        "way": table["way"][batch],
+        "udp": np.ones(len(batch), bool),
+        "frames": table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
+    }
+    _add_messages(gathered, data, found, rows, stream, process)
 
 
 def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, int]) -> None:
@@ -155,19 +146,35 @@ def _read_streams(gathered: Gathered, streams: tcp.Streams, known: dict[bytes, i
         process[of] = _process(gathered, known, session.zid, session.role)
         _zenoh_saw(gathered, int(process[of]), int(table["source"][row]), int(table["frame"][row]))
     batches = zenoh_streams.batches(content, streams, opened, gathered.notes)
-    found = zenoh.parse(content.data, batches["at"], batches["end"])
-    if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):
-        gathered.notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    found = _parsed(gathered, content.data, batches["at"], batches["end"])
     stream = batches["stream"][found["batch"]]
     rows = _message_rows(content, streams, found, stream, process)
+    _add_messages(gathered, content.data, found, rows, stream, process)
+    _other_segments(gathered, content, streams, chosen, process)
+
+
+def _parsed(gathered: Gathered, data: Bytes, at: Array, end: Array) -> Columns:
+    """Return the messages in batches; note those that cannot be read."""
+    found = zenoh.parse(data, at, end)
+    if unreadable := int(np.count_nonzero(found["code"] == zenoh.UNREADABLE)):
+        gathered.notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    return found
+
+
+def _add_messages(
+    gathered: Gathered, data: Bytes, found: Columns, rows: Columns, stream: Array, process: Array
+) -> None:
+    """Add the messages in batches, those that fragments of Zenoh make, and what they declare."""
     gathered.rows.append(rows)
-    declared = _declarations(content.data, found, stream)
-    made, members = zenoh_streams.put_together(content.data, found, stream, gathered.notes)
+    names = _endpoint_names(data, found, stream)
+    made, members = zenoh_streams.put_together(data, found, stream, gathered.notes)
     if made:
         joined, inner, last = _from_fragments(gathered, made, members, found, rows)
-        declared = stack([declared, _declarations(joined, inner, stream[last])])
+        names |= _endpoint_names(joined, inner, stream[last])
+    declared = _declarations(data, found, stream, names)
+    if made:
+        declared = stack([declared, _declarations(joined, inner, stream[last], names)])
     _count_endpoints(gathered, declared, process)
-    _other_segments(gathered, content, streams, chosen, process)
 
 
 def _message_rows(
@@ -253,21 +260,35 @@ def _from_fragments(
     return joined, inner, last
 
 
-_TOKEN = zenoh.NAMES.index("DeclareToken")
+_TOKEN, _KEY_EXPRESSION = map(zenoh.NAMES.index, ("DeclareToken", "DeclareKeyExpr"))
 #: What is counted as an endpoint; a token is if it names one.
 _DECLARED = [*map(zenoh.NAMES.index, ("DeclareSubscriber", "DeclareQueryable")), _TOKEN]
 
 
-def _declarations(data: Bytes, found: Columns, stream: Array) -> Columns:
+def _endpoint_names(data: Bytes, found: Columns, stream: Array) -> set[tuple[int, int]]:
+    """Return the key expressions of endpoints of rmw_zenoh, each by its stream and number."""
+    chosen = np.flatnonzero(found["code"] == _KEY_EXPRESSION)
+    columns = stream[chosen], *(found[key][chosen] for key in ("number", "at", "end"))
+    return {
+        (of, number)
+        for of, number, begin, stop in zip(*(c.tolist() for c in columns), strict=True)
+        if _is_ros_endpoint(data[begin:stop].tobytes())
+    }
+
+
+def _declarations(
+    data: Bytes, found: Columns, stream: Array, names: set[tuple[int, int]]
+) -> Columns:
     """Return what messages declare: ``code``, ``number``, ``stream``, and ``ros``.
 
-    The last says whether a token is of an endpoint of rmw_zenoh.
+    The last says whether a token is of an endpoint of rmw_zenoh, by its text or by its name.
     """
     chosen = np.flatnonzero(np.isin(found["code"], _DECLARED))
     code, at, end = (found[key][chosen] for key in ("code", "at", "end"))
+    columns = code, at, end, stream[chosen], zenoh.scopes(data, at, end)
     ros = [
-        kind == _TOKEN and _is_ros_endpoint(data[begin:stop].tobytes())
-        for kind, begin, stop in zip(code.tolist(), at.tolist(), end.tolist(), strict=True)
+        kind == _TOKEN and ((of, scope) in names or _is_ros_endpoint(data[begin:stop].tobytes()))
+        for kind, begin, stop, of, scope in zip(*(c.tolist() for c in columns), strict=True)
     ]
     number = found["number"][chosen]
     return {"code": code, "number": number, "stream": stream[chosen], "ros": np.array(ros, bool)}
@@ -298,7 +319,7 @@ def _is_ros_endpoint(text: bytes) -> bool:
 
 def _declared(gathered: Gathered, which: int, count: int, tokens: bool) -> None:
     process = gathered.processes.get(which)
-    if process is None or process.product == "Zenoh router":
+    if process is None or process.serves:
         return  # a router passes on what others declare
     process.announced = True
     if tokens:

@@ -108,30 +108,38 @@ class Opening:
 
 def openings(content: Content) -> dict[int, Opening]:
     """Return what each stream of which the start was captured says first."""
-    data = content.data
     begun = [(at, end, stream) for at, end, stream, start in content.runs if start and end - at > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
-    end = np.minimum(at + 2 + number(data, at, "<u2"), last)
-    head = data[at + 2]
-    after, extensions = zenoh.read_init(data, at + 3, end, head)
-    good = (head & 0x1F == zenoh.INIT) & (after <= end)
+    end = np.minimum(at + 2 + number(content.data, at, "<u2"), last)
+    found = openings_at(content.data, at + 2, end)
+    return {int(stream[index]): opening for index, opening in found.items()}
+
+
+def openings_at(data: Bytes, at: Places, end: Places) -> dict[int, Opening]:
+    """Return what batches say that open a session, by their place among those given."""
+    head = data[at]
+    after, extensions = zenoh.read_init(data, at + 1, end, head)
+    joined, _ = zenoh.read_join(data, at + 1, end, head)
+    known = zenoh.may_open(data, at, end - at)
+    init = known & (head & 0x1F == zenoh.INIT) & (after <= end)
+    join = known & (head & 0x1F == zenoh.JOIN) & (joined <= end)
     low_latency, compression = (
-        good & (head & zenoh.EXTENDED > 0) & zenoh.has_extension(data, extensions, end, which)
+        init & (head & zenoh.EXTENDED > 0) & zenoh.has_extension(data, extensions, end, which)
         for which in (zenoh.LOW_LATENCY, zenoh.COMPRESSION)
     )
     found = {}
-    for index in np.flatnonzero(good).tolist():
+    for index in np.flatnonzero(init | join).tolist():
         here = int(at[index])
-        length = (int(data[here + 4]) >> 4) + 1
+        length = (int(data[here + 2]) >> 4) + 1
         special = ""
         if compression[index]:
             special = "compression"
         elif low_latency[index]:
             special = "low latency"
-        found[int(stream[index])] = Opening(
-            zid=data[here + 5 : here + 5 + length].tobytes(),
-            role=int(data[here + 4]) & 3,
-            acknowledges=bool(head[index] & zenoh.ANSWER),
+        found[index] = Opening(
+            zid=data[here + 3 : here + 3 + length].tobytes(),
+            role=int(data[here + 2]) & 3,
+            acknowledges=bool(init[index] and head[index] & zenoh.ANSWER),
             special=special,
         )
     return found
@@ -145,7 +153,7 @@ def batches(
     begins, ends, owners = array("q"), array("q"), array("q")
     cut = 0
     for at, last, stream, start in content.runs:
-        here, special = at, _special(stream, reverse, opened)
+        here, special = at, special_of(stream, reverse, opened)
         if not start:
             here = last if special else _aligned(content, at, last)
             cut += here - at
@@ -172,7 +180,7 @@ def batches(
     return {name: np.array(column, np.int64) for name, column in columns.items()}
 
 
-def _special(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
+def special_of(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
     """Return what makes a session unreadable, if anything: both sides must have agreed on it."""
     pair = [opened.get(stream), opened.get(reverse[stream])]
     said = [session for session in pair if session is not None]

@@ -45,6 +45,13 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 )
 @click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
 @click.option(
+    "--wired",
+    metavar="ADDRESS",
+    multiple=True,
+    help="A host that is wired to the access point; may be given again, none for no host. If left "
+    "out, hosts with nothing but Discovery Servers and Zenoh routers.",
+)
+@click.option(
     "--picture",
     metavar="FILE",
     callback=_drawable,
@@ -52,14 +59,19 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 )
 @output_options
 def capture(
-    file: str, against: str | None, fleet: str | None, picture: str | None, output: Output
+    file: str,
+    against: str | None,
+    fleet: str | None,
+    wired: tuple[str, ...],
+    picture: str | None,
+    output: Output,
 ) -> None:
     """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
 
     FILE is pcap or pcapng, also as .gz or .xz, or - for standard input, which is read to its
     end. Per unit is what was captured for each
     process, pair of processes or endpoint of the fleet that the capture itself tells of;
-    airtime is that on the paper's channel. Record with:
+    airtime is that on the paper's channel, of a host that is wired on one hop alone. Record with:
 
     \b
       {record_file}
@@ -76,19 +88,20 @@ def capture(
             raise click.UsageError("either FILE or --fleet may be -, for standard input")
         found = ds.read_capture(standard_input() if file == "-" else file)
         members = None if fleet is None else read(fleet)
+        on_wires = _wired(wired)
         spoken = set(found.processes()["protocol"])
         papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
         rows = [
             {"protocol": protocol.name} | row
             for protocol in (papers if against is None else [ds.PROTOCOLS[against]])
-            for row in _whole_rows(found.compare(protocol, members).reset_index())
+            for row in _whole_rows(found.compare(protocol, members, wired=on_wires).reset_index())
         ]
-        groups = found.fleet().groups if members is None and spoken else ()
+        groups = found.fleet(wired=on_wires).groups if members is None and spoken else ()
         if picture is not None:
             path = Path(picture)
             try:
                 with ds.figures.replacing(path) as beside:
-                    found.picture().savefig(beside, format=path.suffix[1:].lower())
+                    found.picture(wired=on_wires).savefig(beside, format=path.suffix[1:].lower())
             except OSError as error:
                 raise BadInput(f"--picture: {picture}: {error.strerror}") from error
     if output.as_csv and rows:
@@ -98,13 +111,22 @@ def capture(
             "file": called(file),
             "packets": found.packets,
             "duration_s": found.duration,
-            "hosts": [dict(zip(COUNTS, group.counts(), strict=True)) for group in groups],
+            "hosts": [
+                dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
+                for group in groups
+            ],
+            "wired": list(found.serving() if on_wires is None else on_wires),
             "messages": rows,
             "notes": list(found.notes),
         }
         click.echo(as_text(answer))
     elif output.for_people:
         _show_capture(found, groups, rows, output)
+        if on_wires is None and (serving := found.serving()):
+            click.echo(
+                f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
+                "to the access point; --wired says which hosts are, --wired none that no host is."
+            )
         if against is None and rows:
             _name_own_tables(found)
 
@@ -113,6 +135,15 @@ assert capture.help
 capture.help = capture.help.format(
     record_file=words.RECORD.format(file="discovery.pcap"), record_out=words.RECORD.format(file="-")
 )
+
+
+def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
+    """Return which hosts are wired, None if the capture is to tell."""
+    if not addresses:
+        return None
+    if "none" in addresses and len(addresses) > 1:
+        raise BadInput(f"--wired: none must be the only one; got {', '.join(addresses)}")
+    return () if addresses == ("none",) else addresses
 
 
 def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
@@ -128,7 +159,8 @@ def _show_capture(
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = words.many(processes, "process", "es")
-        click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each")
+        wired = ", wired" if group.wired else ""
+        click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
     if rows:
         print_rows(
             [{key: row[key] for key in row if key != "protocol"} for row in rows],

@@ -31,6 +31,7 @@ from discostorm.messages.units import (
     UNITS,
     UNMATCHED,
     Hosts,
+    OnAir,
     Unit,
 )
 
@@ -56,6 +57,7 @@ __all__ = [
     "Hop",
     "Hosts",
     "Message",
+    "OnAir",
     "Payload",
     "Protocol",
     "Role",

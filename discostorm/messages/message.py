@@ -11,7 +11,7 @@ from discostorm._numeric import plain
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.messages.schedule import ONCE, Schedule
-from discostorm.messages.units import Unit
+from discostorm.messages.units import End, OnAir, Unit
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 
 #: Fewest messages for each unit [1].
@@ -198,19 +198,33 @@ class Message:
         _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)
 
+    def on_air(self, hop: Hop) -> OnAir:
+        """Return those of its unit whose messages take the air on a hop if some hosts are wired.
+
+        Of a row on one hop, the other end is wired already: of a server. What it sends of one
+        process to another takes the air to the other one, and is answered by that one.
+        """
+        end: End = "holder"
+        if len(self.hops) == 1:
+            end = "receiver" if self.unit.to == "other process" else "holder"
+        elif hop == "down":
+            end = "receiver" if self.cast == "unicast" and self.unit.to_each else "any"
+        return OnAir(self.unit, end)
+
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame up to the access point [s]."""
-        return self._airtime("up", model)
+        return self.airtime_of("up", model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame down from the access point [s]."""
-        return self._airtime("down", model)
+        return self.airtime_of("down", model)
 
     def airtime(self, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame on all of its hops [s]."""
-        return sp.Add(*(self._airtime(hop, model) for hop in self.hops))
+        return sp.Add(*(self.airtime_of(hop, model) for hop in self.hops))
 
-    def _airtime(self, hop: Hop, model: Model) -> sp.Expr:
+    def airtime_of(self, hop: Hop, model: Model = "linear") -> sp.Expr:
+        """Return the airtime of its part of a frame on a hop [s]."""
         _checks.choice("model", model, get_args(Model))
         part = plain(self.frames or 1.0)
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)

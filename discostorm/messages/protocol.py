@@ -12,7 +12,7 @@ from discostorm._numeric import plain
 from discostorm.fleet import SWARM, Fleet
 from discostorm.messages.message import HEADER_SYMBOLS, Message, header_bytes
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
-from discostorm.messages.units import Unit
+from discostorm.messages.units import OnAir, Unit
 from discostorm.wifi import Model
 
 #: The kin of a protocol: which remedies work for it, and how it repairs what is lost.
@@ -221,6 +221,27 @@ class Protocol:
             )
         )
 
+    def costs_by_hop(
+        self,
+        phase: str | None = None,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> dict[OnAir, sp.Expr]:
+        """Return `cost` of each hop apart, for fleets with wired hosts [s]."""
+        span = checked_window(window)
+        return self._by_hop(phase, model, lambda schedule: schedule.mean(span))
+
+    def _by_hop(
+        self, phase: str | None, model: Model, times: Callable[[Schedule], Any]
+    ) -> dict[OnAir, sp.Expr]:
+        costs: dict[OnAir, sp.Expr] = {}
+        for message in self.of_phase(phase):
+            sent = message.per_unit * times(message.schedule)
+            for hop in message.hops:
+                counted = message.on_air(hop)
+                costs[counted] = costs.get(counted, 0) + sent * message.airtime_of(hop, model)
+        return costs
+
     def units(self, phase: str | None = None) -> tuple[Unit, ...]:
         """Return what the messages of a phase, or all, are counted by."""
         return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
@@ -283,6 +304,9 @@ class Protocol:
         self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]
     ) -> sp.Expr:
         _checks.instance("fleet", fleet, Fleet)
+        if fleet.has_wired:
+            by_hop = self._by_hop(phase, model, times)
+            return sp.Add(*(on_air.count(fleet) * cost for on_air, cost in by_hop.items()))
         return sp.Add(
             *(
                 unit.count(fleet) * self._cost(unit, phase, model, times)

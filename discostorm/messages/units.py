@@ -32,6 +32,10 @@ What = Literal[
 To = Literal["all", "other process", "remote process", "other host", "server"]
 Factor = Literal["third process", "match", "matched process", "link"]
 
+#: Which end of a message has to be wireless, so that it takes the air on a hop: what it is sent
+#: for; who receives it; or any host of the fleet, as all hear it.
+End = Literal["holder", "receiver", "any"]
+
 
 @dataclass(frozen=True, eq=False)
 class Hosts:
@@ -154,12 +158,22 @@ class Unit:
         """Whether each receiver gets its own, rather than all the same."""
         return self.to not in ("all", "other process")
 
-    def count(self, fleet: Fleet) -> Count:
-        """Return how many of them a fleet has: a number, array or expression, as its counts."""
+    def count(self, fleet: Fleet, wireless: End | None = None) -> Count:
+        """Return how many of them a fleet has: a number, array or expression, as its counts.
+
+        Only those of which that end is ``wireless``, if one is given.
+        """
+        if wireless == "any" and all(group.wired for group in fleet.groups):
+            return 0
         total: Count = 0
-        for index in range(len(fleet.groups)):
+        for index, group in enumerate(fleet.groups):
+            if wireless == "holder" and group.wired:
+                continue
             own = _holders(self.what, fleet, index, away=self.to == "server")
-            own = own * _receivers(self.to, fleet, index)
+            if wireless == "receiver":
+                own = own * _wireless_receivers(self.to, fleet, index)
+            else:
+                own = own * _receivers(self.to, fleet, index)
             total = total + own * _each(self.what, fleet, index)
         return total if self.factor is None else total * _factor(self.factor, fleet)
 
@@ -252,6 +266,18 @@ def _receivers(to: To, fleet: Fleet, index: int) -> Count:
     return 1
 
 
+def _wireless_receivers(to: To, fleet: Fleet, index: int) -> Count:
+    """Return the same of those that are not wired."""
+    if to == "server":
+        return int(not fleet.groups[0].wired)
+    hosts: Count = 0
+    for place, group in enumerate(fleet.groups):
+        if not group.wired:
+            away = group.hosts - int(place == index and to != "other process")
+            hosts = hosts + away * (1 if to == "other host" else group.processes)
+    return hosts - int(to == "other process" and not fleet.groups[index].wired)
+
+
 def _factor(factor: Factor, fleet: Fleet) -> Count:
     if factor == "third process":
         return fleet.processes() - 2
@@ -261,6 +287,18 @@ def _factor(factor: Factor, fleet: Fleet) -> Count:
         return (fleet.processes() - 1) * fleet.matches()
     others = fleet.hosts() - 1
     return others * (others - 1)
+
+
+@dataclass(frozen=True)
+class OnAir:
+    """Those of a unit whose messages take the air on one hop, in a fleet with wired hosts."""
+
+    unit: Unit
+    wireless: End
+
+    def count(self, fleet: Fleet) -> Count:
+        """Return how many of them a fleet has."""
+        return self.unit.count(fleet, self.wireless)
 
 
 #: All of them by what data files call them.

@@ -45,6 +45,7 @@ def ticks(seconds: float) -> int:
 
 def hosts_of(fleet: Fleet) -> Hosts:
     """Return the hosts of a fleet; refuse one that is not made of whole numbers."""
+    fleet.reject_wired("a simulation")
     rows = []
     for index, group in enumerate(fleet.groups):
         for count, value in zip(COUNTS, group.counts(), strict=True):
