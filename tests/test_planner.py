@@ -432,17 +432,23 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
     assert "does not fit:" not in small.advice()
 
 
-def test_domains_are_no_remedy_for_zenoh() -> None:
+def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
     for name, protocol in ds.PROTOCOLS.items():
         plan = ds.plan(NAV2, protocol)
         if protocol.family is None:
             continue
         zenoh = name.startswith("Zenoh")
         assert protocol.family == ("Zenoh" if zenoh else "DDS")
-        assert any(r.kind == "domains" for r in plan.remedies) != zenoh
+        offered = any(r.kind == "domains" for r in plan.remedies)
+        assert offered == (not zenoh and protocol.basis != "arranged")
         assert any(r.startswith("splitting into domains: with Zenoh") for r in plan.left_out) == (
             zenoh
         )
+        arranged = [r for r in plan.left_out if r.startswith("splitting into domains with ")]
+        assert bool(arranged) == (not zenoh and not offered)
+        # tests/test_snippets.py has two domains at one server.
+        if "Server" in name:
+            assert "of all domains to each other" in arranged[0]
         assert "splitting onto 2 channels" in {r.what for r in plan.remedies}
 
 
@@ -492,7 +498,11 @@ def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) ->
         own = [row for row in of_kind if row["family"] in ("any", table.family)]
         if own and own[0]["table"] and own[0]["table"] not in set(ds.PROTOCOLS) - {name}:
             continue  # not measured yet, or in use already
-        told = any(f"{row['title']}: " in reasons for row in own or of_kind)
+        told = any(
+            f"{row['title']}{after}" in reasons
+            for row in own or of_kind
+            for after in (": ", " with ")
+        )
         assert (kind in offered) != told, kind
     assert "Not computed" not in plan.advice()
     assert not hasattr(plan, "not_computed")
@@ -513,6 +523,8 @@ def test_every_row_of_the_remedies_has_what_it_needs() -> None:
         assert bool(row["price"]) == bool(row["effort"]) == (row["works"] == "computed")
         assert not row["effort"] or row["effort"] in efforts
         assert not row["base"] or row["base"] in MEASURED
+        arranged = row["family"] == "DDS" and row["table"] in ARRANGED
+        assert bool(row["in_domains"]) == arranged
         assert len(f"{row['price']}; {row['fails']}") <= 126, row["title"]
     torn = {row["kind"] for row in rows if row["all_find_each_other"] == "no"}
     assert torn == {"channels", "domains"}

@@ -283,6 +283,30 @@ def test_a_client_talks_to_its_servers_and_to_no_group(
     assert re.search(r" 192\.168\.1\.10\.\d+ > 192\.168\.1\.22\.", served)
 
 
+@pytest.mark.parametrize("served", [False, True])
+def test_domains_part_those_who_find_each_other_and_not_those_whom_a_server_introduces(
+    served: bool,
+) -> None:
+    """Two hosts in two domains: do their endpoints match?"""
+    ready()
+    run = f"{BIN}/fast_dds 4 1 1 4 matching udp >/dev/null"
+    server = next(line for line in of("fast_dds_server.sh").text.splitlines() if "-i 0" in line)
+    script = [
+        OTHER,
+        f"{server} >/dev/null &" if served else "",
+        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done" if served else "",
+        of("fast_dds_client.sh").text if served else "",
+        f"date +%s | {run} &",
+        of("ros_domain.sh").text,
+        f"date +%s | inside {run}",
+        "kill $(jobs -p)",
+    ]
+    said = alone("bash", "-c", "\n".join(script))
+    assert " > 192.168.1.10.11811" in said if served else " > 239.255.0.1.7400" in said
+    # The port of user traffic in domain 1 (RTPS 2.5, 9.6.2): who is matched alone sends there.
+    assert (f"> 192.168.1.22.{7400 + 250 + 11}:" in said) == served
+
+
 #: A process of Zenoh's that says how many there are, once all that it was told of are there.
 MEETING = """
 import sys, time, zenoh

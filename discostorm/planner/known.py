@@ -49,6 +49,12 @@ def row_of(kind: str, of: str | None) -> dict[str, str] | None:
     return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
 
 
+def arrangement_of(protocol: Protocol) -> dict[str, str] | None:
+    """Return the remedy that puts this table in place of a product's, None of another table."""
+    tables = ((row, PROTOCOLS.get(row["table"])) for row in arranging())
+    return next((row for row, table in tables if table and same(table, protocol)), None)
+
+
 def known(kind: str, protocol: Protocol) -> dict[str, str]:
     """Return what the data say of a kind of remedy for a protocol.
 
