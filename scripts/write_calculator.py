@@ -31,6 +31,7 @@ from discostorm.robots import (
 )
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
+from discostorm.wifi.radio import TOPOLOGY
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
 
@@ -488,6 +489,7 @@ def model() -> Value:
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
+        "topology": TOPOLOGY,
         "limit": 1.0,
         "times": [list(row) for row in words.TIMES],
         "airtime": airtimes(known),

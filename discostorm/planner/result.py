@@ -16,6 +16,7 @@ from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import TOPOLOGY
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -138,6 +139,7 @@ class Plan:
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
+            "topology": TOPOLOGY,
             "fleet": self.fleet.described(),
             "steady": self.steady,
             "steady_fits": words.fits(self.steady),
@@ -257,7 +259,7 @@ class Plan:
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
             f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}. "
-            f"Channel: {self.wifi.name}."
+            f"Channel: {self.wifi.name}, {TOPOLOGY}."
         )
         if math.isinf(self.window):
             share = words.charged(self.utilization, "of the channel", "the channel has")

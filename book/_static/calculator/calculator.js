@@ -469,7 +469,7 @@
       ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
         `and ${plural(endpoints, "endpoint")} in a process; what is more than that is extrapolated.`
       : "";
-    return `Assumed: all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
+    return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
   }
 
   function showRemedies(answer) {
