@@ -190,6 +190,11 @@ class Radio:
         return parts_of(**{key: value for key, value in vars(self).items() if key != "name"})
 
     @property
+    def carrier(self) -> float:
+        """The band that it is in [Hz]: that of its own, else the standard's."""
+        return float(self._parts.timing["band_GHz"]) * GIGA
+
+    @property
     def slot(self) -> float:
         """Duration of a slot [s]."""
         return float(self._parts.slot / MICRO)
