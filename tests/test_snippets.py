@@ -390,6 +390,40 @@ def test_domains_part_those_who_find_each_other_and_not_those_whom_a_server_intr
     assert (f"> 192.168.1.22.{7400 + 250 + 11}:" in said) == served
 
 
+def cyclone_traffic(uri: str) -> tuple[int, int]:
+    """Return the octets by multicast and by unicast of two processes on each of two hosts."""
+    run = f"{BIN}/cyclone_dds 5 {{}} {{}} 20 unique default >/dev/null"
+    script = [OTHER, "begin=$(($(date +%s) + 1))"]
+    for process in (1, 2):
+        script.append(f"echo $begin | {run.format(1, process)} &")
+        script.append(f"echo $begin | inside {run.format(2, process)} &")
+    said = alone(
+        "bash",
+        "-c",
+        "\n".join([*script, "sleep 6", "kill $(jobs -p) 2>/dev/null || true"]),
+        env={"CYCLONEDDS_URI": uri},
+    )
+    sent = re.findall(r"> (239\.255)?\S+: UDP, length (\d+)", said)
+    many = [sum(int(size) for group, size in sent if bool(group) == cast) for cast in (True, False)]
+    return many[0], many[1]
+
+
+def test_what_is_pasted_for_cyclone_dds_moves_its_traffic_as_the_planner_says(
+    tmp_path: Path,
+) -> None:
+    """By CYCLONEDDS_URI, as the paste says: peers use no multicast, multicast SEDP more of it."""
+    ready()
+    wifi = cyclone_traffic(lab.SPDP_ONLY)
+    assert all(wifi)
+    peers, multicast = (
+        cyclone_traffic(f"file://{placed(file, tmp_path)}")
+        for file in ("cyclone_dds_peers.xml", "cyclone_dds_multicast.xml")
+    )
+    assert peers[0] == 0
+    assert multicast[0] > 2 * wifi[0]
+    assert 0 < multicast[1] < wifi[1]
+
+
 #: A process of Zenoh's that says how many there are, once all that it was told of are there.
 MEETING = """
 import sys, time, zenoh
