@@ -666,7 +666,10 @@ def test_a_table_of_ones_own_may_switch_to_both() -> None:
 def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     text = ds.plan(FIG3, ds.DDS).advice()
     flat = " ".join(text.split())
-    assert "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n)." in flat
+    assert (
+        "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n), one access"
+        in flat
+    )
     assert "All charged to one second, that is 138% of it, so it does not fit." in flat
     assert "nothing lost, no collisions and each unicast message in an exchange of its own" in flat
     assert "the standard's timing, by which this fleet takes 1.45 s as it is." in flat
