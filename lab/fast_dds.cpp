@@ -198,7 +198,9 @@ int main(int argc, char** argv) {
         std::chrono::duration<double>(start))};
     std::this_thread::sleep_until(begin);
     tell("begin");
-    auto* participant = DomainParticipantFactory::get_instance()->create_participant(0, qos);
+    const char* domain = std::getenv("ROS_DOMAIN_ID");
+    auto* participant = DomainParticipantFactory::get_instance()->create_participant(
+        domain ? static_cast<DomainId_t>(std::atoi(domain)) : 0, qos);
     must(participant, "participant");
     tell("participant");
     auto* publisher = participant->create_publisher(PUBLISHER_QOS_DEFAULT);

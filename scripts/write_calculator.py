@@ -31,6 +31,7 @@ from discostorm.robots import (
 )
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
+from discostorm.wifi.radio import TOPOLOGY
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
 
@@ -112,9 +113,15 @@ def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
         change
         for change in changes_of(Setting(ANY, protocol, wifi))
         if not isinstance(change, str)
-        and change.steps == (change.kind,)
-        and known(change.kind, change.table or protocol)["effort"] != "research"
+        and all(
+            known(kind, change.table or protocol)["effort"] != "research" for kind in change.steps
+        )
     ]
+
+
+def way(change: Change) -> str:
+    """Return the name of what is to be done for a change: its kind, or several kinds."""
+    return " and ".join(change.steps)
 
 
 def channel(wifi: Wifi) -> dict[str, Value]:
@@ -178,6 +185,7 @@ def table_remedies(protocol: Protocol) -> Value:
             change.note,
             key(protocol, change),
             (change.base or protocol).name,
+            way(change),
         ]
         for change in table_changes(protocol)
     ]
@@ -412,34 +420,48 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
     }
 
 
-def remedies(kinds: Iterable[str]) -> Value:
-    """Return of each kind of remedy what it takes, what to mind, by family, and what to paste."""
+def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
+    """Return of each way to change something what it takes and what to mind, by family."""
     families = (*get_args(Family), None)
     efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv")}
 
-    def told(kind: str, family: str | None) -> Value:
-        found = row_of(kind, family)
-        if found is None or not found["effort"]:
+    def told(steps: tuple[str, ...], family: str | None) -> Value:
+        # What a family counts of switching to it is of its peers, not of an arrangement.
+        switch = len(steps) > 1
+        rows = [row_of(kind, None if switch and kind == "middleware" else family) for kind in steps]
+        found = [row for row in rows if row is not None and row["effort"]]
+        if len(found) < len(steps):
             return None
+        parts = [row["price"] for row in found] + [row["fails"] for row in found if row["fails"]]
         return {
-            "effort": int(efforts[found["effort"]]["rank"]),
-            "takes": efforts[found["effort"]]["what"],
-            "best_case": found["gain"] == "best case",
-            "mind": "; ".join(filter(None, (found["price"], found["fails"]))),
+            "effort": max(int(efforts[row["effort"]]["rank"]) for row in found),
+            "takes": words.listed(
+                list(dict.fromkeys(efforts[row["effort"]]["what"] for row in found))
+            ),
+            "best_case": any(row["gain"] == "best case" for row in found),
+            "mind": "; ".join(dict.fromkeys(parts)),
         }
 
     return {
+        " and ".join(steps): {
+            "steps": list(steps),
+            "of": {str(family): told(steps, family) for family in families},
+        }
+        for steps in ways
+    }
+
+
+def pastes(kinds: Iterable[str]) -> Value:
+    """Return what to paste for each kind of remedy, by what it is for."""
+    return {
         kind: {
-            "of": {str(family): told(kind, family) for family in families},
-            "paste": {
-                row["for"]: [
-                    {"where": piece.where, "version": piece.version, "text": piece.text}
-                    for piece in snippets(kind, row["for"])
-                    if row["for"] == "any" or piece not in snippets(kind, "")
-                ]
-                for row in read_data("vendors/snippets.csv")
-                if row["kind"] == kind
-            },
+            row["for"]: [
+                {"where": piece.where, "version": piece.version, "text": piece.text}
+                for piece in snippets(kind, row["for"])
+                if row["for"] == "any" or piece not in snippets(kind, "")
+            ]
+            for row in read_data("vendors/snippets.csv")
+            if row["kind"] == kind
         }
         for kind in kinds
     }
@@ -455,7 +477,7 @@ def model() -> Value:
     full: list[Value] = [None, *(saturation(degree, known) for degree in degrees)]
     single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
     shown = [change for change in single if change.table or change.radio or change.fleet]
-    kinds = sorted({change.kind for change in shown})
+    ways = sorted({change.steps for change in shown})
     drain = known.name(timeline.DRAIN, "drain")
     largest = known.name(LARGEST, "largest")
     return {
@@ -467,6 +489,7 @@ def model() -> Value:
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
+        "topology": TOPOLOGY,
         "limit": 1.0,
         "times": [list(row) for row in words.TIMES],
         "airtime": airtimes(known),
@@ -474,7 +497,8 @@ def model() -> Value:
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
         "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
-        "remedies": remedies(kinds),
+        "remedies": remedies(ways),
+        "pastes": pastes(sorted({kind for steps in ways for kind in steps})),
         # What calculator.js has a function for: changes of the hosts.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,

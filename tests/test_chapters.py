@@ -147,6 +147,10 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert re.sub(r"[*]", "", markdown).split() == plan.advice().split()
     assert "**What would help most, alone:**\n\n1. " in markdown
+    # The table of arrangements keeps its columns.
+    for found in plan.arrangements:
+        assert f"\n    {found.name} " in markdown
+        assert f"  {escape(found.name)} " in html
     remedies = [remedy for found in plan.told().values() for remedy in found]
     assert html.count('class="plan-card"') == len(remedies)
     for remedy in remedies:

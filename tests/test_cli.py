@@ -64,7 +64,8 @@ def read_csv(result: Result) -> list[dict[str, str]]:
 def test_utilization_for_people() -> None:
     result = swarm("utilization")
     assert result.exit_code == 0
-    heading, rule, dds, zenoh = result.output.splitlines()
+    heading, rule, dds, zenoh, _, channel = result.output.splitlines()
+    assert channel == "Channel: paper (802.11n), one access point, infrastructure."
     assert heading.split() == [
         "protocol", "hosts", "processes", "endpoints", "utilization", "fits",
     ]  # fmt: skip

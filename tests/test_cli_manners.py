@@ -16,7 +16,7 @@ from click.testing import CliRunner, Result
 import discostorm as ds
 from discostorm import figures
 from discostorm.cli import main, output
-from discostorm.data import data_path
+from discostorm.data import data_path, read_data
 from discostorm.wifi.radio import radio_named
 
 NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
@@ -93,6 +93,36 @@ def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
         (row,) = json.loads(result.stdout)
         assert row["protocol"] == name
         assert row["utilization"] == ds.utilization(ds.PROTOCOLS[name], 7, 2, 10)
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        ("mesh", "a mesh"),
+        ("802.11s 20 MHz 1x1", "a mesh"),
+        ("ad hoc", "an ad hoc network"),
+        ("adhoc", "an ad hoc network"),
+        ("several access points", "several access points with one SSID"),
+        ("Roaming", "roaming"),
+    ],
+)
+def test_networks_that_are_not_covered_are_refused_with_the_reason(name: str, what: str) -> None:
+    found = run("plan", "fleet.toml", "--wifi", name)
+    assert found.exit_code == 2
+    said = " ".join(found.stderr.split())
+    assert f"{what} is not covered" in said or f"{what} are not covered" in said
+    assert "one access point, infrastructure" in said
+    (row,) = (row for row in read_data("wifi/not_covered.csv") if row["what"] == what)
+    assert row["why"] in said
+    limits = (Path(__file__).parents[1] / "book" / "limits.md").read_text(encoding="utf-8")
+    told = what[0].upper() + what[1:]
+    assert f"| {told} | {row['direction']} | {row['why']} |" in limits
+
+
+@pytest.mark.parametrize("command", ["utilization", "breakdown", "saturation", "plan"])
+def test_every_answer_names_the_kind_of_network(command: str) -> None:
+    said = run(command, "fleet.toml").stdout
+    assert "paper (802.11n), one access point, infrastructure." in " ".join(said.split())
 
 
 def test_what_the_planner_advises_can_be_given_back() -> None:

@@ -192,7 +192,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
     # Measured with the file that is advised; nothing is fitted to it.
     tokens = ds.PROTOCOLS["Zenoh peer, tokens"]
     plan = ds.plan(ds.Fleet.swarm(4, 2, 6), tokens)
-    (table,) = (found.protocol for found in plan.remedies if found.kind == "peers")
+    (table,) = (found.protocol for found in plan.remedies if found.steps == ("peers",))
     points = measured.points_of("zenoh_peer", "peers")
     assert {point.fleet.groups[0].processes for point in points} == {1, 2, 3}
     phases = {

@@ -113,6 +113,10 @@ class Advice:
             cards = "".join(map(_card, remedies))
             parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             parts.append(f'<div class="plan-cards">{cards}</div>')
+        for title, *rows in (block.splitlines() for block in blocks if _is_table(block)):
+            table = escape("\n".join(rows))
+            parts.append(f'<p class="plan-title">{_prose(title)}</p>')
+            parts.append(f'<div class="highlight"><pre tabindex="0">{table}</pre></div>')
         parts.append(f"<p>{_prose(' '.join(blocks[-1].split()))}</p>")
         return "".join(parts)
 
@@ -144,8 +148,17 @@ def advice(plan: Plan) -> Advice:
     return Advice(plan)
 
 
+def _is_table(block: str) -> bool:
+    """Return whether a part of an advice is a title and rows in columns."""
+    _, *rows = block.splitlines()
+    return bool(rows) and all(row.startswith("  ") for row in rows)
+
+
 def _block(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
+    if _is_table(text):
+        title, *rows = text.splitlines()
+        return "\n".join([f"**{title}**", "", *(f"  {row}" for row in rows)])
     items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +It takes", " *It takes*", text))
     head, *others = (" ".join(item.split()) for item in items)
     return "\n".join([f"**{head}**", "", *others] if others else [head])

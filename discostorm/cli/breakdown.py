@@ -10,7 +10,15 @@ import click
 import discostorm as ds
 from discostorm.cli.fleets import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
-from discostorm.cli.output import Output, bad_input, percent, print_rows, seconds, working
+from discostorm.cli.output import (
+    Output,
+    bad_input,
+    percent,
+    print_channel,
+    print_rows,
+    seconds,
+    working,
+)
 from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
@@ -60,5 +68,6 @@ def breakdown(
             "downlink_s": "down [s]",
         },
     )
+    print_channel(wifi, output)
     if output.for_people:
         members.tell_alone()

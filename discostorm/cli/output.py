@@ -20,6 +20,8 @@ from typing import Any
 import click
 
 from discostorm import words
+from discostorm.wifi import Wifi
+from discostorm.wifi.radio import TOPOLOGY
 
 Rows = Sequence[Mapping[Any, Any]]
 Format = Callable[[Any], str]
@@ -111,6 +113,12 @@ def print_rows(
         click.echo(text.getvalue(), nl=False)
     else:
         click.echo(aligned(rows, formats or {}, headings or {}))
+
+
+def print_channel(wifi: Wifi, output: Output) -> None:
+    """Say below a table for which channel it holds, and for what kind of network."""
+    if output.for_people:
+        click.echo(f"\nChannel: {visible(wifi.name)}, {TOPOLOGY}.")
 
 
 def as_text(value: Any) -> str:

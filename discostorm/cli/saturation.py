@@ -18,7 +18,7 @@ from discostorm.cli.fleets import (
     says_what_matches,
 )
 from discostorm.cli.options import output_options, packed, protocol_option, wifi_options
-from discostorm.cli.output import Output, bad_input, percent, print_rows, working
+from discostorm.cli.output import Output, bad_input, percent, print_channel, print_rows, working
 from discostorm.wifi import Wifi
 
 
@@ -118,6 +118,7 @@ def saturation(
         {"limit": percent, "hosts": _hosts},
         {"hosts": "saturated at hosts", "fit": "hosts that fit"},
     )
+    print_channel(wifi, output)
 
 
 def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:

@@ -11,7 +11,15 @@ import discostorm as ds
 from discostorm import _checks, staggered
 from discostorm.cli.fleets import file_option, read, says_what_matches
 from discostorm.cli.options import one_protocol_option, output_options, packed, radio_options
-from discostorm.cli.output import Output, as_text, bad_input, percent, print_rows, seconds
+from discostorm.cli.output import (
+    Output,
+    as_text,
+    bad_input,
+    percent,
+    print_channel,
+    print_rows,
+    seconds,
+)
 from discostorm.wifi import Wifi
 
 
@@ -125,3 +133,4 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
         {"drain_time_s": how.time, "lost": percent, "convergence_time_s": how.time},
         {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},
     )
+    print_channel(wifi, output)

@@ -10,7 +10,7 @@ import discostorm as ds
 from discostorm import words
 from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
-from discostorm.cli.output import Output, bad_input, percent, print_rows, working
+from discostorm.cli.output import Output, bad_input, percent, print_channel, print_rows, working
 from discostorm.wifi import Wifi
 
 
@@ -50,6 +50,7 @@ def utilization(
                     | {"utilization": taken, "fits": words.fits(taken)}
                 )
     print_rows(rows, output, {"utilization": percent, "fits": _yes})
+    print_channel(wifi, output)
     if output.for_people:
         members.tell_alone()
 

@@ -8,7 +8,7 @@ from discostorm import _checks
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.planner.changes import Change
-from discostorm.planner.known import row_of
+from discostorm.planner.known import arrangement_of, row_of
 from discostorm.ros2 import parameter_service_endpoints
 
 #: Parts that a fleet is split into.
@@ -60,6 +60,12 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
     """Yield parts of it on channels of their own or in domains, or why there are none."""
     hosts = sum(group.hosts for group in fleet.groups)
     row = row_of("domains", protocol.family)
+    arranged = arrangement_of(protocol)
+    works = row is not None and row["works"] == "computed"
+    if row is not None and works and arranged is not None:
+        # The standard keeps apart who finds each other by announcements, and nobody else.
+        works = False
+        yield f"{row['title']} with {arranged['title']}: {arranged['in_domains']}"
     for parts in PARTS:
         # A host that is alone on its channel has nobody to find: no remedy but a surrender.
         if 2 * parts > hosts:
@@ -67,7 +73,7 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
             continue
         pieces = split(fleet, parts)
         yield Change("channels", f"splitting onto {parts} channels", "parts", parts=pieces)
-        if row is not None and row["works"] == "computed":
+        if works:
             yield Change("domains", f"splitting into {parts} domains", "parts", parts=pieces)
 
 

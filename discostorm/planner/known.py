@@ -49,6 +49,12 @@ def row_of(kind: str, of: str | None) -> dict[str, str] | None:
     return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
 
 
+def arrangement_of(protocol: Protocol) -> dict[str, str] | None:
+    """Return the remedy that puts this table in place of a product's, None of another table."""
+    tables = ((row, PROTOCOLS.get(row["table"])) for row in arranging())
+    return next((row for row, table in tables if table and same(table, protocol)), None)
+
+
 def known(kind: str, protocol: Protocol) -> dict[str, str]:
     """Return what the data say of a kind of remedy for a protocol.
 
@@ -109,10 +115,14 @@ def simulated_aggregation(mpdus: int) -> str:
 
 def inapplicable(protocol: Protocol) -> Iterator[str]:
     """Yield what does not work with a protocol, and what is not known to."""
-    own, built = protocol.family, software(protocol)
+    own, built = protocol.family, is_built(protocol)
     rows = read_data("vendors/remedies.csv")
     unknown = []
+    # Whoever has a product may change to the arrangements of all products.
+    anyones = {row["kind"] for row in arranging() if row["table"] in PROTOCOLS} if built else set()
     for kind in dict.fromkeys(row["kind"] for row in rows):
+        if kind in anyones:
+            continue
         row = row_of(kind, own)
         of_kind = [found for found in rows if found["kind"] == kind]
         if row is None and own is None:
@@ -122,10 +132,6 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
             yield f"{of_kind[0]['title']}: for {others} alone"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
-        elif built and row["table"] in PROTOCOLS and row["base"]:
-            of = software(PROTOCOLS[row["base"]])
-            if of != built:
-                yield f"{row['title']}: measured with {of} alone"
     if unknown:
         families = " nor ".join(get_args(Family))
         yield (

@@ -13,6 +13,7 @@ from discostorm._renamed import renamed
 from discostorm.fleet import COUNTS, LEAST, Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import burst, message_costs, utilization, without_each
+from discostorm.planner.arrangements import compared
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
@@ -110,7 +111,6 @@ def plan(
         "by itself, so that no window is long enough"
         for step in late
     ]
-    alone = [r for step, r in singles.items() if len(step.steps) == 1]
     together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
     reasons = [reason for reason in found if isinstance(reason, str)]
     taken = _taken(base, span)
@@ -122,9 +122,10 @@ def plan(
         utilization=taken,
         steady=steady,
         shares=tuple(_shares(base, span, taken)),
-        remedies=tuple(sorted(alone, key=_order)),
+        remedies=tuple(sorted(singles.values(), key=_order)),
         combinations=tuple(sorted(together, key=_order)),
         left_out=(*never, *reasons, *inapplicable(protocol)),
+        arrangements=compared(fleet, wifi, span),
     )
 
 
@@ -233,7 +234,7 @@ def _together(
             saved = 1 - taken / before if before else 0.0
             less = (tuple(s for s in steps if s is not left) for left in steps)
             needed = all(taken < (1 - NOTHING) * after.get(fewer, before) for fewer in less)
-            if saved < NOTHING or not needed or sum(len(s.steps) for s in steps) < 2:
+            if saved < NOTHING or not needed or many < 2:
                 continue
             fits = words.fits(taken) and not words.fits(before)
             rank = max(singles[step].rank for step in steps) if fits else 0

@@ -107,6 +107,7 @@ class Remedy:
             names.append(f"{of.family} peers")
         if radio is not None:
             names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")
+            names.append(f"{radio.carrier / 1e9:g} GHz {radio.width / 1e6:g} MHz")
         known = [name for name in names if name]
         return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
 
@@ -174,10 +175,7 @@ class Remedy:
             "fits": words.fits(self.utilization),
             "steady": self.steady,
             "start_within_s": self.spread if math.isfinite(self.spread) else None,
-            "paste": [
-                {"where": piece.where, "version": piece.version, "text": piece.text}
-                for piece in self.snippets
-            ],
+            "paste": [piece.to_dict() for piece in self.snippets],
         }
 
 

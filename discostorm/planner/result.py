@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any, Literal
 from discostorm import words
 from discostorm.fleet import Fleet
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
+from discostorm.planner.arrangements import Arrangement, table_in_words
 from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import TOPOLOGY
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -80,6 +82,9 @@ class Plan:
         one of its changes as well.
     left_out : tuple of str
         What does not apply or could not be changed, and why.
+    arrangements : tuple of Arrangement
+        Every measured arrangement of every product, for the same fleet and channel; the one of
+        the shortest start first.
     """
 
     fleet: Fleet
@@ -92,6 +97,7 @@ class Plan:
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
     left_out: tuple[str, ...]
+    arrangements: tuple[Arrangement, ...]
 
     def of_kind(self, kind: str) -> tuple[Share, ...]:
         """Return the shares of one kind: message, phase or group; the largest first."""
@@ -133,6 +139,7 @@ class Plan:
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
+            "topology": TOPOLOGY,
             "fleet": self.fleet.described(),
             "steady": self.steady,
             "steady_fits": words.fits(self.steady),
@@ -143,6 +150,7 @@ class Plan:
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
             "left_out": list(self.left_out),
+            "arrangements": [found.to_dict() for found in self.arrangements],
         }
 
     def to_json(self) -> str:
@@ -220,12 +228,17 @@ class Plan:
             lines += ["", "Nothing that was tried helps."]
         for title, remedies in told.items():
             lines += ["", title, *self._ranked(remedies)]
+        wrapped = "\n".join(map(words.wrapped, lines))
+        table = "\n".join(
+            [
+                "",
+                "The same fleet with every measured arrangement:",
+                *table_in_words(self.arrangements),
+            ]
+        )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
-        lines += [
-            "",
-            f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste.",
-        ]
-        return "\n".join(map(words.wrapped, lines))
+        more = f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste."
+        return "\n".join((wrapped, table, "", words.wrapped(more)))
 
     def __str__(self) -> str:
         return self.advice()
@@ -246,7 +259,7 @@ class Plan:
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
             f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}. "
-            f"Channel: {self.wifi.name}."
+            f"Channel: {self.wifi.name}, {TOPOLOGY}."
         )
         if math.isinf(self.window):
             share = words.charged(self.utilization, "of the channel", "the channel has")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import TOPOLOGY
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -256,6 +257,7 @@ class Simulation:
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
+            "topology": TOPOLOGY,
             "radio": asdict(self.wifi.radio),
             "fleet": self.fleet.described(),
             "matching": self.fleet.matching,

@@ -10,9 +10,13 @@ from typing import Any
 import sympy as sp
 
 from discostorm import _checks, notation as nt
+from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, Padding
 from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_of, response
+
+#: What every channel is, whatever its radio.
+TOPOLOGY = "one access point, infrastructure"
 
 #: What of a `Radio` is no number.
 _WORDS = ("standard", "name")
@@ -186,6 +190,11 @@ class Radio:
         return parts_of(**{key: value for key, value in vars(self).items() if key != "name"})
 
     @property
+    def carrier(self) -> float:
+        """The band that it is in [Hz]: that of its own, else the standard's."""
+        return float(self._parts.timing["band_GHz"]) * GIGA
+
+    @property
     def slot(self) -> float:
         """Duration of a slot [s]."""
         return float(self._parts.slot / MICRO)
@@ -347,8 +356,17 @@ def radio_named(name: str) -> Radio:
     Raises
     ------
     ValueError
-        If the name is not made like that, or the standard has no such combination.
+        If the name is not made like that, or the standard has no such combination; of networks
+        that are not covered (``data/wifi/not_covered.csv``) the message says why.
     """
+    for row in read_data("wifi/not_covered.csv"):
+        if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
+            raise ValueError(
+                f"{row['what']} {row['verb']} not covered, as every answer is for {TOPOLOGY}: "
+                f"{row['why']} "
+                "Choose the radio of one access point, such as '802.11ac 80 MHz 2x2', for a rough "
+                f"answer; got {name!r}"
+            )
     usual, *unusual = re.split(r", *", name.strip())
     made = re.fullmatch(r"(802\.11\w+) (\d+) MHz (\d)x\3", usual, re.IGNORECASE)
     if not made:

@@ -352,21 +352,21 @@
     const found = [];
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
-    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "" }) => {
+    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "", way = kind }) => {
       const [before, after] = [cost(from, base, swarm), cost(name, air, fleet)];
       const saved = before ? 1 - after / before : 0;
-      const { of } = MODEL.remedies[kind];
+      const { of, steps } = MODEL.remedies[way];
       const fits = before >= MODEL.limit && after < MODEL.limit;
-      if (saved >= NOTHING) found.push({ kind, what, note, name, before, after, saved, fits, air, fleet, ...(of[MODEL.protocols[name].family] ?? of.None) });
+      if (saved >= NOTHING) found.push({ kind, steps, what, note, name, before, after, saved, fits, air, fleet, ...(of[MODEL.protocols[name].family] ?? of.None) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
       if (change) add(kind, change.what, { fleet: change.fleet });
     }
-    for (const [kind, what, note, name, from] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from });
+    for (const [kind, what, note, name, from, way] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from, way });
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
-    found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort : 0) || b.saved - a.saved);
+    found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort || a.steps.length - b.steps.length : 0) || b.saved - a.saved);
     return found
       .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
       .filter((one, i) => i < 3 || one.best_case)
@@ -374,12 +374,12 @@
   }
 
   /** What to paste is for any, for a middleware, its product or family, or for a radio. */
-  function pasted({ kind, name, air }) {
-    const { paste } = MODEL.remedies[kind];
+  function pasted({ steps, name, air }) {
     const { family, product } = MODEL.protocols[name];
-    const peers = kind === "middleware" && `${family} peers`;
+    // What is switched to together with an arrangement are no peers.
+    const peers = steps.length === 1 && `${family} peers`;
     const named = (key) => [name, product, family, peers, "any"].includes(key) || air.name.startsWith(key);
-    return Object.keys(paste).filter(named).flatMap((key) => paste[key]);
+    return steps.map((kind) => MODEL.pastes[kind]).flatMap((paste) => Object.keys(paste).filter(named).flatMap((key) => paste[key]));
   }
 
   function compute(settings) {
@@ -469,7 +469,7 @@
       ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
         `and ${plural(endpoints, "endpoint")} in a process; what is more than that is extrapolated.`
       : "";
-    return `Assumed: all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
+    return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
   }
 
   function showRemedies(answer) {
