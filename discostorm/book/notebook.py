@@ -146,7 +146,9 @@ def advice(plan: Plan) -> Advice:
 
 def _block(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
-    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +It takes", " *It takes*", text))
+    # Names of groups may have what HTML would act on.
+    text = re.sub(r"\n +It takes", " *It takes*", escape(text, quote=False))
+    items = re.split(r"\n *(?=- |\d+\. )", text)
     head, *others = (" ".join(item.split()) for item in items)
     return "\n".join([f"**{head}**", "", *others] if others else [head])
 

@@ -210,12 +210,13 @@ class Plan:
         }
         return {title: remedies for title, remedies in found.items() if remedies}
 
-    def advice(self) -> str:
-        """Return what it costs, what dominates and what would help, in words."""
+    def advice(self, width: int = 79) -> str:
+        """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
         lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
-            return "\n".join(map(words.wrapped, (*lines, "", words.ALONE)))
+            lines += ["", words.ALONE]
+            return "\n".join(words.wrapped(line, width) for line in lines)
         if "What would help most, alone:" not in told:
             lines += ["", "Nothing that was tried helps."]
         for title, remedies in told.items():
@@ -225,7 +226,7 @@ class Plan:
             "",
             f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste.",
         ]
-        return "\n".join(map(words.wrapped, lines))
+        return "\n".join(words.wrapped(line, width) for line in lines)
 
     def __str__(self) -> str:
         return self.advice()

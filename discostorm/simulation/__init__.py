@@ -197,8 +197,9 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     from joblib import Parallel, delayed
     from tqdm import tqdm
 
-    from discostorm.simulation._compile import shown
+    from discostorm.simulation._compile import keeps, shown
     from discostorm.simulation._workers import jobs
+    from discostorm.simulation.engine import advance
     from discostorm.simulation.run import compiled, one_run
 
     seconds, megabytes = setup.estimate()
@@ -208,7 +209,7 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
             f"and {free:.0f} MB are available; got {setup.hosts.host_of.size} processes"
         )
-    with shown(_say):
+    with shown(_say, keeps(advance)):
         compiled()
     if seconds * len(seeds) > _PATIENCE:
         runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
