@@ -22,7 +22,6 @@ from discostorm import _checks
 from discostorm._numeric import Value, evaluate
 from discostorm.fleet import COUNTS, Fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
-from discostorm.messages.schedule import MOST_ROUNDS
 from discostorm.model import burst, utilization
 from discostorm.wifi import PAPER, Wifi
 
@@ -34,6 +33,9 @@ DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 #: What rounding may make of a time [1].
 _ROUNDING = 1e-9
+
+#: Most times of a message that `first_idle` looks at.
+_MOST_TIMES = 1e6
 
 
 def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
@@ -221,10 +223,10 @@ def first_idle(
     at = (hosts, processes, endpoints, wifi)
     if bound <= last:
         return _first_gap(early, np.inf, protocol, *at)
-    if (bound - busy) / min(schedule.period for schedule in rounds) > MOST_ROUNDS:
+    if (bound - busy) / min(schedule.period for schedule in rounds) > _MOST_TIMES:
         raise ValueError(
             "hosts, processes and endpoints must be fewer to say when the channel falls silent: it "
-            f"is so full that this may be at any of more than {MOST_ROUNDS:g} times; got "
+            f"is so full that this may be at any of more than {_MOST_TIMES:g} times; got "
             f"{hosts:g}, {processes:g} and {endpoints:g}. `drain_time` says by when it is"
         )
     found = _first_gap(early, -np.inf, protocol, *at)

@@ -17,7 +17,7 @@ PAPER_WINDOW = 1.0
 _ROUNDING = 1e-9
 
 #: Most periods that `Schedule.times` goes through.
-MOST_ROUNDS = 1e6
+_MOST_ROUNDS = 1e8
 
 
 def checked_window(window: sp.Expr | ArrayLike) -> Any:
@@ -147,7 +147,7 @@ class Schedule:
         """Return the times from `since` up to `until` at which the message is sent [s]."""
         last = self.starts[-1]
         since = _checks.number("since", since, 0)
-        most = max(last, since) + MOST_ROUNDS * self.period
+        most = max(last, since) + _MOST_ROUNDS * self.period
         until = _checks.number("until", until, 0, most)
         before = max(0, int((since - last) / self.period - _ROUNDING))
         rounds = max(0, int((until - last) / self.period + _ROUNDING))
