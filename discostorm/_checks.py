@@ -19,11 +19,18 @@ MOST_BYTES = 1e9
 LEAST_SECONDS, MOST_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
 MOST_UTILIZATION = 1e100
+#: Longest name or path that a message repeats as it is [characters].
+_LONGEST = 200
 
 
 def short(value: Any) -> str:
     """Return what was given in a line that can be read, however long or deeply nested it is."""
     return " ".join(reprlib.repr(value).split())
+
+
+def brief(text: str) -> str:
+    """Return a name or a path as it is, or without its middle if it is too long for a message."""
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST // 2]}...{text[-20:]}"
 
 
 def wanted(
@@ -266,6 +273,8 @@ def path(name: str, value: Any, what: str) -> str:
         raise TypeError(f"{name} must be the path of {what}, as text; got {short(value)}")
     if not fspath(value):
         raise ValueError(f"{name} must name {what}; got ''")
+    if "\0" in str(fspath(value)):
+        raise ValueError(f"{name} must name {what}, without a NUL; got {short(value)}")
     return str(fspath(value))
 
 

@@ -80,7 +80,7 @@ class HostGroup:
         except (TypeError, ValueError) as error:
             if not self.name:
                 raise
-            raise type(error)(f"group {self.name!r}: {error}") from error
+            raise type(error)(f"group {_checks.brief(self.name)!r}: {error}") from error
 
     def _check(self) -> None:
         """Check the numbers, and keep them as floats and arrays that nobody can change."""
@@ -184,7 +184,9 @@ class Fleet:
         object.__setattr__(self, "groups", _checks.members("groups", self.groups, HostGroup))
         names = Counter(group.name for group in self.groups if group.name)
         if twice := [name for name, times in names.items() if times > 1]:
-            raise ValueError(f"groups must have names that differ; got {twice[0]!r} twice")
+            raise ValueError(
+                f"groups must have names that differ; got {_checks.brief(twice[0])!r} twice"
+            )
         _checks.shape(**self.arrays())
 
     def __repr__(self) -> str:

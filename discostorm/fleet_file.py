@@ -50,7 +50,7 @@ def told_of(number: int, table: Any) -> Iterator[None]:
         yield
     except (TypeError, ValueError) as error:
         name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""
-        raise ValueError(f"group {number}{name}: {error}") from error
+        raise ValueError(f"group {number}{_checks.brief(name)}: {error}") from error
 
 
 def _check(tables: dict[str, Any]) -> None:
@@ -88,5 +88,6 @@ def _only_keys(table: dict[str, Any], known: tuple[str, ...]) -> None:
     for key, value in table.items():
         if key not in known:
             raise ValueError(
-                f"key must be {' or '.join(known)}; got {key} = {_checks.short(value)}"
+                f"key must be {' or '.join(known)}; got {_checks.brief(key)} = "
+                f"{_checks.short(value)}"
             )

@@ -379,7 +379,8 @@ def breakdown(
     Raises
     ------
     ValueError
-        If an argument is NaN, infinite or out of range.
+        If an argument is NaN, infinite or out of range, or a message of hosts or processes that
+        are no whole numbers would be sent less than never.
     TypeError
         If an argument is not one real number, or `protocol` or `wifi` is not one.
 
@@ -411,7 +412,14 @@ def message_costs(
     _checks.one_each([("window", window)])
     rows = []
     for message in protocol.messages:
-        load = float(message.load(fleet) * message.schedule.mean(window))
+        count = float(message.load(fleet)) + 0.0  # also where it is -0.0
+        if count < 0:
+            counts = "; ".join(f"{g.hosts:g} and {g.processes:g}" for g in fleet.groups)
+            raise ValueError(
+                f"hosts and processes must be whole numbers here, as of {message.name} there would "
+                f"be {count:.4g} messages ({message.unit.name}); got {counts}"
+            )
+        load = float(count * message.schedule.mean(window))
         up, down = (load * (hop in message.hops) for hop in HOPS)
         if fleet.has_wired:
             sent = message.per_unit * message.schedule.mean(window)

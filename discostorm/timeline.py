@@ -10,11 +10,13 @@ answer. So times are those of a start at its best, as far as losses, collisions 
 concerned; the book's page "What the model leaves out" lists what else errs, and which way.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm._numeric import Value, evaluate
@@ -29,12 +31,21 @@ BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 #: By when the channel has caught up with the burst [s].
 DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
+#: What rounding may make of a time [1].
+_ROUNDING = 1e-9
+
+#: Most times of a message that `first_idle` looks at.
+_MOST_TIMES = 1e6
+
 
 def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
-    """Return `DRAIN` of bursts [s] beside steady states [1]; see `drain_time`."""
+    """Return `DRAIN` of bursts [s] beside steady states [1]; see `drain_time`.
+
+    A steady state of 1 fills the channel, which is then never silent: infinity, also of no burst.
+    """
     burst_s = _checks.numbers("extra", extra, 0, _checks.MOST_UTILIZATION)
     steady_part = _checks.numbers("steady", steady, 0, _checks.MOST_UTILIZATION)
-    with np.errstate(divide="ignore"):  # NumPy computes both branches
+    with np.errstate(divide="ignore", invalid="ignore"):  # NumPy computes both branches
         return evaluate(DRAIN, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
 
 
@@ -138,15 +149,22 @@ def demand(
     """
     _checks.instance("protocol", protocol, Protocol)
     _checks.shape(time=time, hosts=hosts, processes=processes, endpoints=endpoints)
+    total: Value = 0.0
+    for schedule, each in _rounds(protocol, hosts, processes, endpoints, wifi).items():
+        total = total + each * schedule.sent(time)
+    return total
+
+
+def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
+    """Return for each schedule the airtime of all that is sent by it at one of its times [s]."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
         together[message.schedule] = (*together.get(message.schedule, ()), once)
-    total: Value = 0.0
-    for schedule, messages in together.items():
-        each = utilization(Protocol(protocol.name, messages), hosts, processes, endpoints, wifi)
-        total = total + each * schedule.sent(time)
-    return total
+    return {
+        schedule: utilization(Protocol(protocol.name, messages), *swarm)
+        for schedule, messages in together.items()
+    }
 
 
 def first_idle(
@@ -172,7 +190,8 @@ def first_idle(
     Raises
     ------
     ValueError
-        If an argument is NaN, infinite or out of range.
+        If an argument is NaN, infinite or out of range, or the traffic that stays fills the
+        channel so nearly that a million times would have to be looked at.
     TypeError
         If an argument is not one real number.
 
@@ -188,17 +207,44 @@ def first_idle(
     4.61
     """
     _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
-    bound = drain_time(protocol, hosts, processes, endpoints, wifi)
+    bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))
     if bound == np.inf:
         return np.inf
-    times = np.unique(
-        np.concatenate([message.schedule.times(float(bound)) for message in protocol.messages])
-    )
-    if not times.size or times[0] > 0:
+    rounds = _rounds(protocol, hosts, processes, endpoints, wifi)
+    # Behind the last of all starts what is sent is at most one round behind the line that bounds
+    # it, so that the channel cannot be idle before the line of a round less says so.
+    last = max(schedule.starts[-1] for schedule in rounds)
+    round_s = sum(float(each) for schedule, each in rounds.items() if schedule.period < np.inf)
+    steady = sum(float(each) * schedule.per_second for schedule, each in rounds.items())
+    busy = max(last, (bound - round_s / (1 - steady)) * (1 - _ROUNDING))
+    early = _times(rounds, 0.0, min(last, bound))
+    if not early.size or early[0] > 0:
         return 0.0
-    carried = np.asarray(demand(protocol, times, hosts, processes, endpoints, wifi))
-    following = np.append(times[1:], np.inf)
-    return float(carried[np.argmax(carried <= following)])
+    at = (hosts, processes, endpoints, wifi)
+    if bound <= last:
+        return _first_gap(early, np.inf, protocol, *at)
+    if (bound - busy) / min(schedule.period for schedule in rounds) > _MOST_TIMES:
+        raise ValueError(
+            "hosts, processes and endpoints must be fewer to say when the channel falls silent: it "
+            f"is so full that this may be at any of more than {_MOST_TIMES:g} times; got "
+            f"{hosts:g}, {processes:g} and {endpoints:g}. `drain_time` says by when it is"
+        )
+    found = _first_gap(early, -np.inf, protocol, *at)
+    if found < np.inf:
+        return found
+    return _first_gap(np.union1d([busy], _times(rounds, busy, bound)), np.inf, protocol, *at)
+
+
+def _times(schedules: Iterable[Schedule], since: float, until: float) -> NDArray[np.float64]:
+    """Return all times at which anything is sent, in order [s]."""
+    return np.unique(np.concatenate([one.times(until, since) for one in schedules]))
+
+
+def _first_gap(times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any) -> float:
+    """Return when all is carried first before the next of the times, or the end; else infinity."""
+    carried = np.asarray(demand(protocol, times, *swarm))
+    gaps = carried[carried <= np.append(times[1:], end)]
+    return float(gaps[0]) if gaps.size else np.inf
 
 
 #: What `outlook` says, from best to worst: of a start without losses, collisions or full queues.

@@ -284,8 +284,12 @@ def test_plan(folder: Path) -> None:
     assert run("plan", "fleet.toml").output == ds.plan(fleet).advice() + "\n"
     told = read_json(run("plan|fleet.toml|--json|--nodes|7"))["fleet"]
     assert [group["shared"] for group in told] == [16, 16]
-    told = read_json(run("plan|fleet.toml|--json|--shared|91"))["fleet"]
-    assert [group["shared"] for group in told] == [91, 90]
+    told = read_json(run("plan|fleet.toml|--json|--shared|90"))["fleet"]
+    assert [group["shared"] for group in told] == [90, 90]
+    refused = run("plan|fleet.toml|--shared|91")  # as where the file says it
+    assert refused.exit_code == 2
+    assert "group 'laptop': shared must be" in refused.output
+    assert "at most 90; got 91" in refused.output
 
 
 def test_figures_shows_progress_and_lists_what_it_wrote(folder: Path) -> None:

@@ -1,7 +1,8 @@
 """Each notebook, run from its first cell to its last, gives the outputs that are stored in it.
 
 `make book` runs them all and writes down which cells came out otherwise; where the book is older
-than its sources, it is made first. A cell that fails, or writes to standard error, ends that.
+than its sources, it is made first, and the notebooks stay as they are: a difference is told until
+somebody has looked at it. A cell that fails, or writes to standard error, ends that.
 """
 
 import csv
@@ -25,6 +26,6 @@ def changed(built: Path) -> dict[str, str]:
 def test_what_is_stored_is_what_comes_out(path: Path, changed: dict[str, str]) -> None:
     cells = changed[path.name]
     assert not cells, (
-        f"cells {cells} of {path.name} came out otherwise when `make book` ran it; what came out "
-        "is in the file now: look at the difference, and run `make book` once more"
+        f"cells {cells} of {path.name} came out otherwise when `make book` ran it: run it, "
+        "look at the difference of the file, and test again"
     )

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from conftest import unshare
+from conftest import left_alone, unshare
 from nbformat import v4
 
 pytestmark = pytest.mark.book
@@ -100,6 +100,19 @@ def test_a_home_that_cannot_be_written_changes_no_notebook(tmp_path: Path) -> No
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert [len(cell.outputs) for cell in nbformat.read(path, as_version=4).cells[1:]] == [1]
+
+
+def test_tests_leave_notebooks_alone(tmp_path: Path) -> None:
+    """Or one that came out otherwise would be found to be so by the first of two tests only."""
+    one, two = tmp_path / "one.ipynb", tmp_path / "two.ipynb"
+    for path in (one, two):
+        path.write_text("as it is")
+    then = one.stat().st_mtime_ns
+    with left_alone(tmp_path):
+        one.write_text("otherwise")
+        os.utime(one, ns=(then + 10**9, then + 10**9))
+    assert [path.read_text() for path in (one, two)] == ["as it is"] * 2
+    assert one.stat().st_mtime_ns == then  # so that the book, which is newer, is not made again
 
 
 def test_without_loopback_it_is_said_at_once() -> None:

@@ -24,7 +24,7 @@ from discostorm import simulation, staggered
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
-from discostorm.simulation._compile import shown
+from discostorm.simulation._compile import keeps, shown
 from discostorm.simulation._memory import available
 from discostorm.simulation.cell import SUCCESS, Cell
 from discostorm.simulation.engine import advance
@@ -850,15 +850,29 @@ def test_compiling_is_said_and_counted_but_not_what_is_compiled_already(
     inner = numba.njit(lambda x: x + 1)
     outer = numba.njit(lambda x: inner(x) * 2)
     said: list[str] = []
-    with shown(said.append):
+    with shown(said.append, kept=True):
         assert outer(1) == 4
     assert len(said) == 1
-    assert "about a minute" in said[0]
+    assert "once on a machine: about a minute" in said[0]
+    assert said[0].endswith("kept when all of it is done ...")
     assert "2 parts" in capsys.readouterr().err
-    with shown(said.append):
+    with shown(said.append, kept=True):
         assert outer(2) == 6
     assert len(said) == 1
     assert not capsys.readouterr().err
+
+
+def test_what_cannot_be_kept_is_not_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not keeps(numba.njit(lambda x: x))  # numba found no folder for it
+    if keeps(advance):  # as nearly everywhere
+        monkeypatch.setattr("os.access", lambda *_: False)
+        assert not keeps(advance)
+    said: list[str] = []
+    with shown(said.append, kept=False):
+        assert numba.njit(lambda x: x + 2)(1) == 3
+    assert "each time: about a minute" in said[0]
+    assert "not kept" in said[0]
+    assert "NUMBA_CACHE_DIR" in said[0]
 
 
 def test_long_runs_are_announced(

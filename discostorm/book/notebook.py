@@ -156,6 +156,8 @@ def _is_table(block: str) -> bool:
 
 def _block(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
+    # Names of groups may have what HTML would act on.
+    text = escape(text, quote=False)
     if _is_table(text):
         title, *rows = text.splitlines()
         return "\n".join([f"**{title}**", "", *(f"  {row}" for row in rows)])

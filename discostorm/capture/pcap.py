@@ -128,16 +128,15 @@ class _Interface:
     resolution: int = 6
     offset: int = 0
 
-    def nanoseconds(self, ticks: Array) -> Array:
-        """Return the time of its clock's ticks [ns]."""
-        power = self.resolution & 0x7F
-        if self.resolution & 0x80:
-            since = (ticks / 2.0**power * 1e9).clip(0, 2**62).astype(np.int64)
-        elif power <= 9:
-            since = (ticks * np.uint64(10 ** (9 - power))).astype(np.int64)
-        else:
-            since = (ticks // np.uint64(10 ** min(power - 9, 19))).astype(np.int64)
-        return since + np.int64(self.offset) * np.int64(SECOND)
+
+def _nanoseconds(ticks: Array, resolution: int) -> Array:
+    """Return the time of the ticks of a clock [ns]; its resolution is as the file says it."""
+    power = resolution & 0x7F
+    if resolution & 0x80:
+        return (ticks / 2.0**power * 1e9).clip(0, 2**62).astype(np.int64)
+    if power <= 9:
+        return (ticks * np.uint64(10 ** (9 - power))).astype(np.int64)
+    return (ticks // np.uint64(10 ** min(power - 9, 19))).astype(np.int64)
 
 
 def _pcapng(name: str, data: Bytes, size: int) -> Packets:
@@ -243,16 +242,18 @@ def _packets(
     if kind == _SIMPLE:
         length = number(data, at + 8, order + "u4").astype(np.int64)
         size = np.minimum(length, room)
-        for index in np.unique(interface):
-            if snaplen := interfaces[index].snaplen:
-                mine = interface == index
-                size[mine] = np.minimum(size[mine], snaplen)
+        most = np.array([known.snaplen or 2**32 for known in interfaces], np.int64)
+        size = np.minimum(size, most[interface])
     else:
         high, low, size, length = numbers(data, at + 12, order + "u4", 4).T.astype(np.int64)
         ticks = high.astype(np.uint64) << np.uint64(32) | low.astype(np.uint64)
-        for index in np.unique(interface):
-            mine = interface == index
-            time[mine] = interfaces[index].nanoseconds(ticks[mine])
+        # A file may have as many interfaces as packets, but not as many kinds of clocks.
+        kinds = np.array([known.resolution for known in interfaces], np.int64)[interface]
+        for resolution in np.unique(kinds).tolist():
+            mine = kinds == resolution
+            time[mine] = _nanoseconds(ticks[mine], resolution)
+        offsets = np.array([known.offset for known in interfaces], np.int64)
+        time += offsets[interface] * SECOND
     if len(broken := np.flatnonzero(size > room)):
         where = int(at[broken[0]])
         raise CaptureError(f"{name}: byte {where}: a packet is longer than its block")

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 import discostorm as ds
-from discostorm import words
+from discostorm import _checks, words
 from discostorm.cli.fleets import called, read, standard_input
-from discostorm.cli.options import output_options, protocol_option_of
+from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
     Output,
@@ -34,16 +34,16 @@ if TYPE_CHECKING:
 def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
-        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {value!r}")
+        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {_checks.brief(value)!r}")
     return value
 
 
 @click.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", **A_FILE)
 @protocol_option_of(
     "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
 )
-@click.option("--fleet", metavar="FILE", help="Fleet file (TOML); the fleet found if left out.")
+@click.option("--fleet", **A_FILE, help="Fleet file (TOML); the fleet found if left out.")
 @click.option(
     "--wired",
     metavar="ADDRESS",
@@ -53,7 +53,7 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 )
 @click.option(
     "--picture",
-    metavar="FILE",
+    **A_FILE,
     callback=_drawable,
     help="Draw it, too: a file .svg, .pdf or .png.",
 )
@@ -98,12 +98,12 @@ def capture(
         ]
         groups = found.fleet(wired=on_wires).groups if members is None and spoken else ()
         if picture is not None:
-            path = Path(picture)
+            path = Path(_checks.path("--picture", picture, "a file"))
             try:
                 with ds.figures.replacing(path) as beside:
                     found.picture(wired=on_wires).savefig(beside, format=path.suffix[1:].lower())
             except OSError as error:
-                raise BadInput(f"--picture: {picture}: {error.strerror}") from error
+                raise BadInput(f"--picture: {_checks.brief(picture)}: {error.strerror}") from error
     if output.as_csv and rows:
         print_rows(rows, output)
     elif output.as_json:

@@ -7,12 +7,19 @@ from typing import NoReturn
 
 import click
 
-from discostorm.cli.options import output_options
-from discostorm.cli.output import BadInput, Output, print_rows, visible, working
+from discostorm import _checks
+from discostorm.cli.options import completes, output_options
+from discostorm.cli.output import BadInput, Output, bad_input, print_rows, visible, working
 
 
 @click.command()
-@click.option("--out", required=True, metavar="DIR", help="Folder to write to, made if missing.")
+@click.option(
+    "--out",
+    required=True,
+    metavar="DIR",
+    shell_complete=completes("dir"),
+    help="Folder to write to, made if missing.",
+)
 @output_options
 def figures(out: str, output: Output) -> None:
     """Write Figs. 2 to 4 of the paper as SVG, PDF and PNG, and their data as CSV.
@@ -21,8 +28,8 @@ def figures(out: str, output: Output) -> None:
     Example:
       discostorm figures --out figures
     """
-    if not out:
-        raise click.UsageError("--out must name a folder; got ''")
+    with bad_input():
+        _checks.path("--out", out, "a folder")
     with working("loading"):
         from discostorm import figures as drawing
     paths: list[str] = []
@@ -45,5 +52,5 @@ def figures(out: str, output: Output) -> None:
 
 def _not_written(out: str, error: OSError) -> NoReturn:
     raise BadInput(
-        visible(f"--out must be a folder to write to; got {out!r}: {error.strerror}")
+        visible(f"--out must be a folder to write to; got {_checks.brief(out)!r}: {error.strerror}")
     ) from error

@@ -10,8 +10,8 @@ from typing import Any, BinaryIO
 import click
 
 import discostorm as ds
-from discostorm import words
-from discostorm.cli.options import numbers, packed
+from discostorm import _checks, words
+from discostorm.cli.options import A_FILE, numbers, packed
 
 hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
 several_hosts_option = click.option(
@@ -77,7 +77,9 @@ def called(file: str) -> str:
 
 def _one_file(fleet: str | None, file: str | None) -> str | None:
     if fleet is not None and file is not None:
-        raise click.UsageError(f"one fleet at a time; got {file!r} and --fleet {fleet!r}")
+        raise click.UsageError(
+            f"one fleet at a time; got {_checks.brief(file)!r} and --fleet {_checks.brief(fleet)!r}"
+        )
     return file if fleet is None else fleet
 
 
@@ -115,8 +117,8 @@ def _the_file(fleet: str | None, file: str | None) -> str:
 
 
 file_options = (
-    click.option("--fleet", metavar="FILE", help="The same as FLEET."),
-    click.argument("file", metavar="[FLEET]", required=False),
+    click.option("--fleet", **A_FILE, help="The same as FLEET."),
+    click.argument("file", **A_FILE | {"metavar": "[FLEET]"}, required=False),
 )
 file_option = packed("file", _the_file, *file_options)
 count_options = (

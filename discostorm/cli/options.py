@@ -8,8 +8,10 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 import click
+from click.shell_completion import CompletionItem
 
 import discostorm as ds
+from discostorm import _checks
 from discostorm.cli.output import Output, bad_input
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import radio_named
@@ -30,6 +32,15 @@ LINK_OPTIONS = {
 UNITS = {"Mbit/s": 1e6, "µs": 1e-6}
 
 
+def completes(kind: str) -> Callable[..., list[CompletionItem]]:
+    """Return what lets the shell complete the names of files (``file``) or folders (``dir``)."""
+    return lambda _context, _parameter, begun: [CompletionItem(begun, type=kind)]
+
+
+#: Of an option or argument that names a file, or a folder.
+A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": completes("file")}
+
+
 def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
     """Return the numbers of a comma-separated list, a single one as a float."""
     if value is None:
@@ -38,7 +49,7 @@ def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) ->
         found = [float(part) for part in value.split(",")]
     except ValueError:
         raise click.BadParameter(
-            f"must be a number, or several with commas between; got {value!r}"
+            f"must be a number, or several with commas between; got {_checks.brief(value)!r}"
         ) from None
     return found[0] if len(found) == 1 else found
 
@@ -181,6 +192,13 @@ def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
     return BOTH if protocol == "both" else (ds.PROTOCOLS[protocol],)
 
 
+class _Names(click.Choice[str]):
+    """Names to choose from, whose error does not repeat all of a long one."""
+
+    def get_invalid_choice_message(self, value: Any, ctx: click.Context | None) -> str:
+        return super().get_invalid_choice_message(_checks.brief(value), ctx)
+
+
 def protocol_option_of(
     flag: str, default: str | None, told: str, others: tuple[str, ...] = ()
 ) -> Callable[[Any], Any]:
@@ -188,7 +206,7 @@ def protocol_option_of(
     names = (*ds.PROTOCOLS, *others)
     return click.option(
         flag,
-        type=click.Choice([*names, "list"], case_sensitive=False),
+        type=_Names([*names, "list"], case_sensitive=False),
         metavar="NAME",
         default=default,
         show_default=True,

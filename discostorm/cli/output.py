@@ -19,7 +19,7 @@ from typing import Any
 
 import click
 
-from discostorm import words
+from discostorm import _checks, words
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 
@@ -41,7 +41,12 @@ def bad_input() -> Iterator[None]:
     except OSError as error:
         if error.filename is None:  # of the output
             raise
-        raise BadInput(visible(f"{error.filename}: {error.strerror}")) from error
+        name = _checks.brief(str(error.filename))
+        raise BadInput(visible(f"{name}: {error.strerror}")) from error
+    except MemoryError as error:
+        raise BadInput(
+            "there is not enough memory for this here; give a smaller fleet or file, or more memory"
+        ) from error
     except ValueError as error:
         raise BadInput(visible(str(error))) from error
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from typing import Any
 
@@ -77,7 +78,8 @@ def plan(
     elif output.as_json:
         click.echo(as_text(answer.to_dict()))
     else:
-        click.echo(visible(answer.advice()))
+        width = min(max(shutil.get_terminal_size().columns, 40), 79)
+        click.echo(visible(answer.advice(width)))
 
 
 def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
@@ -90,7 +92,7 @@ def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None)
     for group, told in zip(fleet.groups, own, strict=True):
         changed = group if told is None else replace(group, nodes=told)
         if shared is not None:
-            changed = replace(changed, shared=min(shared, group.endpoints))
+            changed = replace(changed, shared=shared)
         elif group.shared == usually_shared(group.endpoints, group.nodes):
             # What ROS 2 shares for its nodes is that of other nodes now; what a file says stays.
             changed = replace(changed, shared=usually_shared(group.endpoints, changed.nodes))

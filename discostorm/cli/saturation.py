@@ -17,7 +17,7 @@ from discostorm.cli.fleets import (
     read,
     says_what_matches,
 )
-from discostorm.cli.options import output_options, packed, protocol_option, wifi_options
+from discostorm.cli.options import A_FILE, output_options, packed, protocol_option, wifi_options
 from discostorm.cli.output import Output, bad_input, percent, print_channel, print_rows, working
 from discostorm.wifi import Wifi
 
@@ -72,7 +72,7 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
     _kinds,
     *count_options,
     *file_options,
-    click.option("--beside", metavar="FILE", help="Fleet file of other hosts on the channel."),
+    click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
     "--limit",

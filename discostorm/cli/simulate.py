@@ -12,6 +12,7 @@ from discostorm import _checks, staggered
 from discostorm.cli.fleets import file_option, read, says_what_matches
 from discostorm.cli.options import one_protocol_option, output_options, packed, radio_options
 from discostorm.cli.output import (
+    BadInput,
     Output,
     as_text,
     bad_input,
@@ -117,7 +118,7 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
         try:
             found = ds.simulate(fleet, protocol, wifi, **how.arguments())
         except ImportError as error:
-            raise click.ClickException(str(error)) from error
+            raise BadInput(str(error)) from error
         except ValueError as error:
             option = str(error).replace("recovery must be False", "--no-recovery must be given", 1)
             raise ValueError(option) from error

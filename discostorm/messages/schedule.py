@@ -143,14 +143,17 @@ class Schedule:
         count += np.maximum(rounds, 0)
         return count if count.ndim else count.item()
 
-    def times(self, until: float) -> NDArray[np.float64]:
-        """Return the times up to `until` at which the message is sent [s]."""
+    def times(self, until: float, since: float = 0.0) -> NDArray[np.float64]:
+        """Return the times from `since` up to `until` at which the message is sent [s]."""
         last = self.starts[-1]
-        until = _checks.number("until", until, 0, last + _MOST_ROUNDS * self.period)
+        since = _checks.number("since", since, 0)
+        most = max(last, since) + _MOST_ROUNDS * self.period
+        until = _checks.number("until", until, 0, most)
+        before = max(0, int((since - last) / self.period - _ROUNDING))
         rounds = max(0, int((until - last) / self.period + _ROUNDING))
-        later = last + self.period * np.arange(1, rounds + 1) if rounds else np.empty(0)
+        later = last + self.period * np.arange(before + 1, rounds + 1) if rounds else np.empty(0)
         times = np.concatenate([np.array(self.starts, dtype=float), later])
-        return times[times <= until * (1 + _ROUNDING)]
+        return times[(times >= since) & (times <= until * (1 + _ROUNDING))]
 
 
 #: Sent at the start and never again.

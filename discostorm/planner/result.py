@@ -218,17 +218,18 @@ class Plan:
         }
         return {title: remedies for title, remedies in found.items() if remedies}
 
-    def advice(self) -> str:
-        """Return what it costs, what dominates and what would help, in words."""
+    def advice(self, width: int = 79) -> str:
+        """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
         lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
-            return "\n".join(map(words.wrapped, (*lines, "", words.ALONE)))
+            lines += ["", words.ALONE]
+            return "\n".join(words.wrapped(line, width) for line in lines)
         if "What would help most, alone:" not in told:
             lines += ["", "Nothing that was tried helps."]
         for title, remedies in told.items():
             lines += ["", title, *self._ranked(remedies)]
-        wrapped = "\n".join(map(words.wrapped, lines))
+        wrapped = "\n".join(words.wrapped(line, width) for line in lines)
         table = "\n".join(
             [
                 "",
@@ -238,7 +239,7 @@ class Plan:
         )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
         more = f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste."
-        return "\n".join((wrapped, table, "", words.wrapped(more)))
+        return "\n".join((wrapped, table, "", words.wrapped(more, width)))
 
     def __str__(self) -> str:
         return self.advice()

@@ -197,7 +197,9 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     from joblib import Parallel, delayed
     from tqdm import tqdm
 
-    from discostorm.simulation._compile import shown
+    from discostorm.simulation._compile import keeps, shown
+    from discostorm.simulation._workers import jobs
+    from discostorm.simulation.engine import advance
     from discostorm.simulation.run import compiled, one_run
 
     seconds, megabytes = setup.estimate()
@@ -207,7 +209,7 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
             f"and {free:.0f} MB are available; got {setup.hosts.host_of.size} processes"
         )
-    with shown(_say):
+    with shown(_say, keeps(advance)):
         compiled()
     if seconds * len(seeds) > _PATIENCE:
         runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
@@ -220,9 +222,10 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
                 found.append(one_run(setup, seed))
                 bar.update()
             return found
-        jobs = Parallel(return_as="generator", **_jobs(int(min(free / megabytes, len(seeds)))))
+        most = int(min(free / megabytes, len(seeds)))
+        side_by_side = Parallel(return_as="generator", **jobs(most))
         with _ctrl_c_ignored():
-            runs = jobs(delayed(one_run)(setup, seed) for seed in seeds)
+            runs = side_by_side(delayed(one_run)(setup, seed) for seed in seeds)
         for run in runs:
             found.append(run)
             bar.update()
@@ -240,12 +243,3 @@ def _ctrl_c_ignored() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before or signal.SIG_DFL)
-
-
-def _jobs(most: int) -> dict[str, int]:
-    """Return how many jobs go side by side: what the user says, or as many as can and fit."""
-    from joblib import cpu_count
-    from joblib.parallel import get_active_backend
-
-    _, jobs = get_active_backend()
-    return {} if jobs not in (None, 1) else {"n_jobs": min(cpu_count(), most)}

@@ -1,5 +1,6 @@
 """How the inner loops are compiled: to machine code that is kept on disk."""
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -47,19 +48,31 @@ def entry(function: Function) -> Function:
     return compiled
 
 
+def keeps(function: Any) -> bool:
+    """Return whether what is compiled of an `entry` can be written to disk."""
+    folder = function.stats.cache_path
+    return folder is not None and os.access(folder, os.W_OK)
+
+
+#: What is said of what was compiled.
+_KEPT = "kept when all of it is done ..."
+_NOT_KEPT = "not kept, as no folder for it can be written; NUMBA_CACHE_DIR may name one ..."
+
+
 class _Parts(event.Listener):
     """Counts the parts that are compiled; of what is loaded from disk numba does not tell it."""
 
-    def __init__(self, say: Callable[[str], None]) -> None:
-        self.say, self.bar = say, None
+    def __init__(self, say: Callable[[str], None], kept: bool) -> None:
+        self.say, self.kept, self.bar = say, kept, None
 
     def on_start(self, _: Any) -> None:
         from tqdm import tqdm
 
         if self.bar is None:
             self.say(
-                "compiling the simulator, once on a machine: about a minute of a core of its own, "
-                "longer beside others; kept when all of it is done ..."
+                f"compiling the simulator, {'once on a machine' if self.kept else 'each time'}: "
+                "about a minute of a core of its own, longer beside others; "
+                + (_KEPT if self.kept else _NOT_KEPT)
             )
             self.bar = tqdm(desc="compiling", unit=" parts", mininterval=1.0)
 
@@ -69,9 +82,9 @@ class _Parts(event.Listener):
 
 
 @contextmanager
-def shown(say: Callable[[str], None]) -> Iterator[None]:
-    """Say so if something is compiled meanwhile, and count its parts."""
-    parts = _Parts(say)
+def shown(say: Callable[[str], None], kept: bool) -> Iterator[None]:
+    """Say so if something is compiled meanwhile, and whether it is kept; count its parts."""
+    parts = _Parts(say, kept)
     try:
         with event.install_listener("numba:compile", parts):
             yield

@@ -372,7 +372,7 @@ def radio_named(name: str) -> Radio:
     if not made:
         raise ValueError(
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
-            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {name!r}"
+            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.brief(name)!r}"
         )
     given: dict[str, Any] = {"width": float(made[2]) * MEGA, "streams": int(made[3])}
     for part in unusual:
@@ -386,7 +386,9 @@ def radio_named(name: str) -> Radio:
                 given[key] = int(value) if unit == 1 else float(value)
                 break
         else:
-            raise ValueError(f"{part!r} is not what the name of a radio may have, or twice there")
+            raise ValueError(
+                f"{_checks.brief(part)!r} is not what the name of a radio may have, or twice there"
+            )
     return Radio(made[1].lower(), **given)
 
 
