@@ -32,7 +32,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -126,6 +126,17 @@ test-oldest: $(READY) ## test the package with the oldest supported versions of 
 
 test-newest: $(READY) ## test the package with the newest versions of what it needs
 	@$(BIN)/python scripts/test_versions.py newest
+
+build/dist-tools/.ready: scripts/check_dist.lock | $(READY)
+	@echo "Installing what checks distributions into build/dist-tools (once) ..."
+	@sh scripts/install.sh build/dist-tools --no-deps --require-hashes -r scripts/check_dist.lock
+	@touch $@
+
+check-dist: build/dist-tools/.ready ## build source archive and wheel, and try them as an index would
+	@$(BIN)/python scripts/check_dist.py --tools build/dist-tools
+
+metadata: $(READY) ## write what indexes and archives read, from CITATION.cff and _config.yml
+	@$(BIN)/python scripts/write_metadata.py
 
 serve: book ## show the book at http://localhost:8000
 	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html
