@@ -16,7 +16,7 @@ import yaml  # type: ignore[import-untyped]
 
 ROOT = Path(__file__).parents[1]
 MARKED = re.compile(
-    r"^((?:<!-- |# )(addresses|install)\b.*\n)(.*?)^((?:<!-- |# )end\b)", re.M | re.S
+    r"^((?:<!-- |# )(addresses|install)\b[^\n]*\n)(.*?)^((?:<!-- |# )end\b)", re.M | re.S
 )
 
 

@@ -187,7 +187,8 @@ def test_the_editable_install_is_found_in_any_folder_under_any_locale(tmp_path: 
     """Python before 3.13 reads .pth files in the locale's encoding."""
     folder = tmp_path / "ordñer"
     (folder / "discostorm").mkdir(parents=True)
-    for name in ("pyproject.toml", "README.md", "LICENSE", "discostorm/__init__.py"):
+    licenses = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
+    for name in ("pyproject.toml", "PYPI.md", *licenses, "discostorm/__init__.py"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "discostorm" / "__init__.py").write_text("__version__ = '1'\nhere = 'new'\n")
     script = """
