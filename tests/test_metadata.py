@@ -1,6 +1,7 @@
 """What indexes and archives read says the same as the project, and the index's page works alone."""
 
 import doctest
+import hashlib
 import json
 import re
 import shlex
@@ -19,6 +20,7 @@ ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 from check_dist import commands  # noqa: E402
+from make_release import CONTENTS, crate  # noqa: E402
 from write_metadata import written  # noqa: E402
 
 pytestmark = pytest.mark.book
@@ -116,3 +118,16 @@ def test_commands_of_the_page_of_an_index_print_what_it_shows() -> None:
         program, *arguments = shlex.split(command)
         assert program == "discostorm"
         assert CliRunner().invoke(main, arguments, catch_exceptions=False).output == shown
+
+
+def test_the_release_says_what_it_holds_with_checksums() -> None:
+    assert {"build/release/dist", "codemeta.json", ".zenodo.json"} <= CONTENTS.keys()
+    contents = {"codemeta.json": (ROOT / "codemeta.json").read_bytes(), "data/a.csv": b"1\n"}
+    graph = json.loads(crate(contents, "0.3.0"))["@graph"]
+    about, root, *files = graph
+    assert about["about"] == {"@id": root["@id"]}
+    assert {each["@id"] for each in files} == {each["@id"] for each in root["hasPart"]}
+    assert {each["@id"]: each["sha256"] for each in files} == {
+        name: hashlib.sha256(data).hexdigest() for name, data in contents.items()
+    }
+    assert "identifier" not in root

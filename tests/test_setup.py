@@ -232,6 +232,15 @@ def make(folder: Path, *arguments: str, **more: str) -> str:
     return done.stdout
 
 
+def test_a_public_forge_runs_what_ci_runs_on_the_versions_that_are_promised() -> None:
+    jobs = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
+    assert jobs["everything"]["steps"][-1] == {"run": ".ci/run"}
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    promised = [kind.rpartition(" ")[2] for kind in project["classifiers"] if ":: 3." in kind]
+    assert jobs["package"]["strategy"]["matrix"]["python"] == promised
+    assert project["requires-python"] == f">={promised[0]}"
+
+
 def test_help_lists_every_target() -> None:
     targets = re.findall(r"^make ([a-z0-9-]+) ", make(ROOT), flags=re.MULTILINE)
     phony = re.search(r"^\.PHONY: (.+)$", (ROOT / "Makefile").read_text(), flags=re.MULTILINE)
