@@ -15,11 +15,14 @@ READY := .venv/.ready
 OUT ?= build/figures
 # Points of the lab: lab/GRID.csv. What the whole grids gave belongs to the package.
 GRID ?= grid
+# Where the book is on its host, for `make serve`.
+BASE ?= /
 MEASURED = $(if $(filter grid mitigations shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
 override export GRID := $(value GRID)
+override export BASE := $(value BASE)
 BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
@@ -32,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest serve lock clean
+.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -67,6 +70,7 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 	@rm -rf _build/html _build/.doctrees build/release
 	@$(BUILD)
 	@$(BIN)/discostorm figures --out build/release/figures
+	@SOURCE_DATE_EPOCH=$(EPOCH) $(BIN)/python -m hatchling build --target wheel --directory build/release/dist
 	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
@@ -127,8 +131,19 @@ test-oldest: $(READY) ## test the package with the oldest supported versions of 
 test-newest: $(READY) ## test the package with the newest versions of what it needs
 	@$(BIN)/python scripts/test_versions.py newest
 
-serve: book ## show the book at http://localhost:8000
-	@$(BIN)/python -m http.server 8000 --bind 127.0.0.1 --directory _build/html
+build/dist-tools/.ready: scripts/check_dist.lock | $(READY)
+	@echo "Installing what checks distributions into build/dist-tools (once) ..."
+	@sh scripts/install.sh build/dist-tools --no-deps --require-hashes -r scripts/check_dist.lock
+	@touch $@
+
+check-dist: build/dist-tools/.ready ## build source archive and wheel, and try them as an index would
+	@$(BIN)/python scripts/check_dist.py --tools build/dist-tools
+
+metadata: $(READY) ## write what indexes and archives read, from CITATION.cff and _config.yml
+	@$(BIN)/python scripts/write_metadata.py
+
+serve: book ## show the book at http://localhost:8000, or below it (BASE=/discostorm/)
+	@$(BIN)/python scripts/serve.py _build/html --base "$$BASE"
 
 lock: $(READY) ## resolve the versions anew (needs uv)
 	uv pip compile --upgrade pyproject.toml --extra book --extra simulation --group book --group dev --universal --fork-strategy fewest \

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
+from discostorm._renamed import answer
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 
@@ -238,3 +239,6 @@ def deaths() -> pd.DataFrame:
             }
         )
     return pd.DataFrame(rows)
+
+
+answer(__name__)

@@ -6,7 +6,7 @@ import json
 import shutil
 import time
 import zipfile
-from email.message import Message
+from collections.abc import Mapping
 from importlib.metadata import metadata
 from pathlib import Path
 
@@ -21,7 +21,10 @@ CONTENTS = {
     "discostorm/data": "data",
     "requirements.lock": "requirements.lock",
     "environment.yml": "environment.yml",
+    "build/release/dist": "dist",
     "CITATION.cff": "CITATION.cff",
+    ".zenodo.json": ".zenodo.json",
+    "codemeta.json": "codemeta.json",
     "CHANGELOG.md": "CHANGELOG.md",
     "README.md": "README.md",
     "LICENSE": "LICENSE",
@@ -31,23 +34,41 @@ CONTENTS = {
 LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
 
 
-def codemeta() -> str:
-    """Return the metadata of the software in CodeMeta's form, from those of the package."""
-    package = metadata("discostorm")
-    assert isinstance(package, Message)
-    described = {
-        "@context": "https://w3id.org/codemeta/3.0",
-        "@type": "SoftwareSourceCode",
-        "name": package["Name"],
-        "version": package["Version"],
-        "description": package["Summary"],
-        "license": f"https://spdx.org/licenses/{package['License-Expression']}",
-        "programmingLanguage": "Python",
-        "runtimePlatform": f"Python {package['Requires-Python']}",
-        "keywords": package["Keywords"].split(","),
-        "softwareRequirements": package.get_all("Requires-Dist"),
+def crate(contents: Mapping[str, bytes], version: str) -> str:
+    """Return the manifest, an RO-Crate: what the archive is, and every file with its checksum."""
+    cff = json.loads(contents["codemeta.json"])
+    files = [
+        {
+            "@id": name,
+            "@type": "File",
+            "contentSize": str(len(data)),
+            "sha256": hashlib.sha256(data).hexdigest(),
+        }
+        for name, data in sorted(contents.items())
+    ]
+    root = {
+        "@id": "./",
+        "@type": "Dataset",
+        "name": f"discostorm {version}: book, data, figures, notebooks and package",
+        "description": cff["description"],
+        "datePublished": cff["datePublished"],
+        "license": [{"@id": address} for address in cff["license"]],
+        "hasPart": [{"@id": name} for name in sorted(contents)],
     }
-    return json.dumps(described, indent=2, ensure_ascii=False) + "\n"
+    if "identifier" in cff:
+        root["identifier"] = cff["identifier"]
+    about = {
+        "@id": "ro-crate-metadata.json",
+        "@type": "CreativeWork",
+        "conformsTo": {"@id": "https://w3id.org/ro/crate/1.1"},
+        "about": {"@id": "./"},
+    }
+    context = [
+        "https://w3id.org/ro/crate/1.1/context",
+        {"sha256": "https://w3id.org/ro/terms/workflow-run#sha256"},
+    ]
+    graph = {"@context": context, "@graph": [about, root, *files]}
+    return json.dumps(graph, indent=1, ensure_ascii=False) + "\n"
 
 
 def collect() -> dict[str, bytes]:
@@ -61,7 +82,7 @@ def collect() -> dict[str, bytes]:
             if file.is_file() and not LEFT_OUT & set(file.parts):
                 name = (Path(target) / file.relative_to(path)).as_posix()
                 found[name.removesuffix("/.")] = file.read_bytes()
-    found["codemeta.json"] = codemeta().encode()
+    found["ro-crate-metadata.json"] = crate(found, metadata("discostorm")["Version"]).encode()
     sums = (f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in sorted(found.items()))
     return dict(sorted(found.items())) | {"SHA256SUMS": "".join(sums).encode()}
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import functools
 import os
 import shutil
@@ -105,6 +104,8 @@ def left_alone(folder: Path) -> Iterator[None]:
 @pytest.fixture(scope="session")
 def built() -> Path:
     """Return the folder that `make book` writes; make it unless it is newer than its sources."""
+    import fcntl  # here, as Windows has none and the package's own tests need none
+
     done = BUILD / ".done"
     with TOC.open() as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # not twice at a time, whoever else runs tests

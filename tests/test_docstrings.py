@@ -12,13 +12,12 @@ from dataclasses import is_dataclass
 import pytest
 
 import discostorm as ds
-from discostorm import _renamed
 
 #: Every module of the package, also in folders; __main__ would run the command.
 MODULES = [
     importlib.import_module(module.name)
     for module in pkgutil.walk_packages(ds.__path__, "discostorm.")
-    if module.name.rpartition(".")[2] not in {"__main__", *_renamed.MODULES}
+    if module.name.rpartition(".")[2] != "__main__"
 ]
 PUBLIC: list[Callable[..., object]] = [
     value
@@ -92,7 +91,7 @@ def test_functions_show_an_example(of: Callable[..., object]) -> None:
 
 
 #: Modules of the package that `import discostorm as ds` does not offer.
-INNER = {"__main__", "book", "cli", "fleet_file", "palette", "ros2", "words", *_renamed.MODULES}
+INNER = {"__main__", "book", "cli", "fleet_file", "palette", "ros2", "words"}
 
 
 def test_what_is_public() -> None:

@@ -3,8 +3,12 @@
 import re
 import sys
 from pathlib import Path
+from threading import Thread
 from types import SimpleNamespace
 from typing import Any, cast
+from urllib.error import HTTPError
+from urllib.request import urlopen
+from xml.etree import ElementTree
 
 import pytest
 from docutils.utils import new_document
@@ -12,7 +16,9 @@ from sphinx.application import Sphinx
 from sphinx.errors import ConfigError
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "book/_ext"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 preview = __import__("preview")
+server = __import__("serve").server
 
 
 def told(address: str) -> dict[str, str]:
@@ -42,3 +48,43 @@ def test_while_no_address_is_known_none_is_made_up() -> None:
 def test_an_address_that_is_none_is_refused(address: str) -> None:
     with pytest.raises(ConfigError, match=f"must be empty or an address .* got {address!r}"):
         told(address)
+
+
+def test_a_book_with_an_address_has_a_site_map(tmp_path: Path) -> None:
+    def book(address: str, exists: bool) -> None:
+        app = SimpleNamespace(
+            config=SimpleNamespace(html_baseurl=address),
+            builder=SimpleNamespace(format="html"),
+            env=SimpleNamespace(found_docs={"notebooks/11_any_wifi", "book/index"}),
+            outdir=tmp_path,
+        )
+        preview._map(cast(Sphinx, app), None)
+        assert (tmp_path / "sitemap.xml").exists() is exists
+
+    book("", False)
+    book("https://example.org/storm", True)
+    places = [
+        place.text
+        for place in ElementTree.parse(tmp_path / "sitemap.xml").iter()
+        if place.tag.endswith("}loc")
+    ]
+    page = "https://example.org/storm/"
+    assert places == [f"{page}book/index.html", f"{page}notebooks/11_any_wifi.html"]
+
+
+def test_a_book_is_served_below_an_address(tmp_path: Path) -> None:
+    (tmp_path / "page.html").write_text("a page")
+    with server(tmp_path, "/discostorm/", 0) as serving:
+        Thread(target=serving.serve_forever, daemon=True).start()
+        root = f"http://127.0.0.1:{serving.server_port}"
+        with urlopen(f"{root}/discostorm/page.html?x#y") as answer:
+            assert answer.read() == b"a page"
+        for outside in ("/page.html", "/", "/discostorm/../../etc/passwd"):
+            with pytest.raises(HTTPError, match="404"):
+                urlopen(root + outside)
+        serving.shutdown()
+
+
+def test_a_base_without_its_slashes_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(SystemExit, match="must begin and end with /"):
+        server(tmp_path, "discostorm")

@@ -187,7 +187,8 @@ def test_the_editable_install_is_found_in_any_folder_under_any_locale(tmp_path: 
     """Python before 3.13 reads .pth files in the locale's encoding."""
     folder = tmp_path / "ordñer"
     (folder / "discostorm").mkdir(parents=True)
-    for name in ("pyproject.toml", "README.md", "LICENSE", "discostorm/__init__.py"):
+    licenses = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
+    for name in ("pyproject.toml", "PYPI.md", *licenses, "discostorm/__init__.py"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "discostorm" / "__init__.py").write_text("__version__ = '1'\nhere = 'new'\n")
     script = """
@@ -229,6 +230,15 @@ def make(folder: Path, *arguments: str, **more: str) -> str:
         ["make", *arguments], cwd=folder, env=env, text=True, capture_output=True, check=True
     )
     return done.stdout
+
+
+def test_a_public_forge_runs_what_ci_runs_on_the_versions_that_are_promised() -> None:
+    jobs = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
+    assert jobs["everything"]["steps"][-1] == {"run": ".ci/run"}
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    promised = [kind.rpartition(" ")[2] for kind in project["classifiers"] if ":: 3." in kind]
+    assert jobs["package"]["strategy"]["matrix"]["python"] == promised
+    assert project["requires-python"] == f">={promised[0]}"
 
 
 def test_help_lists_every_target() -> None:

@@ -5,18 +5,16 @@ import re
 import subprocess
 import sys
 import zipfile
-from importlib.metadata import Distribution, PathDistribution, distribution
 from pathlib import Path
 
 import pytest
-from packaging.requirements import Requirement
-from packaging.utils import canonicalize_name
-
-from discostorm import _renamed
 
 pytestmark = pytest.mark.book
 
 ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from check_dist import fill  # noqa: E402
 
 #: Imports each named module and prints it with the error, if there is one.
 IMPORT = """
@@ -56,37 +54,6 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "site"
 
 
-def needed(package: Distribution, extras: set[str]) -> set[str]:
-    """Return the names of the distributions that one needs, and all that these need."""
-    found: set[str] = set()
-    todo = [(package, frozenset(extras))]
-    seen = set()
-    while todo:
-        package, wanted = todo.pop()
-        for requirement in map(Requirement, package.requires or []):
-            if requirement.marker and not any(
-                requirement.marker.evaluate({"extra": extra}) for extra in {"", *wanted}
-            ):
-                continue
-            name = canonicalize_name(requirement.name)
-            key = name, frozenset(requirement.extras)
-            if key not in seen:
-                seen.add(key)
-                found.add(name)
-                todo.append((distribution(name), key[1]))
-    return found
-
-
-def fill(folder: Path, wheel: Path, *extras: str) -> None:
-    """Link into a folder what the wheel needs with these extras, and nothing else."""
-    (info,) = wheel.glob("*.dist-info")
-    for name in needed(PathDistribution(info), set(extras)):
-        for file in distribution(name).files or []:
-            top = file.parts[0]
-            if top not in ("..", "__pycache__") and not (folder / top).exists():
-                (folder / top).symlink_to(Path(str(distribution(name).locate_file(top))))
-
-
 def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
     """Import all modules of the wheel beside what it needs alone; return the errors by module."""
     fill(folder, wheel, *extras)
@@ -95,8 +62,7 @@ def fresh(folder: Path, wheel: Path, *extras: str) -> dict[str, str]:
         for path in (wheel / "discostorm").rglob("*.py")
     )
     assert "discostorm.book.notebook" in modules
-    for name in ("__main__", *_renamed.MODULES):
-        modules.remove(f"discostorm.{name}")
+    modules.remove("discostorm.__main__")
     # Without the site-packages of this Python.
     command = [sys.executable, "-I", "-S", "-c", IMPORT, wheel, folder, *modules]
     done = subprocess.run(command, cwd=folder, text=True, capture_output=True, check=False)

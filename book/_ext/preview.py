@@ -1,4 +1,8 @@
-"""What a link to a page shows where it is shared: title, description and a picture."""
+"""What a link to a page shows where it is shared: title, description and a picture.
+
+Once the book has an address, so has each page: here, in ``sitemap.xml``, and in a canonical link,
+which Sphinx writes.
+"""
 
 from pathlib import Path
 from typing import Any
@@ -76,8 +80,21 @@ def _draw(app: Sphinx, exception: Exception | None) -> None:
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
 
 
+def _map(app: Sphinx, exception: Exception | None) -> None:
+    base = _base(app.config.html_baseurl)
+    if exception is None and app.builder.format == "html" and base:
+        pages = "".join(
+            f"  <url><loc>{_quoted(base)}{page}.html</loc></url>\n"
+            for page in sorted(app.env.found_docs)
+        )
+        kind = 'xmlns="http://www.sitemaps.org/schemas/sitemap/0.9"'
+        text = f'<?xml version="1.0" encoding="UTF-8"?>\n<urlset {kind}>\n{pages}</urlset>\n'
+        (Path(app.outdir) / "sitemap.xml").write_text(text, encoding="utf-8")
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Connect to Sphinx."""
     app.connect("html-page-context", _add)
     app.connect("build-finished", _draw)
+    app.connect("build-finished", _map)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

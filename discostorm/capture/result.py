@@ -12,6 +12,7 @@ import sympy as sp
 from discostorm import _checks
 from discostorm._arguments import reject_symbols
 from discostorm._numeric import evaluate
+from discostorm._renamed import answer
 from discostorm.capture import gathered
 from discostorm.capture.compare import (
     Shown,
@@ -351,3 +352,6 @@ def _airtime(lengths: np.ndarray, cast: Cast, hops: tuple[Hop, ...], wifi: Wifi)
     expression = sp.Add(*(on[hop] for hop in hops))
     given: dict[Any, Any] = {length: lengths}
     return evaluate(expression, given | wifi.values())
+
+
+answer(__name__)

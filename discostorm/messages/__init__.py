@@ -4,6 +4,7 @@
 `protocol` the table.
 """
 
+from discostorm._renamed import answer
 from discostorm.messages.message import (
     HOPS,
     LEAST_PER_UNIT,
@@ -69,3 +70,5 @@ __all__ = [
     "header_bytes",
     "hop_airtime",
 ]
+
+answer(__name__)

@@ -16,6 +16,7 @@ from typing import Any, Literal, TypeAlias
 import sympy as sp
 
 from discostorm import notation as nt, words
+from discostorm._renamed import answer
 from discostorm.data import read_data
 from discostorm.messages import Protocol
 
@@ -253,3 +254,6 @@ def _swarm(hosts: float, processes: float, endpoints: float) -> str:
         f"{words.many(hosts, 'host')} of {words.many(processes, 'process', 'es')} "
         f"with {words.many(endpoints, 'endpoint')}"
     )
+
+
+answer(__name__)

@@ -6,6 +6,7 @@ from functools import cache
 from typing import get_args
 
 from discostorm import words
+from discostorm._renamed import answer
 from discostorm.data import read_data
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
@@ -138,3 +139,6 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
             f"{words.listed(unknown)}: not known for {protocol.name}, whose family is neither "
             f"{families}"
         )
+
+
+answer(__name__)

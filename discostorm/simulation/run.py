@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
+from discostorm._renamed import answer
 from discostorm.fleet import Fleet
 from discostorm.messages import Hosts, Protocol
 from discostorm.simulation import cell as _cell
@@ -231,3 +232,6 @@ def one_run(setup: Setup, seed: np.random.SeedSequence) -> Run:
         pair_times,
         cell.log[: now["logged"]],
     )
+
+
+answer(__name__)

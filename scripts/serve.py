@@ -1,0 +1,42 @@
+"""Show a built book on this machine, at the root of an address or below it as a host would."""
+
+import argparse
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+
+def server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTTPServer:
+    """Return a server of a folder whose files are below BASE, and of nothing else."""
+    if not (base.startswith("/") and base.endswith("/")):
+        raise SystemExit(f"serve: BASE must begin and end with /, as /discostorm/; got {base!r}")
+
+    class Below(SimpleHTTPRequestHandler):
+        def __init__(self, *args: Any, **kwargs: Any) -> None:
+            super().__init__(*args, directory=str(folder), **kwargs)
+
+        def translate_path(self, path: str) -> str:
+            inside = path.removeprefix(base)
+            # What leaves the base is not there, as on the host.
+            return super().translate_path("/" + inside if path.startswith(base) else "/.none")
+
+    return ThreadingHTTPServer(("127.0.0.1", port), Below)
+
+
+def main() -> None:
+    """Serve until Ctrl-C."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--base", default="/")
+    parser.add_argument("--port", type=int, default=8000)
+    given = parser.parse_args()
+    with server(given.folder, given.base, given.port) as serving:
+        print(f"http://localhost:{given.port}{given.base} (Ctrl-C ends)", flush=True)
+        try:
+            serving.serve_forever()
+        except KeyboardInterrupt:
+            print()
+
+
+if __name__ == "__main__":
+    main()
