@@ -70,7 +70,9 @@ NAMES = {
     "capture.result": {"read_capture": "discostorm.capture.read_capture"},
     "fleet": {
         "Hosts": "discostorm.messages.Hosts",
+        "as_fleet": "discostorm._arguments.as_fleet",
         "parameter_service_endpoints": "discostorm.ros2.parameter_service_endpoints",
+        "reject_symbols": "discostorm._arguments.reject_symbols",
         "shared_endpoints": "discostorm.robots.shared_endpoints",
     },
     "measured": {

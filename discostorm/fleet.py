@@ -309,7 +309,7 @@ class Fleet:
         ]
 
     @cached_property
-    def matched(self) -> Count:
+    def matched_in_all(self) -> Count:
         """The endpoints in the fleet that match one in every other process."""
         pairs = zip(self.processes_of, self.matched_of, strict=True)
         return reduce(add, (processes * matched for processes, matched in pairs))

@@ -154,7 +154,9 @@ def test_old_imports_are_answered_in_a_fresh_python() -> None:
 @pytest.mark.parametrize("command", OLD["options"])
 def test_every_command_has_the_options_that_it_had(command: str) -> None:
     assert isinstance(main, click.Group)
-    parameters = main.commands[command].params
+    found = main.get_command(click.Context(main), command)
+    assert found is not None
+    parameters = found.params
     today = {option for one in parameters for option in (*one.opts, *one.secondary_opts)}
     assert set(OLD["options"][command]) <= today
 

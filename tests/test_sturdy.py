@@ -112,8 +112,13 @@ def test_a_plan_fits_the_terminal() -> None:
     for columns in (40, 60, 80, 200):
         lines = run("plan", FLEET, columns=columns).stdout.splitlines()
         assert max(map(len, lines)) <= min(columns, 79)
-    wide, narrow = (run("plan", FLEET, columns=columns).stdout for columns in (80, 40))
-    assert wide.split() == narrow.split()
+    # The table of arrangements, which needs more room, comes as a list.
+    wide, narrow = (
+        run("plan", FLEET, columns=columns).stdout.partition("The same fleet")
+        for columns in (80, 40)
+    )
+    assert wide[0].split() == narrow[0].split()
+    assert "- Zenoh router: startup takes 8.31 s," in " ".join(narrow[2].split())
 
 
 @pytest.mark.parametrize(

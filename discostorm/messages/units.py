@@ -256,7 +256,7 @@ def _each(what: What, fleet: Fleet, index: int) -> Count:
     if what == "matched writer":
         return fleet.matched_of[index] / 2
     if what == "matched endpoint of others":
-        return fleet.matched - fleet.matched_of[index]
+        return fleet.matched_in_all - fleet.matched_of[index]
     if what == "listed endpoint":
         return group.endpoints * (group.endpoints + 1) / 2
     return 1

@@ -65,8 +65,8 @@ def compared(fleet: Fleet, wifi: Wifi, window: float) -> tuple[Arrangement, ...]
     return tuple(sorted(found, key=lambda one: (one.start, one.steady)))
 
 
-def table_in_words(all_of_them: tuple[Arrangement, ...]) -> list[str]:
-    """Return a row each, in columns of equal width."""
+def table_in_words(all_of_them: tuple[Arrangement, ...], width: int) -> list[str]:
+    """Return a row each, in columns of equal width; a sentence each where these are too wide."""
     rows = [("", "startup takes", "then repeats take")]
     rows += [
         (
@@ -77,6 +77,12 @@ def table_in_words(all_of_them: tuple[Arrangement, ...]) -> list[str]:
         for one in all_of_them
     ]
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    if sum(widths) + 6 > width:
+        titles = rows[0]
+        told = (
+            f"{name}: {titles[1]} {start}, {titles[2]} {steady}" for name, start, steady in rows[1:]
+        )
+        return [words.wrapped(f"- {line}", width) for line in told]
     return [
         f"  {name:<{widths[0]}}  {start:>{widths[1]}}  {steady:>{widths[2]}}"
         for name, start, steady in rows

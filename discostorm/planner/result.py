@@ -233,8 +233,8 @@ class Plan:
         table = "\n".join(
             [
                 "",
-                "The same fleet with every measured arrangement:",
-                *table_in_words(self.arrangements),
+                words.wrapped("The same fleet with every measured arrangement:", width),
+                *table_in_words(self.arrangements, width),
             ]
         )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
