@@ -52,7 +52,7 @@ def simulate(
     seed: int = 0,
     until: float = 120.0,
     eifs: bool = False,
-    agreements: Literal["cold", "in place"] = "in place",
+    agreements: Literal["cold", "in place"] = "cold",
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
@@ -101,7 +101,7 @@ def simulate(
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
-    agreements : {"in place", "cold"}, optional
+    agreements : {"cold", "in place"}, optional
         With aggregation: whether block acknowledgements have been agreed on before the start, or
         all were just switched on, so that each sender first exchanges an ADDBA request and
         response with each receiver, as `discostorm.simulation.agreements` says.
