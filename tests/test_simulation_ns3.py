@@ -126,3 +126,20 @@ def test_the_standards_own_durations_are_little_longer() -> None:
             )
             ratio = np.median(found.drain_time) / float(row["drain_time_s"])
             assert 1 < ratio < 1.02
+
+
+@pytest.mark.parametrize(
+    "row",
+    read_data("measured/ns3_agreements.csv"),
+    ids=lambda row: "-".join((row["scenario"], row["protocol"], row["hosts"])),
+)
+def test_a_burst_with_and_without_agreements_is_that_of_ns3(row: Row) -> None:
+    what = replace(plan_of(row), cold=row["scenario"] == "cold")
+    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    agree(
+        row,
+        "drain_time_s",
+        np.array([run.drain_time for run in runs]),
+        DRAIN_AGGREGATED * float(row["drain_time_s"]),
+    )
+    agree(row, "lost", np.array([run.lost for run in runs]), LOST)

@@ -12,7 +12,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -52,6 +52,7 @@ def simulate(
     seed: int = 0,
     until: float = 120.0,
     eifs: bool = False,
+    agreements: Literal["cold", "in place"] = "cold",
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
@@ -100,6 +101,10 @@ def simulate(
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
+    agreements : {"cold", "in place"}, optional
+        With aggregation: whether block acknowledgements have been agreed on before the start, or
+        all were just switched on, so that each sender first exchanges an ADDBA request and
+        response with each receiver, as `discostorm.simulation.agreements` says.
 
     Returns
     -------
@@ -142,6 +147,7 @@ def simulate(
     _checks.whole("runs", runs, 1)
     _checks.whole("seed", seed, 0)
     _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
+    _checks.choice("agreements", agreements, ("cold", "in place"))
 
     from discostorm.simulation.run import set_up
 
@@ -155,6 +161,7 @@ def simulate(
         recovery,
         float(until),
         eifs,
+        agreements == "cold",
     )
     seeds = np.random.SeedSequence(int(seed)).spawn(int(runs))
     settings = {
@@ -168,6 +175,7 @@ def simulate(
         "seed": int(seed),
         "until_s": float(until),
         "eifs": eifs,
+        "agreements": agreements,
     }
     return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(setup, seeds))
 

@@ -92,13 +92,15 @@ def aligned(count: int, record: np.dtype[np.void]) -> NDArray[np.void]:
 RADIO = _record(
     *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
     *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
+    *("action", "basic_ack"),
     *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
 #: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
 #: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
-#: hosts have still to send.
+#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
+#: many frames for it there were.
 NOW = _record(
     *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
     *("free", "spare"),
@@ -106,7 +108,7 @@ NOW = _record(
     *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
     *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
     *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
-    *("busy", "wasted", "expired"),
+    *("busy", "wasted", "expired", "cold", "actions"),
 )
 
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
@@ -138,6 +140,17 @@ STATION = _record(
 #: A frame that a station is sending, the tick at which it came, its number, its failures. Where
 #: the access point aggregates it is a copy of the entry ``number`` of `Cell.pool`.
 HELD = _record("frame", "came", "number", "tries")
+
+#: The agreement on block acknowledgements from a host to the access point, or back; request and
+#: response that wait to be sent, by the order in which they came (0: none), and their failures.
+AGREEMENT = _record("state", "request", "response", "request_tries", "response_tries")
+#: Not agreed on; asked for; not answered in time; agreed on.
+NONE, ASKED, SILENT, AGREED = (np.int64(number) for number in range(4))
+UPWARD, DOWNWARD = np.int64(0), np.int64(1)
+
+#: How many requests and responses wait at a station, and for which agreement it sends one: twice
+#: the host and the direction, or -1 for none.
+ACTIONS = _record("waiting", "sends")
 
 #: A frame that waits, or a burst that does; the next in the queue; at the access point also the
 #: next to the same host, which frame to that host it is, and its failures.
@@ -211,6 +224,9 @@ class Cell(NamedTuple):
     strays: Records
     senders: Records
     pool: Records
+    #: At [host, direction].
+    agreements: Records
+    actions: Records
     events: Records
     kinds: Records
     batches: Ints
@@ -232,7 +248,7 @@ class Cell(NamedTuple):
 
 #: What happens, above the bits that say to whom: a host or process, another, a row of the table.
 _EVENT = 56
-SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT = (np.int64(n) << _EVENT for n in range(6))
+SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT, GIVE_UP = (np.int64(n) << _EVENT for n in range(7))
 
 # ---------------------------------------------------------------- chance
 

@@ -6,6 +6,7 @@ What a station sends before its data, such as an RTS, would belong into `lengths
 import numpy as np
 
 from discostorm.simulation._compile import njit, shared
+from discostorm.simulation.agreements import action_arrived, action_failed, agreed
 from discostorm.simulation.cell import (
     AIR,
     COLLISION,
@@ -18,7 +19,7 @@ from discostorm.simulation.cell import (
     kind_of,
     uniform,
 )
-from discostorm.simulation.medium import back_off, draw, enter, first_to_send, wait
+from discostorm.simulation.medium import back_off, draw, enter, first_to_send, wait, wake
 from discostorm.simulation.queues import change_length, lose, receiver, take_after
 from discostorm.simulation.sending import (
     MISSING,
@@ -43,6 +44,13 @@ def lengths(cell, station):
     """
     length = ppdu(cell, station)
     return length, length
+
+
+@njit
+def is_action(cell, station):
+    """Return whether what a station sends is a request or response for an agreement."""
+    its = cell.stations[station]
+    return cell.now[0].cold and its.sent == 0 and not its.must_ask
 
 
 @shared
@@ -76,16 +84,38 @@ def note(cell, station, start, end, outcome):
         row = cell.log[now.logged]
         now.logged += 1
         row.start, row.end, row.station, row.frames = start, end, station, sent
-        row.kind = kind_of(cell.window[station, 0].frame) if sent else -1
+        row.kind = -2 if is_action(cell, station) else -1
+        if sent:
+            row.kind = kind_of(cell.window[station, 0].frame)
         row.outcome = outcome
 
 
+@shared
+def give_up_single(cell, station):
+    """Lose a frame without block acknowledgement that has failed too often, if it has."""
+    now, its, held = cell.now[0], cell.stations[station], cell.window[station, 0]
+    tries = cell.pool[held.number].tries if station == now.hosts else held.tries
+    if tries < cell.radio[0].attempts or agreed(cell, station, held.frame):
+        return
+    lose(cell, held.frame, station, RETRY)
+    change_length(cell, station, -1)
+    if station == now.hosts:
+        take_after(cell, receiver(cell, held.frame), np.int64(-1))
+        return
+    for place in range(1, its.held):
+        keep(cell, station, place, place - 1)
+    its.held -= 1
+
+
 @njit
-def count_failure(cell, station):
+def count_failure(cell, station, time):
     """Note that nothing came back to a station."""
-    radio, its = cell.radio[0], cell.stations[station]
+    now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
     # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
+    if is_action(cell, station):
+        action_failed(cell, station, time)
+        return
     for place in range(its.sent):
         held = cell.window[station, place]
         if aggregates(cell, station):
@@ -94,6 +124,8 @@ def count_failure(cell, station):
             held.tries += 1
     if its.sent > 1:
         its.must_ask = 1
+    elif now.cold and its.sent:
+        give_up_single(cell, station)
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
     elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
         lose(cell, cell.window[station, 0].frame, station, RETRY)
@@ -111,6 +143,21 @@ def send_request(cell, station, time, end):
     note(cell, station, time, now.idle, SUCCESS)
     its.must_ask, its.failures = 0, 0
     back_off(cell, station, now.base)
+
+
+@shared
+def send_action(cell, station, time, end):
+    """Let a station send a request or response for an agreement, undisturbed."""
+    now, radio = cell.now[0], cell.radio[0]
+    now.idle = end + radio.sifs + radio.basic_ack
+    now.base = now.idle + radio.aifs
+    now.busy += end - time + radio.basic_ack
+    note(cell, station, time, now.idle, SUCCESS)
+    cell.stations[station].failures = 0
+    other = action_arrived(cell, station, now.idle)
+    back_off(cell, station, now.base)
+    if cell.stations[other].length > 0:
+        wake(cell, other, end, False)
 
 
 @shared
@@ -171,7 +218,7 @@ def send_unicast(cell, station, time, end):
             cell.window[station, place].came &= ~MISSING
         now.busy += end - time
         note(cell, station, time, end, ERROR)
-        count_failure(cell, station)
+        count_failure(cell, station, end)
         back_off(cell, station, end + radio.timeout + radio.aifs)
         return
     now.busy += end - time + answer
@@ -203,7 +250,9 @@ def send_unicast(cell, station, time, end):
 def send(cell, station, time):
     """Let a station send undisturbed."""
     alone, _ = lengths(cell, station)
-    if cell.stations[station].sent == 0:
+    if is_action(cell, station):
+        send_action(cell, station, time, time + alone)
+    elif cell.stations[station].sent == 0:
         send_request(cell, station, time, time + alone)
     elif is_multicast(cell, station):
         send_multicast(cell, time, time + alone)
@@ -243,7 +292,7 @@ def collide(cell, count, time):
             its.held, its.failures = 0, 0
             change_length(cell, station, -1)
         else:
-            count_failure(cell, station)
+            count_failure(cell, station, last)
             base = max(sender.end + radio.timeout, last) + radio.aifs
         sender.slots, sender.base = draw(cell, station), base
         if its.length == 0 or base == now.base:

@@ -12,6 +12,7 @@ with all that it sent, and may be discovered again.
 import numpy as np
 
 from discostorm.simulation._compile import njit, shared
+from discostorm.simulation.agreements import give_up
 from discostorm.simulation.cell import (
     ACKNACK,
     ANNOUNCE,
@@ -22,6 +23,7 @@ from discostorm.simulation.cell import (
     DISCOVERY,
     EXPIRE,
     FIRST,
+    GIVE_UP,
     HEARTBEAT,
     ITEMS,
     LATER,
@@ -444,5 +446,7 @@ def happen(cell, time, what):
         expire(cell, one, time)
     elif kind == TIMEOUT:
         end_timer(cell, one, other, time)
+    elif kind == GIVE_UP:
+        give_up(cell, one, time)
     elif cell.pairs[one, other].known:
         send_items(cell, row, one, other, time, STEADY)

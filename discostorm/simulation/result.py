@@ -107,7 +107,8 @@ class Simulation:
         ``ap_*`` the same at the access point; ``on_air``: multicast, which nobody repeats)
         and still ``waiting``;
         ``ppdus``, the ``mpdus`` in them, those ``retried``; ``collisions`` and the PPDUs
-        ``collided`` in them; ``requests`` for block acknowledgements; ``expired`` leases.
+        ``collided`` in them; ``requests`` for block acknowledgements and for
+        agreements on them, with the responses; ``expired`` leases.
     airtime : ndarray of shape (runs, messages + 1, 3)
         Airtime by message, the last row for requests, with acknowledgements: up, down,
         and failed [s].
@@ -206,7 +207,9 @@ class Simulation:
 
         sent = self.transmissions
         hosts = int(self.settings["hosts"])
-        names = [*(message.name for message in self.protocol.messages), "block ACK request"]
+        # The two that are no messages count from the end.
+        others = ["block ACK agreement", "block ACK request"]
+        names = [*(message.name for message in self.protocol.messages), *others]
         return pd.DataFrame(
             {
                 "start_s": sent["start"] * 1e-7,

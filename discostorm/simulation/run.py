@@ -58,6 +58,7 @@ class Setup:
     loss: NDArray[np.float64]
     until: float
     spread: float
+    cold: bool
 
     def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
         """Return a cell at the start of a run, and when each host starts [s]."""
@@ -75,6 +76,7 @@ class Setup:
             for_run,
             for_parts,
             self.repairs,
+            self.cold,
         )
         return cell, starts
 
@@ -129,6 +131,7 @@ def set_up(
     recovery: bool,
     until: float,
     eifs: bool,
+    cold: bool = False,
 ) -> Setup:
     """Check what `discostorm.simulate` was given and return what a run needs."""
     hosts = hosts_of(fleet)
@@ -168,6 +171,7 @@ def set_up(
         np.broadcast_to(errors, count),
         until if recovery else np.inf,
         float(np.ptp(starts)),
+        cold,
     )
 
 

@@ -3,7 +3,20 @@
 import numpy as np
 
 from discostorm.simulation._compile import njit, shared
-from discostorm.simulation.cell import AGE, NEVER, STEADY, destination_of, kind_of, uniform
+from discostorm.simulation.agreements import agreed, ask, choose_action
+from discostorm.simulation.cell import (
+    AGE,
+    AGREED,
+    ASKED,
+    DOWNWARD,
+    NEVER,
+    NONE,
+    STEADY,
+    UPWARD,
+    destination_of,
+    kind_of,
+    uniform,
+)
 from discostorm.simulation.medium import offer, wake
 from discostorm.simulation.queues import (
     batch_of,
@@ -106,6 +119,20 @@ def aggregates(cell, station):
 
 
 @shared
+def first_free(cell, node):
+    """Return the access point's first frame from one on that waits for no agreement, or -1."""
+    now = cell.now[0]
+    while node >= 0:
+        frames = frames_of(cell.pool[node].frame)
+        if frames:
+            to = receiver(cell, cell.pool[node].frame)
+            if to == now.hosts or cell.agreements[to, DOWNWARD].state != ASKED:
+                return node
+        node = np.int64(cell.pool[node].next)
+    return np.int64(-1)
+
+
+@shared
 def load_to_one(cell, time):
     """Fill what the access point sends next to the host that has waited longest.
 
@@ -119,11 +146,20 @@ def load_to_one(cell, time):
         return True
     its.held = 0
     node = first_entry(cell, station, time)
+    if now.cold:
+        node = first_free(cell, node)
     if node < 0:
         return False
-    to = receiver(cell, cell.pool[node].frame)
+    to, most = receiver(cell, cell.pool[node].frame), radio.mpdus
+    if now.cold and to < now.hosts:
+        state = cell.agreements[to, DOWNWARD].state
+        if state == NONE and cell.pool[node].same >= 0:
+            ask(cell, to, DOWNWARD)
+            return True
+        if state != AGREED:
+            most = np.int64(1)
     first = np.int64(cell.pool[node].number)
-    while node >= 0 and its.held < radio.mpdus and cell.pool[node].number < first + radio.window:
+    while node >= 0 and its.held < most and cell.pool[node].number < first + radio.window:
         waiting, held = cell.pool[node], cell.window[station, its.held]
         held.frame, held.came, held.number = waiting.frame, waiting.came, node
         held.tries = waiting.tries
@@ -139,6 +175,9 @@ def load_to_one(cell, time):
 def load(cell, station, time):
     """Fill what the station sends next, oldest first; return whether there is anything."""
     radio, its = cell.radio[0], cell.stations[station]
+    cold = cell.now[0].cold
+    if cold and choose_action(cell, station):
+        return True
     if aggregates(cell, station):
         return load_to_one(cell, time)
     if its.held and radio.lifetime < NEVER:
@@ -163,6 +202,13 @@ def load(cell, station, time):
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
         its.following += 1
         its.held += 1
+    if cold and not its.must_ask:
+        state = cell.agreements[station, UPWARD].state
+        if state == ASKED:
+            return False
+        if state == NONE and its.length > 1:
+            ask(cell, station, UPWARD)
+            return True
     return its.held > 0 or its.must_ask > 0
 
 
@@ -188,8 +234,11 @@ def ppdu(cell, station):
     if its.must_ask:
         its.sent = 0
         return cell.radio[0].request
+    if cell.now[0].cold and cell.actions[station].sends >= 0:
+        its.sent = 0
+        return cell.radio[0].action
     frame = cell.window[station, 0].frame
-    if its.held > 1:
+    if its.held > 1 and (not cell.now[0].cold or agreed(cell, station, frame)):
         octets, together = subframe(cell, frame), np.int64(1)
         while together < its.held:
             more = octets + subframe(cell, cell.window[station, together].frame)

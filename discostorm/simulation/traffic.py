@@ -27,6 +27,8 @@ ATTEMPTS = 7
 RX_START_DELAY = 20e-6
 #: How many frames a block acknowledgement looks back at least (10.25).
 WINDOW = 64
+#: From an acknowledgement of 14 octets to an action frame of 37 at 6 Mbit/s [s]: eight symbols.
+LONGER_ACTION = 8 * 4e-6
 #: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
 _MOST_PROCESSES = 2**_cell.PROCESS_BITS
@@ -96,6 +98,8 @@ def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
         "block_ack": radio.block_ack + extension,
         # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
         "request": radio.block_ack + extension,
+        "action": basic + LONGER_ACTION + extension,
+        "basic_ack": basic + extension,
         "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
         "grid": padding.grid,
@@ -303,6 +307,7 @@ def new_cell(
     seed: np.random.SeedSequence,
     for_parts: np.random.SeedSequence,
     repairs: Records | None = None,
+    cold: bool = False,
 ) -> Cell:
     """Return a cell at the start of a run."""
     count, rows = hosts.processes.size, kinds.size
@@ -327,6 +332,7 @@ def new_cell(
     now["spare"] = _POOL
     now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
     now["per_receiver"] = radio["mpdus"] > 1
+    now["cold"] = cold and radio["mpdus"] > 1
     # xorshift must not begin at zero.
     now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     pool = np.zeros(_POOL, _cell.ENTRY)
@@ -364,6 +370,8 @@ def new_cell(
         strays=np.zeros(count + 1, _cell.STRAY),
         senders=np.zeros(max(count + 1, mpdus), _cell.SENDER),
         pool=pool,
+        agreements=np.zeros((count, 2), _cell.AGREEMENT),
+        actions=np.zeros(count + 1, _cell.ACTIONS),
         events=events,
         kinds=kinds,
         batches=sets,

@@ -56,6 +56,7 @@ struct Options
     std::string order = "pairs";
     uint32_t ampdu = 0;
     bool request = true;
+    bool cold = false;
     uint32_t aifsn = 3;
     uint32_t queueFrames = 0;
     double queueTime = 0;
@@ -167,6 +168,15 @@ class DataErrors : public ErrorModel
     Ptr<UniformRandomVariable> m_uniform;
 };
 
+// What an action frame, of the category Block Ack here, is: category and action come first.
+const char*
+ActionOf(Ptr<const Packet> packet)
+{
+    std::array<uint8_t, 2> bytes{};
+    packet->CopyData(bytes.data(), bytes.size());
+    return bytes[1] == 0 ? "addba_request" : "addba_response";
+}
+
 void
 OnTransmission(uint32_t node, WifiConstPsduMap psdus, WifiTxVector vector, double)
 {
@@ -210,6 +220,7 @@ OnTransmission(uint32_t node, WifiConstPsduMap psdus, WifiTxVector vector, doubl
         const char* kind = header.IsQosData()  ? "data"
                            : header.IsAck()      ? "ack"
                            : header.IsBlockAck() ? "block_ack"
+                           : header.IsAction()   ? ActionOf(psdu->GetPayload(0))
                                                  : "other";
         std::cout << "tx," << now.GetNanoSeconds() << "," << end.GetNanoSeconds() << "," << node
                   << "," << kind << "," << psdu->GetSize() << "," << psdu->GetNMpdus() << ","
@@ -398,7 +409,7 @@ Start()
         auto txop = MacOf(node)->GetQosTxop(AC_BE);
         txop->SetAifsn(options.aifsn);
         txop->SetAttribute("UseExplicitBarAfterMissedBlockAck", BooleanValue(options.request));
-        if (options.ampdu > 0)
+        if (options.ampdu > 0 && !options.cold)
         {
             const uint32_t to = node == ap ? 0 : ap;
             auto address = Mac48Address::ConvertFrom(devices.Get(to)->GetAddress());
@@ -464,7 +475,7 @@ WatchForAssociation()
         return;
     }
     const Time step = MilliSeconds(20);
-    if (options.ampdu > 0 && options.traffic == "burst")
+    if (options.ampdu > 0 && !options.cold && options.traffic == "burst")
     {
         for (uint32_t host = 0; host < options.hosts; host++)
         {
@@ -617,6 +628,7 @@ main(int argc, char* argv[])
     command.AddValue("order", "pairs or messages", options.order);
     command.AddValue("ampdu", "most bytes in an A-MPDU, 0 for none", options.ampdu);
     command.AddValue("request", "ask for a block ACK that did not come", options.request);
+    command.AddValue("cold", "no block ACK agreement before the burst", options.cold);
     command.AddValue("aifsn", "AIFSN of all", options.aifsn);
     command.AddValue("queue_frames", "frames in a queue, 0 for no limit", options.queueFrames);
     command.AddValue("queue_s", "seconds in a queue, 0 for no limit", options.queueTime);
@@ -665,10 +677,15 @@ main(int argc, char* argv[])
             }
             expected += receivers;
             arrived += message.arrived;
-            const Cause cause = CauseOf(message);
+            Cause cause = CauseOf(message);
             if (!message.multicast && message.arrived == 0 && cause == NONE)
             {
-                Fail("a unicast message was lost without a cause");
+                // To a full queue a request or response comes in place of the oldest message.
+                if (!options.cold || options.queueFrames == 0)
+                {
+                    Fail("a unicast message was lost without a cause");
+                }
+                cause = message.queuedAtAp ? AP_FULL : HOST_FULL;
             }
             lost[cause] += receivers - message.arrived;
         }

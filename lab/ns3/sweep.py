@@ -74,6 +74,7 @@ class Burst:
     window_s: float = 0.0
     loss: float = 0.0
     seed: int = 1
+    cold: int = 0
 
     def options(self) -> list[str]:
         """Return the program's options."""
@@ -81,6 +82,7 @@ class Burst:
         return [
             f"--messages={messages(self.protocol, self.endpoints)}",
             *(f"--{name}={getattr(self, name)}" for name in named.split()),
+            *(["--cold=1"] if self.cold else []),
         ]
 
 
@@ -231,6 +233,24 @@ def saturations(
 
 WINDOWS = (0.5, 1.0, 2.0, 5.0)
 
+#: With and without agreements before the burst, for a table of their own: the same seeds.
+AGREEMENTS: list[Burst] = [
+    dataclasses.replace(run, cold=cold)
+    for protocol, hosts, runs, queue in (
+        *(("DDS", hosts, 40, QUEUE) for hosts in (5, 7, 10)),
+        *(("Zenoh", hosts, runs, (0, 0.0)) for hosts, runs in ((3, 40), (7, 40), (12, 20))),
+    )
+    for cold in (1, 0)
+    for run in grid(
+        "agreements",
+        (hosts,),
+        (0, runs),
+        protocols=[protocol],
+        queues=[queue],
+    )
+    if isinstance(run, Burst)
+]
+
 #: All runs, in the order of the tables.
 RUNS: list[Run] = [
     *grid("unlimited", (2, 3, 4), (20, 40)),
@@ -266,6 +286,7 @@ RUNS: list[Run] = [
     ),
     *saturations((1, 5), aifsn=2),
     *saturations((1, 5), frame=1538),
+    *AGREEMENTS,
 ]
 
 
@@ -330,6 +351,9 @@ def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]
     for run, group in results.items():
         row: dict[str, object] = dataclasses.asdict(run) | {"runs": len(group)}
         del row["seed"]
+        cold = row.pop("cold", 0)
+        if row.get("scenario") == "agreements":
+            row["scenario"] = "cold" if cold else "in place"
         counts = {name: sum(values[name] for values in group) for name in group[0]}
         if isinstance(run, Burst):
             row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
@@ -367,8 +391,14 @@ def write_tables() -> None:
             setting.append(result(run))
     complete = {run: group for run, group in results.items() if len(group) >= 10}
     write("ns3_frames.csv", list(frames()))
-    for name, kind in (("ns3_bursts.csv", Burst), ("ns3_saturation.csv", Saturation)):
-        write(name, table({run: complete[run] for run in complete if isinstance(run, kind)}))
+    files: defaultdict[str, dict[Run, list[dict[str, float]]]] = defaultdict(dict)
+    for run, group in complete.items():
+        name = "saturation" if isinstance(run, Saturation) else "bursts"
+        if isinstance(run, Burst) and run.scenario == "agreements":
+            name = "agreements"
+        files[name][run] = group
+    for name, of_file in files.items():
+        write(f"ns3_{name}.csv", table(of_file))
     write("ns3_times.csv", times(complete))
 
 
