@@ -59,7 +59,8 @@ def test_a_part_comes_out_the_same_again(name: str) -> None:
     assert len(chosen) >= 3
     for number in chosen:
         found = text(asdict(settings[number]) | settings[number].run() | simulate.SOURCE)
-        assert found == rows[number]
+        # Settings of few runs have no interval.
+        assert dict.fromkeys(rows[number], "") | found == rows[number]
 
 
 def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
