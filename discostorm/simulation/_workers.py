@@ -5,8 +5,14 @@ import threading
 import time
 from typing import Any
 
-from joblib import cpu_count
-from joblib.parallel import LokyBackend, get_active_backend
+try:
+    from joblib import cpu_count
+    from joblib.parallel import LokyBackend, get_active_backend
+except ImportError as error:
+    raise ImportError(
+        "discostorm.simulation needs joblib; to get it: pip install 'discostorm[simulation]'",
+        name="joblib",
+    ) from error
 
 #: How often a process looks whether the one that started it is still there [s].
 _LOOK = 0.5
