@@ -184,18 +184,22 @@ def test_clients_look_where_their_servers_are(name: str) -> None:
     assert [":".join(pair) for pair in found] == PLACES[name]
 
 
+#: 40 MHz upwards, with the short guard interval of 0.4 µs at both widths.
+WHOLE = "[HT40+][SHORT-GI-20][SHORT-GI-40]"
+
+
 @pytest.mark.parametrize(
     ("name", "settings"),
     [
-        ("hostapd_80211n_40mhz.conf", {"ht_capab": "[HT40+]"}),
+        ("hostapd_80211n_40mhz.conf", {"ht_capab": WHOLE}),
         (
             "hostapd_80211ac_80mhz.conf",
-            {"ht_capab": "[HT40+]", "vht_oper_chwidth": "1", "vht_oper_centr_freq_seg0_idx": "42"},
+            {"ht_capab": WHOLE, "vht_oper_chwidth": "1", "vht_oper_centr_freq_seg0_idx": "42"},
         ),
         (
             "hostapd_80211ax_160mhz.conf",
             {
-                **{"ht_capab": "[HT40+]", "vht_oper_chwidth": "2", "he_oper_chwidth": "2"},
+                **{"ht_capab": WHOLE, "vht_oper_chwidth": "2", "he_oper_chwidth": "2"},
                 **dict.fromkeys(
                     ("vht_oper_centr_freq_seg0_idx", "he_oper_centr_freq_seg0_idx"), "50"
                 ),
