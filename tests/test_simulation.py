@@ -976,7 +976,9 @@ def test_one_run_fits_the_others() -> None:
 
 
 def command(*arguments: str) -> Any:
-    return CliRunner().invoke(main, ["simulate", str(FLEET), "--runs", "2", *arguments])
+    usual = {"--runs": "2", "--protocol": "DDS"}
+    own = [word for name, value in usual.items() if name not in arguments for word in (name, value)]
+    return CliRunner().invoke(main, ["simulate", str(FLEET), *own, *arguments])
 
 
 def test_command_prints_what_the_package_finds() -> None:
@@ -1009,7 +1011,7 @@ def test_command_prints_what_the_package_finds() -> None:
         (("--window", "1e15"), "at most 1e+06; got 1000000000000000.0"),
         (("--runs", "0"), "runs must be"),
         (("--loss", "1"), "of at least 0 and below 1"),
-        (("--wifi", "tin cans"), "--wifi must be one of"),
+        (("--wifi", "tin cans"), "--wifi must be 'paper' or a radio; '--wifi list' lists some"),
         # A channel of rates and overheads alone has no radio to contend with.
         (("--unicast-rate", "100"), "No such option '--unicast-rate'"),
         (("--multicast-rate", "24"), "--multicast-rate goes with a radio here; got --wifi 'paper'"),

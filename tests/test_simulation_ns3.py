@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm.data import read_data
+from discostorm.simulation import disc, powers
 from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import kind_records, ticks
 
@@ -54,6 +55,35 @@ def plan_of(row: Row) -> Setup:
     )
     # ns-3's frames have the length of Table II with their QoS Control field.
     return replace(what, kinds=kind_records(protocol, replace(wifi, aggregation=None), what.hosts))
+
+
+@pytest.mark.parametrize(
+    "row",
+    [row for row in read_data("measured/ns3_capture.csv") if row["delays"] == "1"],
+    ids=lambda row: "-".join((row["protocol"], row["hosts"], row["queue_frames"], row["ampdu"])),
+)
+def test_a_burst_of_hosts_at_unlike_distances_is_that_of_ns3(row: Row) -> None:
+    what = plan_of(row)
+    heard = 10 ** (powers(disc(int(row["hosts"]))) / 10)
+    what = replace(what, power=heard, radio=what.radio.copy())
+    # What ns-3 needs, see lab/ns3/README.md.
+    what.radio["exceeds"], what.radio["exceeds_basic"] = 10**1.87, 10**0.1
+    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    limit = DRAIN_AGGREGATED if int(row["ampdu"]) else DRAIN
+    drained = np.array([run.drain_time for run in runs])
+    agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
+    agree(row, "lost", np.array([run.lost for run in runs]), LOST)
+    multicast = sum(
+        float(message.load(ds.Fleet.swarm(int(row["hosts"]), 2, 10)))
+        for message in ds.PROTOCOLS[row["protocol"]].messages
+        if message.cast == "multicast"
+    )
+    receptions = multicast * (int(row["hosts"]) - 1)
+    on_air = np.mean([run.counts["on_air"] for run in runs]) / receptions
+    theirs = int(row["on_air"]) / int(row["runs"]) / receptions
+    # Each reception is lost or not: of those in all runs of ns-3, three standard errors.
+    chance = 3 * np.sqrt(theirs * (1 - theirs) / receptions / int(row["runs"]))
+    assert on_air == pytest.approx(theirs, abs=0.02 + chance), row
 
 
 def error_of_median(spread: float, runs: int) -> float:

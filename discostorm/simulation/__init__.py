@@ -21,6 +21,7 @@ from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.simulation._memory import available
+from discostorm.simulation.places import MOST_DECIBELS, THRESHOLD, disc, powers
 from discostorm.simulation.result import Run, Simulation
 from discostorm.simulation.starts import Start, told
 from discostorm.wifi import Wifi
@@ -28,7 +29,7 @@ from discostorm.wifi import Wifi
 if TYPE_CHECKING:
     from discostorm.simulation.run import Setup
 
-__all__ = ["Simulation", "simulate"]
+__all__ = ["Simulation", "disc", "powers", "simulate"]
 
 #: Frames and seconds; None for no limit.
 Queue: TypeAlias = tuple[float | None, float | None] | NDArray[Any]
@@ -53,10 +54,13 @@ def simulate(
     until: float = 120.0,
     eifs: bool = False,
     agreements: Literal["cold", "in place"] = "cold",
+    power: ArrayLike | None = None,
+    threshold: tuple[float, float] = THRESHOLD,
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
-    All hosts hear each other and the access point, at equal strength. Every frame goes up to
+    All hosts hear each other and the access point, at equal strength unless `power` says
+    otherwise. Every frame goes up to
     the access point as unicast, waits there and goes down again, multicast once at the basic
     rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
     DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
@@ -105,6 +109,15 @@ def simulate(
         With aggregation: whether block acknowledgements have been agreed on before the start, or
         all were just switched on, so that each sender first exchanges an ADDBA request and
         response with each receiver, as `discostorm.simulation.agreements` says.
+    power : array of shape (hosts + 1, hosts + 1), optional
+        How strongly each station is heard by each other [dB], at [sender, receiver], the access
+        point last, such as `discostorm.simulation.powers` gives it. Of frames that overlap, the
+        one then arrives that is strong enough (capture effect), as
+        `discostorm.simulation.overlap` says; if it is left out, none does.
+    threshold : tuple of (float, float), optional
+        By how much the power of a frame must exceed the sum of all that overlap it [dB], at
+        least 0: unicast data, and what is sent at the basic rate. As the standard's receivers of
+        64-QAM 5/6 and BPSK 1/2 need it; those of ns-3 with two antennas need 18 and 1 dB.
 
     Returns
     -------
@@ -148,6 +161,7 @@ def simulate(
     _checks.whole("seed", seed, 0)
     _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
     _checks.choice("agreements", agreements, ("cold", "in place"))
+    exceeds = _threshold(threshold)
 
     from discostorm.simulation.run import set_up
 
@@ -162,6 +176,8 @@ def simulate(
         float(until),
         eifs,
         agreements == "cold",
+        power,
+        exceeds,
     )
     seeds = np.random.SeedSequence(int(seed)).spawn(int(runs))
     settings = {
@@ -177,6 +193,8 @@ def simulate(
         "eifs": eifs,
         "agreements": agreements,
     }
+    if power is not None:
+        settings |= {"power_dB": np.asarray(power).tolist(), "threshold_dB": list(exceeds)}
     return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(setup, seeds))
 
 
@@ -192,6 +210,19 @@ def _queue(queue: Queue | None) -> tuple[float, float]:
     frames, seconds = (np.inf if value is None else value for value in given)
     _checks.whole("queue[0]", frames, 1, endless=True)
     return float(frames), _checks.number("queue[1]", seconds, 0, above=True, endless=True)
+
+
+def _threshold(threshold: tuple[float, float]) -> tuple[float, float]:
+    """Return by how much a frame must exceed what overlaps it, at the top and at the basic rate."""
+    if not (isinstance(threshold, (tuple, list)) and len(threshold) == 2):
+        raise TypeError(
+            "threshold must be a tuple of two numbers, of data and of the basic rate; "
+            f"got {_checks.short(threshold)}"
+        )
+    data, basic = (
+        _checks.number(f"threshold[{n}]", one, 0, MOST_DECIBELS) for n, one in enumerate(threshold)
+    )
+    return data, basic
 
 
 def _say(text: str) -> None:

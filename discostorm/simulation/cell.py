@@ -88,19 +88,24 @@ def aligned(count: int, record: np.dtype[np.void]) -> NDArray[np.void]:
 
 
 #: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
-#: begun; `heard`: how much longer who heard a frame with errors waits (EIFS - AIFS).
+#: begun; `heard`: how much longer who heard a frame with errors waits (EIFS - AIFS). By what factor
+#: the power of a frame must exceed that of all that overlap it: at the top rate, and at the basic
+#: rate, of which the begin of each frame is.
 RADIO = _record(
     *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
     *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
     *("action", "basic_ack"),
     *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
+    floats=("exceeds", "exceeds_basic"),
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
 #: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
 #: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
 #: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
-#: many frames for it there were.
+#: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
+#: is received though others overlap it, how many these are with itself, until when they last, and
+#: how many MPDUs it loses to them.
 NOW = _record(
     *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
     *("free", "spare"),
@@ -109,6 +114,7 @@ NOW = _record(
     *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
     *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
     *("busy", "wasted", "expired", "cold", "actions"),
+    *("unlike", "overlapping", "others", "damaged"),
 )
 
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
@@ -238,6 +244,8 @@ class Cell(NamedTuple):
     part: Floats
     #: How many processes before one receive what is for a set of them, at [set, process].
     before: Ints
+    #: At [sender, receiver]; of one number if all are heard alike.
+    power: Floats
     repairs: Records
     pairs: Records
     has: Ints

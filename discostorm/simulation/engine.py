@@ -71,10 +71,14 @@ def transmit(cell, time, slot):
     if count == 0:
         return
     synchronize(cell, time, slot)
+    station = cell.senders[0].station
     if count > 1:
-        collide(cell, count, time)
-        return
-    send(cell, cell.senders[0].station, time)
+        station = collide(cell, count, time)
+        if station < 0:
+            return
+    send(cell, station, time)
+    if count > 1:
+        now.overlapping, now.others, now.damaged = 0, 0, 0
 
 
 def _advance(digest):

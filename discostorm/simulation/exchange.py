@@ -20,6 +20,7 @@ from discostorm.simulation.cell import (
     uniform,
 )
 from discostorm.simulation.medium import back_off, draw, enter, first_to_send, wait, wake
+from discostorm.simulation.overlap import survivor
 from discostorm.simulation.queues import change_length, lose, receiver, take_after
 from discostorm.simulation.sending import (
     MISSING,
@@ -137,7 +138,7 @@ def count_failure(cell, station, time):
 def send_request(cell, station, time, end):
     """Let a station ask, undisturbed, what has arrived of an A-MPDU: nothing has."""
     now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
-    now.idle = end + radio.sifs + radio.block_ack
+    now.idle = max(end + radio.sifs + radio.block_ack, now.others)
     now.base = now.idle + radio.aifs
     now.busy += end - time + radio.block_ack
     note(cell, station, time, now.idle, SUCCESS)
@@ -149,7 +150,7 @@ def send_request(cell, station, time, end):
 def send_action(cell, station, time, end):
     """Let a station send a request or response for an agreement, undisturbed."""
     now, radio = cell.now[0], cell.radio[0]
-    now.idle = end + radio.sifs + radio.basic_ack
+    now.idle = max(end + radio.sifs + radio.basic_ack, now.others)
     now.base = now.idle + radio.aifs
     now.busy += end - time + radio.basic_ack
     note(cell, station, time, now.idle, SUCCESS)
@@ -180,8 +181,8 @@ def send_multicast(cell, time, end):
     now = cell.now[0]
     station = now.hosts
     its, frame = cell.stations[station], cell.window[station, 0].frame
-    now.idle = end
-    now.base = end + cell.radio[0].aifs
+    now.idle = max(end, now.others)
+    now.base = now.idle + cell.radio[0].aifs
     now.busy += end - time
     note(cell, station, time, end, SUCCESS)
     its.held, its.failures = 0, 0
@@ -196,17 +197,17 @@ def send_unicast(cell, station, time, end):
     now, radio, its = cell.now[0], cell.radio[0], cell.stations[station]
     answer = radio.ack if its.sent == 1 else radio.block_ack
     # Who hears the frame leaves time for the answer, whether it comes or not (NAV).
-    now.idle = end + radio.sifs + answer
+    now.idle = max(end + radio.sifs + answer, now.others)
     now.base = now.idle + radio.aifs
     link = station
     if station == now.hosts:
         link = receiver(cell, cell.window[station, 0].frame)
     loss = cell.stations[link].loss
     in_order = now.per_receiver and station < now.hosts
-    good = np.int64(0)
+    good, damaged = np.int64(0), now.damaged
     for place in range(its.sent):
         held = cell.window[station, place]
-        if loss > 0 and uniform(now) < loss:
+        if place < damaged or (loss > 0 and uniform(now) < loss):
             held.came |= MISSING
         else:
             cell.senders[good].frame = held.frame
@@ -219,7 +220,7 @@ def send_unicast(cell, station, time, end):
         now.busy += end - time
         note(cell, station, time, end, ERROR)
         count_failure(cell, station, end)
-        back_off(cell, station, end + radio.timeout + radio.aifs)
+        back_off(cell, station, max(end + radio.timeout, now.others) + radio.aifs)
         return
     now.busy += end - time + answer
     note(cell, station, time, now.idle, SUCCESS)
@@ -238,7 +239,7 @@ def send_unicast(cell, station, time, end):
         its.held = kept
     change_length(cell, station, -good)
     back_off(cell, station, now.base)
-    alone = its.sent == 1
+    alone = its.sent == 1 and now.others <= end
     if in_order:
         pass_on(cell, station, end, alone)
         return
@@ -261,8 +262,30 @@ def send(cell, station, time):
 
 
 @shared
+def answer_to(cell, station, time):
+    """Return when the answer to who is received in spite of others ends.
+
+    And for how long others send when neither who is received nor the answer is on the air.
+    """
+    radio, its = cell.radio[0], cell.stations[station]
+    end, _ = lengths(cell, station)
+    end += time
+    length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
+    if is_action(cell, station):
+        length = radio.basic_ack
+    elif is_multicast(cell, station):
+        length, pause = np.int64(0), np.int64(0)
+    begun, others = end + pause, cell.now[0].others
+    hidden = max(min(others, begun + length) - begun, 0)
+    return begun + length, max(others - end, 0) - hidden
+
+
+@shared
 def collide(cell, count, time):
-    """Let several stations send at once: nothing arrives."""
+    """Let several stations send at once; return who is received in spite of the others, or -1.
+
+    What becomes of its frame is left to `send`; of all others nothing arrives.
+    """
     now, radio = cell.now[0], cell.radio[0]
     last = np.int64(0)
     for place in range(count):
@@ -270,20 +293,30 @@ def collide(cell, count, time):
         _, together = lengths(cell, sender.station)
         sender.end = time + together
         last = max(last, sender.end)
-    free = last
-    if radio.heard > 0:
+    winner, answered, quiet, busy = np.int64(-1), last, last, last - time
+    if now.unlike:
+        winner = survivor(cell, count, time)
+        if winner >= 0:
+            now.others = last
+            answered, busy = answer_to(cell, winner, time)
+            quiet = max(last, answered)
+    free = quiet
+    if radio.heard > 0 and winner < 0:
         # Who takes a collision for one frame with errors leaves time for an answer (EIFS).
         free = max(last, cell.senders[below(now, count)].end + radio.heard)
-    now.idle = last
+    now.idle = quiet
     now.base = free + radio.aifs
     now.collisions += 1
     now.collided += count
-    now.busy += last - time
-    now.wasted += last - time
+    now.busy += busy
+    now.wasted += busy
     least = NEVER
     for place in range(count):
         sender = cell.senders[place]
-        station, base = sender.station, last + radio.aifs
+        station, base = sender.station, quiet + radio.aifs
+        if station == winner:
+            sender.base = NEVER
+            continue
         its, held = cell.stations[station], cell.window[station, 0]
         note(cell, station, time, sender.end, COLLISION)
         if is_multicast(cell, station):
@@ -293,15 +326,17 @@ def collide(cell, count, time):
             change_length(cell, station, -1)
         else:
             count_failure(cell, station, last)
-            base = max(sender.end + radio.timeout, last) + radio.aifs
+            # Who hears an answer to another one waits for its end, not for the own timeout.
+            if winner < 0 or sender.end >= answered:
+                base = max(sender.end + radio.timeout, quiet) + radio.aifs
         sender.slots, sender.base = draw(cell, station), base
         if its.length == 0 or base == now.base:
             wait(cell, station, base, sender.slots)
             sender.base = NEVER
         least = min(least, sender.base)
     if least == NEVER:
-        return
-    slot = first_to_send(cell, least)
+        return winner
+    slot = first_to_send(cell, least) if winner < 0 else np.int64(-1)
     for place in range(count):
         sender = cell.senders[place]
         if sender.base < NEVER:
@@ -309,3 +344,4 @@ def collide(cell, count, time):
                 enter(cell, sender.station, slot + radio.edca + sender.slots)
             else:
                 wait(cell, sender.station, sender.base, sender.slots)
+    return winner

@@ -20,12 +20,15 @@ from discostorm.simulation.middleware import (
     fill_kinds,
     repair_record,
 )
+from discostorm.simulation.places import MOST_DECIBELS, THRESHOLD
 from discostorm.simulation.result import CAUSES, COUNTS, Run
 from discostorm.simulation.starts import Start, delays
 from discostorm.simulation.traffic import (
+    ALIKE,
     Bursts,
     Shares,
     bursts_of,
+    from_decibels,
     grown,
     hosts_of,
     kind_records,
@@ -59,6 +62,8 @@ class Setup:
     until: float
     spread: float
     cold: bool
+    #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
+    power: NDArray[np.float64]
 
     def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
         """Return a cell at the start of a run, and when each host starts [s]."""
@@ -77,6 +82,7 @@ class Setup:
             for_parts,
             self.repairs,
             self.cold,
+            self.power,
         )
         return cell, starts
 
@@ -132,6 +138,8 @@ def set_up(
     until: float,
     eifs: bool,
     cold: bool = False,
+    power: ArrayLike | None = None,
+    threshold: tuple[float, float] = THRESHOLD,
 ) -> Setup:
     """Check what `discostorm.simulate` was given and return what a run needs."""
     hosts = hosts_of(fleet)
@@ -141,7 +149,16 @@ def set_up(
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
-    radio = radio_record(wifi, queue, eifs)
+    heard = ALIKE
+    if power is not None:
+        heard = np.asarray(_checks.numbers("power", power, -MOST_DECIBELS, MOST_DECIBELS))
+        if heard.shape != (count + 1, count + 1):
+            raise ValueError(
+                f"power must be of shape {(count + 1, count + 1)}, for the {count} hosts and the "
+                f"access point; got {heard.shape}"
+            )
+        heard = from_decibels(heard)
+    radio = radio_record(wifi, queue, eifs, threshold)
     kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
     repairs, table = None, protocol
     if recovery:
@@ -172,6 +189,7 @@ def set_up(
         until if recovery else np.inf,
         float(np.ptp(starts)),
         cold,
+        heard,
     )
 
 

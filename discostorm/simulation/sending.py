@@ -47,6 +47,26 @@ def keep(cell, station, place, kept):
 
 
 @shared
+def prevails(cell, count, station, to, factor):
+    """Return whether a station hears one of those that send now above the sum of the others."""
+    others = 0.0
+    for place in range(count):
+        other = cell.senders[place].station
+        if other == to:  # who sends hears nothing
+            return False
+        if other != station:
+            others += cell.power[other, to]
+    return cell.power[station, to] > factor * others
+
+
+@njit
+def hears(cell, host):
+    """Return whether a host receives the access point's multicast in spite of others."""
+    now = cell.now[0]
+    return prevails(cell, now.overlapping, now.hosts, host, cell.radio[0].exceeds_basic)
+
+
+@shared
 def deliver(cell, station, frame, time, alone):
     """Pass on what has arrived: to the access point's queue, or to who it is for."""
     now = cell.now[0]
@@ -68,7 +88,8 @@ def deliver(cell, station, frame, time, alone):
         its = cell.stations[host]
         if host == sender:
             continue
-        if its.loss > 0 and uniform(now) < its.loss:
+        deaf = now.overlapping > 0 and not hears(cell, host)
+        if deaf or (its.loss > 0 and uniform(now) < its.loss):
             now.on_air += burst
             cell.stations[sender].missed += burst
             continue

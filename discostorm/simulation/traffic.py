@@ -11,7 +11,7 @@ messages that share frames the frames are sent: x is that of their parts.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
@@ -34,6 +34,8 @@ _MOST_OCTETS = 65_535
 _MOST_PROCESSES = 2**_cell.PROCESS_BITS
 _MOST_ENDPOINTS = 2**_cell.ITEM_BITS
 _MOST_MESSAGES = 2**_cell.KIND_BITS
+#: What `Cell.power` is if all are heard alike.
+ALIKE = np.zeros((1, 1))
 #: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
 _SAMPLES, _LOG, _POOL = 512, 4096, 4096
 
@@ -76,7 +78,12 @@ def hosts_of(fleet: Fleet) -> Hosts:
     )
 
 
-def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
+def radio_record(
+    wifi: Wifi,
+    queue: tuple[float, float],
+    eifs: bool,
+    threshold: tuple[float, float] = (np.inf, np.inf),
+) -> Records:
     """Return the radio of a channel as the inner loops take it."""
     radio = wifi.radio
     if radio is None:
@@ -122,13 +129,34 @@ def radio_record(wifi: Wifi, queue: tuple[float, float], eifs: bool) -> Records:
     record = np.zeros(1, _cell.RADIO)
     for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
         record[name] = value
+    record["exceeds"], record["exceeds_basic"] = from_decibels(threshold)
     return record
+
+
+def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
+    """Return factors of decibels."""
+    factors: NDArray[np.float64] = 10 ** (np.asarray(values, dtype=np.float64) / 10)
+    return factors
 
 
 def _ppdu_ticks(octets: int, padding: Padding, preamble: int) -> int:
     symbols = -(-(padding.added + 8 * octets) // padding.bits)
     grid = ticks(padding.grid)
     return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
+
+
+def paddings(wifi: Wifi) -> tuple[tuple[Padding, int], tuple[Padding, int]]:
+    """Return padding and preamble [ticks] of frames to one receiver, and of those to all."""
+    radio = wifi.radio
+    assert radio is not None
+    waiting = radio.aifs + radio.cw_min / 2 * radio.slot
+    return (
+        (wifi.unicast.padding or radio.padding, ticks(radio.preamble + radio.signal_extension)),
+        (
+            wifi.multicast.padding or radio.multicast_padding,
+            ticks(radio.wifi().multicast.overhead - waiting),
+        ),
+    )
 
 
 @dataclass(frozen=True)
@@ -180,25 +208,30 @@ def _where(protocol: Protocol, message: Message) -> str:
     return f"protocol {protocol.name!r}, message {message.name!r}"
 
 
-def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
-    """Return the octets in each frame of a message that rows without frames put inside it.
+def carrier_of(protocol: Protocol, message: Message) -> int:
+    """Return the row in whose frames a message without any is: the named or only one of its phase.
 
-    They are alike in each frame of the row that theirs names, or of the only one of their phase.
+    It is alike in each of these frames.
     """
+    framed = [m for m in protocol.messages if m.frames]
+    outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
+    if len(outer) != 1:
+        raise ValueError(
+            f"{_where(protocol, message)}: inside must be the one message of the phase "
+            f"{message.phase!r} in whose frames it is, to be simulated; "
+            f"got {message.inside!r} of {[m.name for m in outer]}"
+        )
+    return protocol.messages.index(outer[0])
+
+
+def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
+    """Return the octets in each frame of a message that rows without frames put inside it."""
     shares = shares_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
         if message.frames:
             continue
-        framed = [m for m in protocol.messages if m.frames]
-        outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
-        if len(outer) != 1:
-            raise ValueError(
-                f"{_where(protocol, message)}: inside must be the one message of the phase "
-                f"{message.phase!r} in whose frames it is, to be simulated; "
-                f"got {message.inside!r} of {[m.name for m in outer]}"
-            )
-        carrier = protocol.messages.index(outer[0])
+        carrier = carrier_of(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
         counts = [
             _sent(shares_of(alone, hosts), hosts, 0),
@@ -220,18 +253,12 @@ def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
 
 def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
     """Return the rows of a protocol's table; refuse what cannot be simulated."""
-    radio = wifi.radio
-    assert radio is not None
     if len(protocol.messages) > _MOST_MESSAGES:
         raise ValueError(
             f"protocol must have at most {_MOST_MESSAGES} messages to simulate; "
             f"got {len(protocol.messages)}"
         )
-    fast = wifi.unicast.padding or radio.padding
-    slow = wifi.multicast.padding or radio.multicast_padding
-    waiting = radio.aifs + radio.cw_min / 2 * radio.slot
-    slow_preamble = ticks(radio.wifi().multicast.overhead - waiting)
-    fast_preamble = ticks(radio.preamble + radio.signal_extension)
+    fast, slow = paddings(wifi)
     shares, inside = shares_of(protocol, hosts), _inside(protocol, hosts)
     records = np.zeros(len(protocol.messages), _cell.KIND)
     records["set"], records["whole"] = shares.sets, shares.whole
@@ -255,10 +282,8 @@ def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
         record["to_all"] = multicast or not paired
         record["up"] = "up" in message.hops
         record["down"] = "down" in message.hops
-        record["time_up"] = _ppdu_ticks(octets, fast, fast_preamble)
-        record["time_down"] = (
-            _ppdu_ticks(octets, slow, slow_preamble) if multicast else record["time_up"]
-        )
+        record["time_up"] = _ppdu_ticks(octets, *fast)
+        record["time_down"] = _ppdu_ticks(octets, *slow) if multicast else record["time_up"]
     return records
 
 
@@ -308,6 +333,7 @@ def new_cell(
     for_parts: np.random.SeedSequence,
     repairs: Records | None = None,
     cold: bool = False,
+    power: NDArray[np.float64] = ALIKE,
 ) -> Cell:
     """Return a cell at the start of a run."""
     count, rows = hosts.processes.size, kinds.size
@@ -333,6 +359,7 @@ def new_cell(
     now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
     now["per_receiver"] = radio["mpdus"] > 1
     now["cold"] = cold and radio["mpdus"] > 1
+    now["unlike"] = power.size > 1
     # xorshift must not begin at zero.
     now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     pool = np.zeros(_POOL, _cell.ENTRY)
@@ -380,6 +407,7 @@ def new_cell(
         to_all=shares.to_all,
         part=part,
         before=shares.before,
+        power=power,
         repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         has=has,

@@ -2,14 +2,14 @@
 
 import re
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
 
-from discostorm import _checks, notation as nt
+from discostorm import _checks, _names, notation as nt
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, Padding
@@ -17,6 +17,10 @@ from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_
 
 #: What every channel is, whatever its radio.
 TOPOLOGY = "one access point, infrastructure"
+
+#: Most frames in an A-MPDU of two stations that aggregate by default: all from 802.11n on do, and
+#: this is the block acknowledgement window of 802.11n and ac (``data/wifi/ampdu.csv``).
+USUAL_MPDUS = 64
 
 #: What of a `Radio` is no number.
 _WORDS = ("standard", "name")
@@ -351,7 +355,8 @@ _UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
 def radio_named(name: str) -> Radio:
     """Return the radio that gives itself this name, such as "802.11n 20 MHz 2x2, A-MPDU 64".
 
-    It may be in any case of letters.
+    It may be in any case of letters. Without "2x2" it has the streams of the presets of its
+    standard in `WIFI`: two, or one where the standard has no more.
 
     Raises
     ------
@@ -368,13 +373,16 @@ def radio_named(name: str) -> Radio:
                 f"answer; got {name!r}"
             )
     usual, *unusual = re.split(r", *", name.strip())
-    made = re.fullmatch(r"(802\.11\w+) (\d+) MHz (\d)x\3", usual, re.IGNORECASE)
+    made = re.fullmatch(r"(802\.11\w+) (\d+) ?MHz(?: (\d)x\3)?", usual, re.IGNORECASE)
     if not made:
         raise ValueError(
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
             f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.brief(name)!r}"
+            f"{_names.did_you_mean(name, WIFI)}"
         )
-    given: dict[str, Any] = {"width": float(made[2]) * MEGA, "streams": int(made[3])}
+    standard = made[1].lower()
+    streams = int(made[3]) if made[3] else _usual_streams(standard)
+    given: dict[str, Any] = {"width": float(made[2]) * MEGA, "streams": streams}
     for part in unusual:
         for pattern, key, unit in _UNUSUAL:
             found = re.fullmatch(pattern, part, re.IGNORECASE)
@@ -389,7 +397,51 @@ def radio_named(name: str) -> Radio:
             raise ValueError(
                 f"{_checks.brief(part)!r} is not what the name of a radio may have, or twice there"
             )
-    return Radio(made[1].lower(), **given)
+    return Radio(standard, **given)
+
+
+def _usual_streams(standard: str) -> int:
+    """Return the streams of the presets of a standard, 1 where there is no preset."""
+    return next(
+        (
+            wifi.radio.streams
+            for wifi in WIFI.values()
+            if wifi.radio and wifi.radio.standard == standard
+        ),
+        1,
+    )
+
+
+def most_mpdus(standard: str) -> int:
+    """Return how many frames a standard allows in an A-MPDU [1]; 1 if it has none."""
+    rows = (row for row in read_data("wifi/ampdu.csv") if row["standard"] == standard)
+    return max((int(row["most_mpdus"]) for row in rows), default=1)
+
+
+def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
+    """Return the two channels between which a radio is: full A-MPDUs, and none.
+
+    Radios from 802.11n on aggregate by default, but how full their exchanges are depends on what
+    waits. Of 802.11a and g, of `PAPER` and of what is no longer the channel of its radio it is the
+    channel itself, twice.
+
+    Examples
+    --------
+    >>> full, single = both_ends(WIFI["802.11ac 80 MHz 2x2"])
+    >>> full.aggregation.mpdus, single.aggregation, single.name
+    (64, None, '802.11ac 80 MHz 2x2')
+    """
+    radio = wifi.radio
+    if radio is None or most_mpdus(radio.standard) == 1:
+        return wifi, wifi
+    usual = radio.wifi()
+    if replace(usual, name=wifi.name) != wifi:
+        return wifi, wifi
+    told = int(radio.mpdus)
+    many = told if told > 1 else min(USUAL_MPDUS, most_mpdus(radio.standard))
+    of_its_own = radio.name or (wifi.name if wifi.name != usual.name else None)
+    full, single = (replace(radio, mpdus=n, name=of_its_own).wifi() for n in (many, 1))
+    return full, single
 
 
 def _named(*radios: Radio) -> Mapping[str, Wifi]:

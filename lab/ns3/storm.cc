@@ -63,6 +63,8 @@ struct Options
     double window = 0;
     double loss = 0;
     double distance = 0;
+    std::string places;
+    bool delays = true;
     double duration = 1;
     uint32_t seed = 1;
     bool trace = false;
@@ -490,6 +492,35 @@ WatchForAssociation()
     Simulator::Schedule(quiet + MilliSeconds(200), &Start);
 }
 
+// The hosts' places, then the access point's, which is where both coordinates are 0.
+Ptr<ListPositionAllocator>
+Places()
+{
+    auto places = CreateObject<ListPositionAllocator>();
+    std::stringstream rows(options.places);
+    std::string row;
+    while (std::getline(rows, row, ','))
+    {
+        std::stringstream cells(row);
+        double x = 0, y = 0;
+        char colon = 0;
+        if (!(cells >> x >> colon >> y) || colon != ':')
+        {
+            Fail("places must be X:Y,...; got " + row);
+        }
+        places->Add(Vector(x, y, 0));
+    }
+    if (!options.places.empty() && places->GetSize() != options.hosts)
+    {
+        Fail("there must be a place for each host");
+    }
+    while (places->GetSize() <= options.hosts)
+    {
+        places->Add(Vector(0, 0, 0));
+    }
+    return places;
+}
+
 void
 Build()
 {
@@ -498,18 +529,31 @@ Build()
 
     MobilityHelper mobility;
     mobility.SetMobilityModel("ns3::ConstantPositionMobilityModel");
+    mobility.SetPositionAllocator(Places());
     mobility.Install(nodes);
-    // Any two nodes are as far from each other as the signal of one and the same delay takes.
     auto channel = CreateObject<YansWifiChannel>();
-    auto delay = CreateObject<RandomPropagationDelayModel>();
-    auto constant = CreateObject<ConstantRandomVariable>();
-    constant->SetAttribute("Constant", DoubleValue(options.distance / 299792458.0));
-    delay->SetAttribute("Variable", PointerValue(constant));
-    channel->SetPropagationDelayModel(delay);
-    // The same loss between all: of frames that collide none is stronger.
-    auto loss = CreateObject<MatrixPropagationLossModel>();
-    loss->SetDefaultLoss(50);
-    channel->SetPropagationLossModel(loss);
+    if (options.places.empty())
+    {
+        // Any two nodes are as far from each other as the signal of one and the same delay takes.
+        auto delay = CreateObject<RandomPropagationDelayModel>();
+        auto constant = CreateObject<ConstantRandomVariable>();
+        constant->SetAttribute("Constant", DoubleValue(options.distance / 299792458.0));
+        delay->SetAttribute("Variable", PointerValue(constant));
+        channel->SetPropagationDelayModel(delay);
+        // The same loss between all: of frames that collide none is stronger.
+        auto loss = CreateObject<MatrixPropagationLossModel>();
+        loss->SetDefaultLoss(50);
+        channel->SetPropagationLossModel(loss);
+    }
+    else
+    {
+        // Without delays frames begin in the same instant, and ns-3 leaves the first of them out of
+        // what disturbs the data of the second.
+        auto delay = CreateObject<ConstantSpeedPropagationDelayModel>();
+        delay->SetSpeed(options.delays ? 299792458.0 : 1e18);
+        channel->SetPropagationDelayModel(delay);
+        channel->SetPropagationLossModel(CreateObject<LogDistancePropagationLossModel>());
+    }
 
     YansWifiPhyHelper phy;
     phy.SetChannel(channel);
@@ -635,6 +679,8 @@ main(int argc, char* argv[])
     command.AddValue("window_s", "hosts start at random in this time", options.window);
     command.AddValue("loss", "part of data frames with errors, per link", options.loss);
     command.AddValue("distance", "metres between any two", options.distance);
+    command.AddValue("places", "X:Y,... of each host in metres, the access point at 0:0", options.places);
+    command.AddValue("delays", "whether signals take time from place to place", options.delays);
     command.AddValue("duration", "seconds of saturation that count, after half a second", options.duration);
     command.AddValue("seed", "run number of the random numbers", options.seed);
     command.AddValue("trace", "print all transmissions", options.trace);

@@ -21,6 +21,7 @@ from tqdm import tqdm
 
 import discostorm as ds
 from discostorm.messages import ENDPOINT_PAIR
+from discostorm.simulation import disc
 from discostorm.simulation.run import compiled, one_run, set_up
 
 HERE = Path(__file__).parent
@@ -75,6 +76,8 @@ class Burst:
     loss: float = 0.0
     seed: int = 1
     cold: int = 0
+    radius: float = 0.0
+    delays: int = 1
 
     def options(self) -> list[str]:
         """Return the program's options."""
@@ -83,6 +86,8 @@ class Burst:
             f"--messages={messages(self.protocol, self.endpoints)}",
             *(f"--{name}={getattr(self, name)}" for name in named.split()),
             *(["--cold=1"] if self.cold else []),
+            *([f"--places={places(self.hosts, self.radius)}"] if self.radius else []),
+            *([] if self.delays else ["--delays=0"]),
         ]
 
 
@@ -109,6 +114,11 @@ class Saturation:
 
 
 Run = Burst | Saturation
+
+
+def places(hosts: int, radius: float) -> str:
+    """Return places of hosts on a disc of this radius [m] as the program reads them."""
+    return ",".join(f"{x:.4f}:{y:.4f}" for x, y in radius * disc(hosts))
 
 
 def messages(protocol: str, endpoints: int) -> str:
@@ -251,6 +261,25 @@ AGREEMENTS: list[Burst] = [
     if isinstance(run, Burst)
 ]
 
+#: Stations at unlike distances, for a table of their own. Within this radius [m] no noise matters.
+RADIUS = 5.0
+CAPTURE: list[Run] = [
+    run
+    for hosts, queue, runs, delays in (
+        ((3, 5, 7, 10), QUEUE, (20, 60), 1),
+        ((3, 5, 7), (0, 0.0), (10, 20), 1),
+        ((7,), QUEUE, (20, 0), 0),
+        ((7,), (0, 0.0), (10, 0), 0),
+    )
+    for run in grid(
+        "capture",
+        hosts,
+        runs,
+        queues=[queue],
+        settings=[("radius", RADIUS), ("delays", delays)],
+    )
+]
+
 #: All runs, in the order of the tables.
 RUNS: list[Run] = [
     *grid("unlimited", (2, 3, 4), (20, 40)),
@@ -287,6 +316,7 @@ RUNS: list[Run] = [
     *saturations((1, 5), aifsn=2),
     *saturations((1, 5), frame=1538),
     *AGREEMENTS,
+    *CAPTURE,
 ]
 
 
@@ -351,9 +381,11 @@ def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]
     for run, group in results.items():
         row: dict[str, object] = dataclasses.asdict(run) | {"runs": len(group)}
         del row["seed"]
-        cold = row.pop("cold", 0)
+        cold, places = row.pop("cold", 0), (row.pop("radius", 0.0), row.pop("delays", 1))
         if row.get("scenario") == "agreements":
             row["scenario"] = "cold" if cold else "in place"
+        elif row.get("scenario") == "capture":
+            row["radius_m"], row["delays"] = places
         counts = {name: sum(values[name] for values in group) for name in group[0]}
         if isinstance(run, Burst):
             row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
@@ -394,8 +426,8 @@ def write_tables() -> None:
     files: defaultdict[str, dict[Run, list[dict[str, float]]]] = defaultdict(dict)
     for run, group in complete.items():
         name = "saturation" if isinstance(run, Saturation) else "bursts"
-        if isinstance(run, Burst) and run.scenario == "agreements":
-            name = "agreements"
+        if isinstance(run, Burst) and run.scenario in ("agreements", "capture"):
+            name = run.scenario
         files[name][run] = group
     for name, of_file in files.items():
         write(f"ns3_{name}.csv", table(of_file))
