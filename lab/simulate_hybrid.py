@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 from joblib import Parallel, delayed
+from numpy.typing import NDArray
 from tqdm import tqdm
 
 import discostorm as ds
@@ -36,8 +37,13 @@ LAB_COLUMNS = ("scenario", "software", "hosts", "seed", "converged_s", "airtime_
 #: Of the lab, but for those in which settled hosts are lost.
 LAB_SCENARIOS = ("losses", "newcomer", "half killed at 0.25 s")
 FIRST_SEED = 300
-#: When the newcomer starts, and when hosts of a settled fleet die [s].
+#: When newcomers start, and when hosts of a settled fleet die [s].
 LATER = 1.0
+#: From when to when halves are apart [s]: all have given up the others by then, who say
+#: a lease after what they have heard last, with their next heartbeat.
+APART = (1.0, 36.0)
+#: Within which time hosts start one by one [s].
+SPREAD = 100.0
 
 
 def knows_most(speakers: Speakers, rng: np.random.Generator) -> Any:
@@ -56,6 +62,13 @@ def repairs_next(speakers: Speakers, _: np.random.Generator) -> Any:
     return np.argsort(speakers.due[1:3].min(axis=0))[: speakers.hosts // 2]
 
 
+def one_by_one(hosts: int, seed: int) -> NDArray[np.float64]:
+    """Return random times to start within a while, the last of them at its end [s]."""
+    times = np.random.default_rng([seed, hosts]).random(hosts) * SPREAD
+    times[times.argmax()] = SPREAD
+    return times
+
+
 def first(many: int) -> Choice:
     """Return a choice of the first hosts."""
     return lambda *_: np.arange(many)
@@ -70,6 +83,9 @@ def scenarios() -> dict[str, dict[str, Any]]:
     ends = {"until": 6, "enough": 1.5}
     newcomer = settled.copy()
     newcomer[99] = LATER
+    mass = settled.copy()
+    mass[50:] = LATER
+    healed = {"start": settled, "part": halves, "apart": APART, "until": 60, "enough": 1.5}
     found: dict[str, dict[str, Any]] = {
         "alike": {"alike": True} | ends,
         "unlike": ends,
@@ -78,6 +94,16 @@ def scenarios() -> dict[str, dict[str, Any]]:
         "halves, alike": {"alike": True, "start": settled, "part": halves} | ends,
         "halves": {"start": settled, "part": halves} | ends,
     }
+    for name, alike in (("", False), (", alike", True)):
+        found[f"50 join 50{name}"] = {"alike": alike, "start": mass, "until": 20, "enough": 1.5}
+        found[f"halves after a lease{name}"] = {"alike": alike} | healed
+    for hosts in (25, 50, 100, 200):
+        found[f"{hosts} start within {SPREAD:g} s"] = {
+            "fleet": (hosts, 2, 10),
+            "start": one_by_one,
+            "until": SPREAD + 20,
+            "enough": 1.5,
+        }
     for adversary in ADVERSARIES:
         for time in (0.5, 1.0, 1.5):
             name = f"50 die at {time} s, {adversary.__name__}"
@@ -99,14 +125,17 @@ def scenarios() -> dict[str, dict[str, Any]]:
 
 
 def seeds_of(name: str) -> int:
-    """Return how many runs there are of a scenario."""
-    return 25 if name == "1000, alike" else 100
+    """Return how many runs there are of a scenario: 100 of those that have a goal."""
+    few = {f"{hosts} start within {SPREAD:g} s": 10 for hosts in (25, 50, 200)}
+    return (few | {"1000, alike": 25}).get(name, 100)
 
 
 def row(name: str, seed: int) -> dict[str, Any]:
     """Return what one run did."""
     settings = dict(scenarios()[name])
     fleet = ds.Fleet.swarm(*settings.pop("fleet", (100, 2, 10)))
+    if callable(settings.get("start")):
+        settings["start"] = settings["start"](int(fleet.hosts()), seed)
     found = hybrid_run(fleet, ds.PAPER, seed=seed, **settings)
     frames = found.frames
     return {

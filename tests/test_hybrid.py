@@ -46,17 +46,24 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
     of_goals = {row["scenario"] for row in read_data("hybrid/goals.csv")} - {"50 die"}
     of_goals |= {scenario for scenario in seeds if scenario.startswith("50 die")}
     assert all(len(seeds[scenario]) == 100 for scenario in of_goals)
+    assert {name: len(used) for name, used in seeds.items()} == {
+        name: simulate_hybrid.seeds_of(name) for name in simulate_hybrid.scenarios()
+    }
 
 
 @pytest.mark.parametrize(
-    "scenario", ["alike", "unlike", "newcomer", "halves", "50 die at 1.0 s, speaks_most"]
+    "scenario",
+    [
+        *("alike", "unlike", "newcomer", "halves", "50 die at 1.0 s, speaks_most"),
+        *("50 join 50", "halves after a lease, alike", "25 start within 100 s"),
+    ],
 )
 def test_stored_runs_come_out_again(scenario):
     stored = {
         (row["scenario"], row["seed"]): {key: str(value) for key, value in row.items()}
         for row in STORED
     }
-    for seed in (300, 320):
+    for seed in (300, 309):
         again = {key: str(value) for key, value in simulate_hybrid.row(scenario, seed).items()}
         assert again == stored[scenario, str(seed)]
 
@@ -318,7 +325,11 @@ def test_speakers_in_the_lab_find_each_other_under_losses_and_deaths():
     runs = [row for row in read_data("measured/hybrid.csv") if row["scenario"] != "no losses"]
     assert {row["losses"] for row in runs} == {"0.2/0.01"}
     assert all(float(row["converged_s"]) < 5 for row in runs)
-    assert all(row["mistaken"] == "0" for row in runs)
+    # After the return of links, a set that comes in a repair before its host was heard again is
+    # dropped with the next heartbeat, and repaired once more.
+    mistaken = {(row["scenario"], row["run"], row["mistaken"]) for row in runs}
+    mistaken = {key for key in mistaken if key[-1] != "0"}
+    assert mistaken == {("half unlinked when settled", "1", "1")}
     settled = [row for row in runs if row["scenario"].endswith("when settled")]
     assert {row["scenario"].split()[1] for row in settled} == {"killed", "unlinked"}
     assert all(10 < float(row["gone_s"]) <= 30 for row in settled)
@@ -333,6 +344,33 @@ def test_living_hosts_that_are_given_up_are_counted(dies, living):
     deaf = hybrid_run(fleet, ds.PAPER, loss=(1, 0), **given)
     assert deaf.mistaken == living * (living - 1)
     assert hybrid_run(fleet, ds.PAPER, loss=(0, 0), **given).mistaken == 0
+
+
+def test_who_joins_alone_pulls_and_who_joins_in_a_crowd_leaves_it_to_repairs():
+    fleet, frames = ds.Fleet.swarm(60, 2, 10), {}
+    for many in (1, 30):
+        start = np.full(60, -100.0)
+        start[60 - many :] = 1.0
+        run = hybrid_run(fleet, ds.PAPER, start=start, until=12, enough=1, seed=4)
+        assert 1 < run.convergence_time < 4
+        assert run.busiest_second < 0.15
+        frames[many] = run.frames
+    assert (frames[1]["Pull"], "Pull" in frames[30]) == (1, False)
+    # Of sets of three to a frame, those of all others.
+    assert frames[1]["Data"] in (19, 20)
+    assert frames[30]["Repair"] > 30
+
+
+def test_nobody_announces_himself_again_when_halves_meet_that_have_given_each_other_up():
+    fleet = ds.Fleet.swarm(20, 2, 10)
+    given = {"start": -100.0, "part": np.arange(20) % 2, "enough": 1}
+    still = hybrid_run(fleet, ds.PAPER, apart=(1, 3), until=40, **given)
+    assert still.mistaken == 0
+    assert still.convergence_time == 0
+    met = hybrid_run(fleet, ds.PAPER, apart=(1, 36), until=60, **given)
+    assert met.mistaken == 2 * 10 * 10
+    assert "Announce" not in met.frames
+    assert 36 < met.convergence_time < 40
 
 
 def test_same_seed_same_run():
@@ -360,6 +398,7 @@ def test_same_seed_same_run():
         ({"start": [0, 1]}, r"start must be one number, or one for each of 3 hosts; .*\(2,\)"),
         ({"start": 11}, "start must be by until, 10 s, for a host; got 11"),
         ({"part": [0, 0.5, 1]}, "part must be a whole number; got 0.5"),
+        ({"apart": (2, 1)}, r"apart\[1\] must be .* at least 2; got 1"),
         ({"death": Death(-1, print)}, "death.time must be .* at least 0; got -1"),
         ({"death": Death(1, lambda *_: [3])}, "death.choose must .* 0 to 2; got"),
         ({"death": Death(1, lambda *_: [0, 1, 2])}, "death.choose must leave one host alive"),
@@ -377,6 +416,7 @@ def test_bad_input_is_refused(arguments, words):
         ({"loss": 0.2}, "loss must be a tuple of two parts, .* got 0.2"),
         ({"loss": (0, [0.1, 0.2])}, r"loss\[1\] must be one number, not an array"),
         ({"queue": 500}, "queue must be None or a tuple .* got 500"),
+        ({"apart": 3}, "apart must be None or a tuple of two times; got 3"),
         ({"death": 3}, "death must be a Death; got 3"),
         ({"death": Death(1, 3)}, "death.choose must be a function; got 3"),
         ({"alike": 1}, "alike must be a bool; got 1"),

@@ -96,6 +96,7 @@ def hybrid_run(
     queue: tuple[float, float] | None = (500, 0.5),
     start: Any = 0.0,
     part: Any = 0,
+    apart: tuple[float, float] | None = None,
     death: Death | None = None,
     until: float = 10.0,
     enough: float = np.inf,
@@ -127,6 +128,9 @@ def hybrid_run(
     part : int or array, optional
         Which settled hosts have met before the run, a number of at least 0 for each; from 0 on
         all hear each other.
+    apart : tuple of (float, float), optional
+        All settled hosts have met before the run, but from the first time to the second [s], both
+        at least 0, each hears only those of its part.
     death : Death, optional
         Hosts that die.
     until : float, optional
@@ -173,6 +177,11 @@ def hybrid_run(
         _checks.number("death.time", death.time, 0)
         if not callable(death.choose):
             raise TypeError(f"death.choose must be a function; got {death.choose!r}")
+    if apart is not None:
+        if not isinstance(apart, (tuple, list)) or len(apart) != 2:
+            raise TypeError(f"apart must be None or a tuple of two times; got {apart!r}")
+        begin = _checks.number("apart[0]", apart[0], 0)
+        _checks.number("apart[1]", apart[1], begin)
     if wifi.aggregation is not None:
         raise ValueError(f"wifi must be without aggregation here; got {wifi.name!r}")
     sizes = sizes_of(fleet)
@@ -188,8 +197,8 @@ def hybrid_run(
     channel = Channel(timing_of(wifi), count, unicast, _queue(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
-    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death)
-    run.settle(parted)
+    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death, parted, apart)
+    run.settle(parted if apart is None else 0 * parted)
     run.go(until, enough)
     return run.result()
 
@@ -216,6 +225,8 @@ class _Run:
     multicast_loss: float
     fade: float
     death: Death | None
+    part: NDArray[np.float64]
+    apart: tuple[float, float] | None
     frames: Counter[str] = field(default_factory=Counter)
     mistaken: int = 0
     gone_at: float = np.inf
@@ -272,7 +283,8 @@ class _Run:
             sending = channel.next_time()
             begun = starts[0] if starts else NEVER
             time = min(timer, sending, death, begun)
-            settled = time > self.last_change + enough and not self.incomplete[self.there].any()
+            since = max([self.last_change, *starts[-1:], *(self.apart or ())])
+            settled = time > since + enough and not self.incomplete[self.there].any()
             if time > until or settled:
                 return
             rules.now = time
@@ -346,6 +358,8 @@ class _Run:
         if frame.to is not None:
             return np.array([frame.to] if there[frame.to] else [], np.int64)
         there[frame.sender] = False
+        if self.apart and self.apart[0] <= self.rules.now < self.apart[1]:
+            there &= self.part == self.part[frame.sender]
         if self.fade:
             while (late := self.toggle < self.rules.now).any():
                 self.faded ^= late

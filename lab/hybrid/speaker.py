@@ -16,8 +16,11 @@ exist, and acts by four clocks:
   lacks.
 - BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
 
-A newcomer asks the first settled host that it hears for all sets, by unicast. Who has heard the
-channel carry its share of discovery within the last second puts digests and repairs off.
+A newcomer, once others had time to announce themselves, asks a settled host that it hears for all
+sets, by unicast; where so many start together that this would fill the channel, it leaves it to
+digests and repairs, which serve all of them. Who has heard the channel carry its share of discovery
+within the last second puts digests and repairs off. Who was given up is known again to whoever
+hears it, or hears that somebody does.
 """
 
 from collections.abc import Callable
@@ -75,9 +78,11 @@ class Speakers:
     basis: Bits = field(init=False)
     heard: NDArray[np.float64] = field(init=False)
     direct: NDArray[np.float64] = field(init=False)
+    young: NDArray[np.float64] = field(init=False)
     due: NDArray[np.float64] = field(init=False)
     wait: NDArray[np.float64] = field(init=False)
     pulled: NDArray[np.float64] = field(init=False)
+    met: Bools = field(init=False)
     seen_equal: Bools = field(init=False)
     seen_description: Bools = field(init=False)
     alive: Bools = field(init=False)
@@ -104,12 +109,15 @@ class Speakers:
         for name in ("need", "asked_for"):
             setattr(self, name, np.zeros((count, words), np.int64))
         self.basis = np.zeros((count, words, WORD), np.uint64)
-        # When each was heard last, by itself or in what another says of late; and by itself.
-        self.heard = np.full((count, count), -np.inf)
-        self.direct = np.full((count, count), -np.inf)
+        # When each was heard last, by itself or in what another says of late; by itself; and by
+        # itself before it had settled.
+        for name in ("heard", "direct", "young"):
+            setattr(self, name, np.full((count, count), -np.inf))
         self.due = np.full((4, count), NEVER)
         self.wait = np.full(count, parameters()["retry"])
         self.pulled = np.full(count, -np.inf)
+        # Whether it has heard a settled host while it was young.
+        self.met = np.zeros(count, bool)
         self.seen_equal = np.zeros(count, bool)
         self.seen_description = np.zeros(count, bool)
         self.alive = np.ones(count, bool)
@@ -370,7 +378,10 @@ class Rules:
         octets = int(sizes[host, part])
         parts = int((sizes[host] > 0).sum())
         spacing = self.spacing(octets, "announce_share")
-        window = max(value["first_window"], spacing * parts * int(self.known_to(host)))
+        many = int(self.known_to(host))
+        if speakers.met[host]:  # those that have settled announce nothing
+            many = 1 + self.beside(host)
+        window = max(value["first_window"], spacing * parts * many)
         wanted = speakers.start[host] + (part + self.part_of_window[host]) / parts * window
         if wanted > self.now:  # more hosts have been heard of since the time was drawn
             speakers.due[ANNOUNCE, host] = wanted
@@ -399,6 +410,7 @@ class Rules:
         spread = np.where(lacking, spread / 2, spread)
         # Others may have begun with it, and announce themselves as long as it does.
         earliest = speakers.start[who] + self.value["first_window"]
+        earliest += np.where(speakers.met[who], 2 * self.value["retry"], 0)
         begin = np.maximum(self.now + self.quiet, earliest)
         speakers.due[DIGEST, who] = begin + self.rng.random(who.size) * spread
 
@@ -502,8 +514,11 @@ class Rules:
         speakers, sender, content = self.speakers, message.sender, message.content
         speakers.heard[who, sender] = self.now
         speakers.direct[who, sender] = self.now
+        if message.kind == "Announce" and not message.settled:
+            speakers.young[who, sender] = self.now
         if message.to is None:
             self.note_air(who, message.octets)
+        self.take_back(who, speakers.own[sender])
         if message.kind == "Announce":
             self.hear_announcement(who, sender, *content)
         elif message.kind == "Repair":
@@ -531,8 +546,6 @@ class Rules:
     def hear_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
         """Let hosts have a part of a set, and know of the others."""
         speakers, own = self.speakers, self.speakers.own[sender]
-        back = (speakers.gone[who] & own).any(axis=1)
-        speakers.gone[who[back]] &= ~own
         if whole:
             speakers.seen_description[who] = True
         if self.alike and part:  # more of a description that each of them has
@@ -541,6 +554,17 @@ class Rules:
         new = (own & ~speakers.known[who]).any(axis=1)
         speakers.known[who] |= own
         self.take(who, word, own[word], new)
+
+    def take_back(self, who: Indices, bits: Bits) -> None:
+        """Let hosts know again of those that they have given up, and that live."""
+        speakers = self.speakers
+        some = who[(speakers.gone[who] & bits).any(axis=1)]
+        if not some.size:
+            return
+        speakers.known[some] |= speakers.gone[some] & bits
+        speakers.gone[some] &= ~bits
+        speakers.seen_equal[some] = False
+        self.soon(some)
 
     def take(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
         """Let hosts have a part, or an equation of several."""
@@ -583,8 +607,6 @@ class Rules:
             speakers.seen_equal[some] = False
             speakers.wait[some] = self.value["retry"]
             self.soon(some)
-        forgotten = who[(speakers.own[who] & gone).any(axis=1)]
-        speakers.due[ANNOUNCE, forgotten] = self.now
 
     def hear_beat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
         """Let hosts read a heartbeat: who lives, and whether something differs."""
@@ -592,7 +614,9 @@ class Rules:
         held, recent = content
         block = np.ix_(who, recent)
         speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
-        self.hear_of_oneself(who, speakers.bits_of(recent), speakers.denied[1])
+        claimed = speakers.bits_of(recent)
+        self.take_back(who, claimed)
+        self.hear_of_oneself(who, claimed, speakers.denied[1])
         unlike = (speakers.held[who] != held).any(axis=1)
         idle = unlike & (speakers.due[DIGEST, who] == NEVER)
         if idle.any():
@@ -618,11 +642,19 @@ class Rules:
     def pull(self, who: Indices, sender: int, count: int) -> None:
         """Let newcomers ask a settled host for all that they lack."""
         speakers, value = self.speakers, self.value
-        young = self.now - speakers.start[who] < value["settled"]
-        young &= self.now - speakers.pulled[who] > value["retry"]
-        for host in who[young]:
+        age = self.now - speakers.start[who]
+        young = age < value["settled"]
+        speakers.met[who[young]] = True
+        asking = young & (age > value["first_window"]) & (speakers.pulled[who] < NEVER)
+        for host in who[asking]:
             held = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
-            if count - held > value["pull_from"]:
+            if count - held <= value["pull_from"]:
+                continue
+            served, beside = self.served(host, count - held), self.beside(host)
+            first = speakers.pulled[host] == -np.inf
+            if first and beside and (beside + 1) * served > value["pull_share"]:
+                speakers.pulled[host] = NEVER  # repairs bring all of them the sets
+            elif self.now - speakers.pulled[host] > max(value["retry"], 2 * served):
                 speakers.pulled[host] = self.now
                 octets = self.sizes.digest(int(self.listed(host)))
                 at_once = self.now + self.rng.random() * self.quiet
@@ -631,6 +663,17 @@ class Rules:
                     self.part_of_window[host] = -np.inf
                 self.say("Pull", int(host), octets, speakers.held[host].copy(), sender)
                 speakers.due[DIGEST, host] = self.now + 2 * value["retry"]
+
+    def beside(self, host: int) -> int:
+        """Return how many others a host has heard of late that had just started."""
+        young = self.speakers.young[host] > self.now - self.value["lately"]
+        return int(young.sum())
+
+    def served(self, host: int, many: int) -> float:
+        """Return the airtime of so many sets like its own by unicast, on both hops [s]."""
+        room = self.value["datagram"]
+        frames = np.ceil(many * (self.sets[host].sum() - self.sizes.headers) / room)
+        return float(2 * frames * self.timing.cost(int(room + self.sizes.headers), False))
 
     def serve(self, host: int, to: int, held: Bits) -> None:
         """Send a newcomer what it lacks, several sets in a datagram."""
