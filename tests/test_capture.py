@@ -1080,4 +1080,4 @@ def test_the_command_tells_what_the_package_does(tmp_path: Path) -> None:
     csv_ = CliRunner().invoke(main, ["capture", path, "--csv"]).output.splitlines()
     assert len(csv_) == 1 + len(table)
     wrong = CliRunner().invoke(main, ["capture", path, "--against", "nothing"])
-    assert (wrong.exit_code, "'dds'" in wrong.output.lower()) == (2, True)
+    assert (wrong.exit_code, "'fast dds'" in wrong.output.lower()) == (2, True)

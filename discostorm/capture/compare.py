@@ -117,6 +117,12 @@ def as_if_wired(protocol: Protocol, rows: pd.DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
+def begin_of(protocol: Protocol, messages: pd.DataFrame) -> float:
+    """Return when the first message of a table was captured [s]; 0 if there is none."""
+    kinds = [message.kind for message in protocol.messages]
+    return float(messages.loc[messages["kind"].isin(kinds), "time"].min(skipna=True) or 0.0)
+
+
 def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
     """Return the time from the first message of a table to the end of the capture [s]."""
     kinds = [message.kind for message in protocol.messages]

@@ -6,6 +6,9 @@ import numpy as np
 
 from discostorm.capture._bytes import Array, Bytes, Columns, buffer, codes, take, times_before, view
 
+MISSING = "IP datagrams of which fragments are missing"
+#: What a file lacks of what was sent.
+LACKS = (MISSING,)
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
 _LIFETIME = 60_000_000_000
 #: So often it is tried to put together what overlaps and has holes.
@@ -112,7 +115,7 @@ def _runs(
             for which, kind in zip(rest, kinds, strict=True)
         )
     if lost:
-        notes["IP datagrams of which fragments are missing"] += lost
+        notes[MISSING] += lost
     return chosen, np.append(runs, np.array(hard_runs, np.int64))
 
 

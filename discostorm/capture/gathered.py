@@ -4,7 +4,7 @@ from collections import Counter
 
 import numpy as np
 
-from discostorm.capture import fragments, ip, link, pcap, rtps
+from discostorm.capture import asides, fragments, ip, link, pcap, rtps
 from discostorm.capture._bytes import Bytes, Columns, Numbers, codes, number, stack, take
 
 RTPS, ZENOH, TCP = range(3)
@@ -22,6 +22,9 @@ class KnownProcess:
         self.tokens = 0
         #: Whether it announced anything, and whether it is a server or router of others.
         self.announced = self.serves = False
+        #: Its domain, -1 if not known, and the numbers of the addresses that it announces.
+        self.domain = -1
+        self.told: list[int] = []
 
 
 class Gathered:
@@ -42,10 +45,15 @@ class Gathered:
         self.segments: list[Columns] = []
         #: Fragments of IP.
         self.pieces: list[Columns] = []
+        #: What says who is asked for, and what could not be delivered: see `asides`.
+        self.asides: list[Columns] = []
         #: What tells packets that the capture shows twice; none if it cannot.
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
-        self.domains: set[int] = set()
+        #: How many packets are of UDP and of TCP.
+        self.mix: Counter[str] = Counter()
+        #: Which process is in which domain.
+        self.domains: set[tuple[int, int]] = set()
         self.several = len(packets.links) > 1 or any(
             link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
         )
@@ -57,6 +65,7 @@ class Gathered:
         kinds = np.array(self.packets.links, np.int64)[table["interface"]]
         for kind in np.unique(kinds).tolist():
             mine = table if (kinds == kind).all() else take(table, kinds == kind)
+            self.asides.append(asides.arp(self.packets.data, mine, kind, self.addresses))
             found = link.ip_packets(self.packets.data, mine, kind, self.notes)
             found = ip.parse(self.packets.data, found, self.addresses, self.notes)
             found["parts"] = np.ones(len(found["at"]), np.int32)
@@ -71,6 +80,11 @@ class Gathered:
     def transport(self, data: Bytes, found: Columns) -> None:
         """Read what whole IP packets carry."""
         datagrams = ip.datagrams(data, found)
+        self.asides.append(asides.unreachable(data, found, self.addresses))
+        for name, number_ in (("UDP", ip.UDP), ("TCP", ip.TCP)):
+            mine = found["protocol"] == number_
+            whole = data is self.packets.data
+            self.mix[name] += int(np.count_nonzero(mine) if whole else found["parts"][mine].sum())
         if encrypted := int((found["protocol"] == ip.ENCRYPTED).sum()):
             self.notes["encrypted IP packets"] += encrypted
         tunnels = int(np.isin(found["protocol"], ip.TUNNELS).sum())
@@ -141,7 +155,11 @@ class Gathered:
             }
         )
         to_all = ip.multicast(self.addresses)[found["target"][datagram]]
-        self.domains |= rtps.domains(messages["kind"][to_all], found["to_port"][datagram[to_all]])
+        self.domains |= rtps.domains(
+            messages["process"][to_all],
+            messages["kind"][to_all],
+            found["to_port"][datagram[to_all]],
+        )
         _, first = codes(messages["process"], found["source"][datagram])
         for row in first.tolist():
             at = int(found["at"][datagram[row]])
@@ -155,8 +173,11 @@ class Gathered:
 
     def note_domains(self) -> None:
         """Say of which domains there are messages, if not of one alone."""
-        if (count := len(self.domains)) > 1:
-            which = ", ".join(map(str, sorted(self.domains)))
+        for process, domain in sorted(self.domains):
+            self.processes[process].domain = domain
+        domains = sorted({domain for _, domain in self.domains})
+        if (count := len(domains)) > 1:
+            which = ", ".join(map(str, domains))
             self.notes[
                 f"domains of RTPS ({which}): only processes of the same one find each other, which "
                 "the fleet does not know"
@@ -187,16 +208,18 @@ class Gathered:
             return
         prefix = self.prefixes.of(data, guid, 12)
         entity = number(data, guid + 12, ">u4").astype(np.int64)
-        address = np.full(len(guid), -1)
-        told = np.flatnonzero(announced["address"] > 0)
-        address[told] = self.addresses.of(data, announced["address"][told], 4)
-        for which, id_, spdp, serves, sender, where, datagram in zip(
+        address, first = np.full(len(guid), -1), np.full(len(guid), -1)
+        for known, key in ((address, "address"), (first, "first_address")):
+            told = np.flatnonzero(announced[key] > 0)
+            known[told] = self.addresses.of(data, announced[key][told], 4)
+        for which, id_, spdp, serves, sender, where, begin, datagram in zip(
             prefix.tolist(),
             entity.tolist(),
             announced["spdp"].tolist(),
             rtps.serves(data, announced).tolist(),
             announced["sender"].tolist(),
             address.tolist(),
+            first.tolist(),
             announced["datagram"].tolist(),
             strict=True,
         ):
@@ -207,9 +230,19 @@ class Gathered:
             process.serves |= serves
             if not spdp:
                 process.endpoints.add(id_)
-            elif which != sender and process.host < 0:
+                continue
+            if which == sender:
+                process.told += [one for one in (begin, where) if one not in process.told]
+            if which != sender and process.host < 0:
                 process.host = where  # somebody else tells of it
                 process.since = int(found["frame"][datagram])
+
+    def lost(self) -> list[str]:
+        """Return what the file lacks of what was sent, so that it cannot be read."""
+        packets = self.packets.table
+        cut = int(np.count_nonzero(packets["size"] < packets["length"]))
+        lost = [f"{cut} packets were cut when they were captured (snaplen)"] if cut else []
+        return lost + [f"{n} {what}" for what, n in self.notes.items() if what in fragments.LACKS]
 
     def fragments(self) -> None:
         """Read what IP fragments make."""

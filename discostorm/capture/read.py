@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
-from discostorm.capture import files, ip, rtps, zenoh
+from discostorm.capture import asides, files, ip, rtps, zenoh
 from discostorm.capture._bytes import Array, Columns, codes, stack
 from discostorm.capture.gathered import PROTOCOLS, RTPS, ZENOH, Gathered, KnownProcess
 from discostorm.capture.result import Capture
@@ -23,6 +23,8 @@ NANOSECOND = 1e-9
 _AT_A_TIME = 1 << 15
 #: What is seen twice is seen within this time [ns]: on several interfaces, or up and down.
 _TWICE = 1_000_000_000
+#: A clock that goes back by more than the first was set, or on by the second may have been [ns].
+_BACK, _ON = 1_000_000_000, 30_000_000_000
 WAYS = ("", "up", "down")
 #: The columns of messages and their types.
 _TYPES: dict[str, Any] = {
@@ -34,6 +36,8 @@ _TYPES: dict[str, Any] = {
     "size": np.int32,
     "reader": np.uint32,
     "writer": np.uint32,
+    "number": np.int32,
+    "missing": np.int16,
     "bytes": np.int32,
     "process": np.int32,
     "peer": np.int32,
@@ -90,6 +94,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     time = packets.table["time"]
     begin = int(time.min()) if len(time) else 0
     since = (time - begin) * NANOSECOND
+    jumps, first, last = _jumps(time), *map(float, since[[0, -1]] if len(since) else (0.0, 0.0))
     addresses = ip.names(found.addresses)
     messages = _message_table(rows, since, found, addresses, [one.name for one in processes])
     return Capture(
@@ -100,6 +105,12 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         notes=_notes(found, processes, messages),
         _messages=messages,
         _processes=_process_table(processes, since, addresses),
+        _asides=_aside_table(found, since, addresses),
+        _jumps=jumps,
+        _first=first,
+        _last=last - first - sum(step for _, step in jumps),
+        _others=_others(found, rows, len(time)),
+        _lost=tuple(found.lost()),
     )
 
 
@@ -213,11 +224,46 @@ def _message_table(
             "entity": _words(entity, [*rtps.ENTITY_NAMES, ""]),
             "reader": rows["reader"],
             "writer": rows["writer"],
+            "number": rows["number"],
+            "missing": rows["missing"],
             "size": rows["size"],
             "ends": rows["ends"],
             "copy": rows["copy"],
             "transport": _words(rows["udp"].astype(np.int64), ("TCP", "UDP")),
             "frames": rows["frames"],
+        }
+    )
+
+
+def _jumps(time: Array) -> tuple[tuple[int, float], ...]:
+    """Return where the time of packets is set back, or on by so much that a clock may have been."""
+    step = np.diff(time)
+    frames = np.flatnonzero((step < -_BACK) | (step > _ON))
+    return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
+
+
+def _others(found: Gathered, rows: Columns, packets: int) -> dict[str, int]:
+    """Return how many packets there are without a message."""
+    all_, udp = (float(part.sum()) for part in (rows["frames"], rows["frames"][rows["udp"]]))
+    told = {"UDP": udp, "TCP": all_ - udp}
+    arp = int(sum((rows["kind"] <= asides.LAST_OF_ARP).sum() for rows in found.asides))
+    some = {name: found.mix[name] - round(told[name]) for name in ("UDP", "TCP")}
+    return {"ARP": arp, **some, "other": packets - arp - found.mix["UDP"] - found.mix["TCP"]}
+
+
+def _aside_table(found: Gathered, since: Array, addresses: list[str]) -> pd.DataFrame:
+    """Return what is no discovery, and tells why it fails, by time."""
+    import pandas as pd
+
+    rows = stack(found.asides or [asides.none()])
+    return pd.DataFrame(
+        {
+            "time": since[rows["frame"]],
+            "frame": rows["frame"] + 1,
+            "kind": _words(rows["kind"].astype(np.int64), asides.KINDS),
+            "sender": _words(rows["source"], addresses),
+            "receiver": _words(rows["target"], addresses),
+            "port": rows["port"],
         }
     )
 
@@ -260,6 +306,10 @@ def _process_table(
             "endpoints": [_endpoints(one) for one in processes],
             "time": [float(since[one.since]) if one.since >= 0 else np.nan for one in processes],
             "server": np.array([one.serves for one in processes], bool),
+            "domain": np.array([one.domain for one in processes], np.int64),
+            "announces": [
+                " ".join(addresses[told] for told in one.told if told >= 0) for one in processes
+            ],
         },
         index=pd.Index([one.name for one in processes], name="process", dtype=object),
     )

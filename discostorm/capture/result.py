@@ -17,13 +17,15 @@ from discostorm.capture import gathered
 from discostorm.capture.compare import (
     Shown,
     as_if_wired,
+    begin_of,
     completed,
     from_host,
     spoken,
     table,
-    window,
+    window as counted,
 )
 from discostorm.capture.pcap import CaptureError
+from discostorm.capture.sums import sums
 from discostorm.fleet import COUNTS, Fleet, HostGroup
 from discostorm.messages import HOPS, Hop, Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
@@ -31,6 +33,8 @@ from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
+
+    from discostorm.capture.diagnosis import Diagnosis
 
 
 @dataclass(frozen=True, repr=False)
@@ -51,6 +55,18 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes : pandas.DataFrame
         What `messages` and `processes` return copies of.
+    _asides : pandas.DataFrame
+        What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
+        connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+    _jumps : tuple of tuple
+        Where the clock that stamped the packets jumped: the frame, and by how much [s].
+    _first, _last : float
+        When the first packet in the file came, since the earliest one, and how much later the last
+        one came, without jumps of the clock [s].
+    _others : dict of str to int
+        How many packets there are of "ARP", "TCP", "UDP" and "other" that hold no message [1].
+    _lost : tuple of str
+        What the capture says that it lacks.
     """
 
     path: str
@@ -60,6 +76,12 @@ class Capture:
     notes: tuple[str, ...]
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
+    _asides: pd.DataFrame = field(compare=False)
+    _jumps: tuple[tuple[int, float], ...] = ()
+    _first: float = 0.0
+    _last: float = 0.0
+    _others: dict[str, int] = field(default_factory=dict, compare=False)
+    _lost: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return (
@@ -80,7 +102,9 @@ class Capture:
             ``receiver``, addresses; ``way``, "up" or "down" if the capture is of a Wi-Fi
             network. Then ``process`` and ``peer``, whom it is from and to, "" if it does
             not say; ``submessage``, its name in the standard or in Zenoh; of RTPS, ``entity``,
-            what its entities are about, ``reader`` and ``writer``, their ids, and ``size``,
+            what its entities are about, ``reader`` and ``writer``, their ids, ``number``, the
+            sequence number of a sample, of the last one that a Heartbeat tells of, or of the first
+            that an ACKNACK lacks, ``missing``, how many that says it lacks, and ``size``,
             the octets to the next header [B]; ``ends``, whether it takes back what it is
             about, or ends a connection; ``copy``, whether the capture shows it once more;
             ``transport``; ``frames``, its part of packets [1].
@@ -213,6 +237,7 @@ class Capture:
         fleet: Fleet | None = None,
         wifi: Wifi = PAPER,
         wired: Sequence[str] | None = None,
+        window: float | None = None,
     ) -> pd.DataFrame:
         """Hold what was captured against the table of a protocol.
 
@@ -236,6 +261,9 @@ class Capture:
         wired : sequence of str, optional
             The addresses of all hosts that are wired to the access point; those of `serving` if
             left out. For a server on a robot it is empty.
+        window : float, optional
+            Count so long from the first message of the table on [s], above 0; to the end of the
+            capture if left out. `compared_seconds` says how long that is.
 
         Returns
         -------
@@ -257,12 +285,15 @@ class Capture:
         CaptureError
             If no fleet is given, and no process was found.
         ValueError
-            If `wired` has an address that the capture does not show.
+            If `wired` has an address that the capture does not show, or `window` is not above 0.
         """
         _checks.instance("protocol", protocol, Protocol)
         _checks.instance("wifi", wifi, Wifi)
         wire = spoken(protocol)
         rows = self._on_air()
+        seconds = self.compared_seconds(protocol, window)
+        if window is not None:
+            rows = rows[rows["time"] <= begin_of(protocol, self._messages) + seconds]
         if protocol.wired is not None and as_if_wired(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
@@ -274,8 +305,88 @@ class Capture:
                 _checks.one_each(zip(COUNTS, group.counts(), strict=True))
             shown = self._shown(fleet)
         rows = rows.assign(airtime_s=self.airtime(wifi, wired))
-        seconds = window(protocol, self._messages, self.duration)
         return table(protocol, shown, rows, wire, seconds)
+
+    def compared_seconds(self, protocol: Protocol, window: float | None = None) -> float:
+        """Return how long `compare` counts: from the first message of a table on [s].
+
+        It is to the end of the capture, or until nobody sends any more, at most `window`.
+        """
+        _checks.instance("protocol", protocol, Protocol)
+        seconds = counted(protocol, self._messages, self.duration)
+        if window is None:
+            return seconds
+        return min(seconds, _checks.number("window", window, _checks.LEAST_SECONDS))
+
+    def sums(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
+        """Return what is sent for discovery, and what users' data take.
+
+        Left out is what `compare` leaves out.
+
+        Parameters
+        ----------
+        wifi : Wifi, optional
+            The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            As for `compare`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            By ``what``, "discovery" and "user data": ``messages`` [1], which are no whole numbers
+            where both share segments of TCP; ``bytes``, their payload [B]; ``airtime_s`` [s]; and
+            ``of_time``, its part of the capture's duration [1].
+        """
+        rows = self._on_air()
+        return sums(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
+
+    def diagnosis(self) -> Diagnosis:
+        """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
+
+        What cannot be told apart is said to be one of two. What the capture cannot show is not
+        found; what it lacks is a finding of its own.
+
+        Returns
+        -------
+        Diagnosis
+            Its ``summary()``, ``findings``, ``hosts()`` and the pairs that are ``incomplete()``.
+
+        Examples
+        --------
+        >>> import discostorm as ds
+        >>> from discostorm.data import data_path
+        >>> capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz"))
+        >>> capture.diagnosis().complete
+        True
+        """
+        from discostorm.capture.diagnosis import Seen, diagnose, view_of, without_jumps
+
+        rows = self._messages
+        here = rows["sender"].astype(str) == rows["receiver"].astype(str)
+        loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
+        rows, asides, processes = rows[~(rows["copy"] | here | loop)], self._asides, self._processes
+        rows, asides = (
+            table.assign(
+                time=without_jumps(
+                    table["time"].to_numpy(), table["frame"].to_numpy(), self._jumps, self._first
+                )
+            )
+            for table in (rows, asides)
+        )
+        serving = frozenset(self.serving())
+        return diagnose(
+            Seen(
+                rows=rows.sort_values("time", kind="stable") if self._jumps else rows,
+                processes=processes[processes["host"] != ""],
+                asides=asides,
+                duration=self._last,
+                view=view_of(rows, serving),
+                serving=serving,
+                others=self._others,
+                jumps=self._jumps,
+                lost=self._lost,
+            )
+        )
 
     def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
         """Draw messages over time, and their airtime against the channel.

@@ -29,6 +29,8 @@ PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
 #: Parameters: where unicast discovery goes to, GUIDs, properties, the end.
 _UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
 _PROPERTIES = 0x59
+#: Added to a parameter: the first one of several, not the last.
+_FIRST = 0x10000
 #: How a participant of Fast DDS says in its properties that it is a Discovery Server
 #: (parameter_property_participant_type; two strings of CDR).
 _SERVER = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
@@ -53,6 +55,11 @@ def _places(column: str) -> Array:
 
 
 _READER_AT, _WRITER_AT = _places("reader_at"), _places("writer_at")
+#: Where the lower half of a sequence number stands: of a sample, the last one of a Heartbeat, the
+#: first one that an ACKNACK lacks; and how many bits follow it there.
+_NUMBER_AT = _places("number_at")
+_HAS_NUMBER = _NUMBER_AT > 0
+_BITS, _MOST_BITS, ACKNACK = 4, 256, 0x06
 #: What is a message of its own; the others say how to read what follows them, or fill up.
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
 #: What those without a known entity are called, by the upper two bits of its last byte.
@@ -96,10 +103,14 @@ def over_tcp(data: Bytes, at: Places) -> Array:
     return found
 
 
-def domains(kind: Array, to_port: Array) -> set[int]:
-    """Return the domains that messages by multicast are for: the ports of SPDP tell (9.6.1)."""
-    port, rest = np.divmod(to_port[kind >> 8 == GROUPS.index("SPDP")] - _PORT, _PORTS)
-    return set(np.unique(port[(rest == 0) & (port >= 0)]).tolist())
+def domains(process: Array, kind: Array, to_port: Array) -> set[tuple[int, int]]:
+    """Return whose messages by multicast are for which domain: SPDP's ports tell (9.6.1)."""
+    spdp = kind >> 8 == GROUPS.index("SPDP")
+    process, (domain, rest) = process[spdp], np.divmod(to_port[spdp] - _PORT, _PORTS)
+    known = (rest == 0) & (domain >= 0)
+    process, domain = process[known], domain[known]
+    _, first = codes(process, domain)
+    return set(zip(process[first].tolist(), domain[first].tolist(), strict=True))
 
 
 def messages(
@@ -122,7 +133,8 @@ def messages(
     -------
     tuple
         The messages: ``datagram``, its row in `found`; ``kind``, see `kind_names`; the
-        ``submessage``, its ``size``, ``reader`` and ``writer``; ``bytes``, its own and those
+        ``submessage``, its ``size``, ``reader`` and ``writer``; its ``number``, and how many are
+        ``missing``, see `Capture.messages`; ``bytes``, its own and those
         around it; ``process`` and ``peer``; ``entity`` and ``ends``. The announcements: see
         `_announced`.
     """
@@ -154,6 +166,7 @@ def messages(
         for value in [number(data, np.minimum(place + where[kind], last), ">u4")]
     )
     group, entity = _groups(reader, writer)
+    sequence = _sequence(data, place + _NUMBER_AT[kind], last, kind, little)
     found_messages = {
         "datagram": rows[which],
         "kind": group * 256 + kind,
@@ -161,6 +174,8 @@ def messages(
         "size": np.where(little, length, length.byteswap()).astype(np.int32),
         "reader": reader,
         "writer": writer,
+        "number": sequence,
+        "missing": _missing(data, place, last, kind, little),
         "bytes": (stop - begin).astype(np.int32),
         "process": processes.of(data, source, 12),
         "peer": processes.of(data, target, 12),
@@ -178,6 +193,37 @@ def messages(
         little[announcing],
     )
     return found_messages, announced
+
+
+def _sequence(data: Bytes, at: Places, last: Places, kind: Array, little: Array) -> Array:
+    """Return the lower half of the sequence number of each message, 0 if it has none."""
+    # Behind the last message there is padding.
+    value: Array = number(data, at, "<u4")
+    if not little.all():
+        value = np.where(little, value, value.byteswap())
+    value &= 0x7FFFFFFF
+    value[(at + 4 > last) | ~_HAS_NUMBER[kind]] = 0
+    return value.view(np.int32)
+
+
+def _missing(data: Bytes, place: Places, last: Places, kind: Array, little: Array) -> Array:
+    """Return how many samples each ACKNACK says that it lacks."""
+    missing = np.zeros(len(kind), np.int16)
+    rows = np.flatnonzero(kind == ACKNACK)
+    rows = rows[place[rows] + _NUMBER_AT[ACKNACK] + _BITS + 4 <= last[rows]]
+    at = place[rows] + _NUMBER_AT[ACKNACK] + _BITS
+    bits = _number(data, at, "u4", little[rows])
+    asking = np.flatnonzero((bits > 0) & (bits <= _MOST_BITS))
+    rows, at, bits = rows[asking], at[asking], bits[asking].astype(np.int64)
+    for word in range(_MOST_BITS // 32):
+        here = np.flatnonzero((bits > 32 * word) & (at + 8 + 4 * word <= last[rows]))
+        if not len(here):
+            break
+        value = _number(data, at[here] + 4 + 4 * word, "u4", little[rows[here]])
+        kept = np.minimum(bits[here] - 32 * word, 32)
+        value = value.astype(np.uint64) >> (32 - kept).astype(np.uint64)
+        missing[rows[here]] += np.bitwise_count(value).astype(np.int16)
+    return missing
 
 
 def _walk(data: Bytes, at: Places, end: Places, wire_end: Places) -> tuple[Array, Places, Places]:
@@ -247,7 +293,8 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
     """Return what messages of SPDP and SEDP announce, each once.
 
     Of each ``guid``, the place of its sixteen bytes; ``spdp``, whether it is a participant;
-    ``address``, the place of its IPv4 address for unicast discovery, and ``properties``, that of
+    ``address``, the place of its last IPv4 address for unicast discovery, ``first_address``, that
+    of its first, and ``properties``, that of
     its properties, and their ``size``, 0 if it says none; the
     ``sender``, a process, and its ``datagram``.
     """
@@ -264,13 +311,15 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
     inside = at + 4 <= end
     encoding = np.where(inside, number(data, np.where(inside, at, 0), ">u2"), 0)
     inside &= (encoding == 2) | (encoding == 3)
-    wanted = (_PARTICIPANT_GUID, _ENDPOINT_GUID, _UNICAST, _PROPERTIES)
+    wanted = (_PARTICIPANT_GUID, _ENDPOINT_GUID, _UNICAST, _FIRST + _UNICAST, _PROPERTIES)
     told, _ = _parameters(data, at + 4, np.where(inside, end, at), encoding == 3, wanted)
     spdp = np.isin(found["writer"], [k for k, row in ENTITIES.items() if row["group"] == "SPDP"])
     guid = np.where(spdp, told[_PARTICIPANT_GUID], told[_ENDPOINT_GUID])
     guid = np.where(guid > 0, guid, in_qos[_KEY_HASH])
-    locator = told[_UNICAST]
-    has_address = (locator > 0) & (_number(data, locator, "u4", encoding == 3) == _UDP_4)
+    locators = [
+        np.where((at > 0) & (_number(data, at, "u4", encoding == 3) == _UDP_4), at + 20, 0)
+        for at in (told[_UNICAST], told[_FIRST + _UNICAST])
+    ]
     properties = told[_PROPERTIES]
     size = _number(data, np.maximum(properties - 2, 0), "u2", encoding == 3).astype(np.int64)
     return {
@@ -278,7 +327,8 @@ def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: 
         "spdp": spdp,
         "properties": properties,
         "size": np.where(spdp & (properties > 0), np.minimum(size, end - properties), 0),
-        "address": np.where(has_address, locator + 20, 0),
+        "address": locators[0],
+        "first_address": locators[1],
         "sender": found["process"],
         "datagram": found["datagram"],
     }
@@ -315,7 +365,9 @@ def _parameters(
         )
         for parameter, places in found.items():
             # All values that are wanted have 16 bytes or more.
-            mine = (kind == parameter) & (length >= 16) & (at + 20 <= end)
+            mine = (kind == parameter & 0xFFFF) & (length >= 16) & (at + 20 <= end)
+            if parameter >= _FIRST:
+                mine &= places[which] == 0
             places[which[mine]] = at[mine] + 4
         last = kind == _SENTINEL
         after[which] = at + 4 + np.where(last, 0, length)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from discostorm.capture import ip, tcp, zenoh, zenoh_datagrams, zenoh_streams
+from discostorm.capture import asides, ip, tcp, zenoh, zenoh_datagrams, zenoh_streams
 from discostorm.capture._bytes import (
     PAD,
     Array,
@@ -34,6 +34,7 @@ def read_zenoh(gathered: Gathered, copies: Array) -> None:
         parts, gathered.segments = gathered.segments, []
         streams = tcp.streams([take(part, ~copies[part["frame"]]) for part in parts])
         del parts
+        gathered.asides.append(asides.connections(streams))
         _read_streams(gathered, streams, known)
 
 

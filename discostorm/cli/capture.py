@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,8 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleets import called, read, standard_input
+from discostorm.cli.fleets import called, compared, robot_option, standard_input
+from discostorm.cli.health import show_answer, show_tables, told
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
@@ -18,6 +20,7 @@ from discostorm.cli.output import (
     Rows,
     as_text,
     bad_input,
+    percent,
     plain,
     print_rows,
     visible,
@@ -44,12 +47,27 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
     "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
 )
 @click.option("--fleet", **A_FILE, help="Fleet file (TOML); the fleet found if left out.")
+@robot_option
+@click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
 @click.option(
     "--wired",
     metavar="ADDRESS",
     multiple=True,
     help="A host that is wired to the access point; may be given again, none for no host. If left "
     "out, hosts with nothing but Discovery Servers and Zenoh routers.",
+)
+@click.option(
+    "--window",
+    type=float,
+    metavar="S",
+    help="Hold the first so many seconds against the tables, from their first message on, as "
+    "`breakdown --window` counts; all if left out.",
+)
+@click.option(
+    "--write-fleet",
+    "written",
+    **A_FILE,
+    help="Write the fleet that was found, with wired hosts, as a fleet file (TOML).",
 )
 @click.option(
     "--picture",
@@ -62,15 +80,20 @@ def capture(
     file: str,
     against: str | None,
     fleet: str | None,
+    robot: str | None,
+    hosts: float | None,
     wired: tuple[str, ...],
+    window: float | None,
+    written: str | None,
     picture: str | None,
     output: Output,
 ) -> None:
-    """Read a capture of tcpdump or Wireshark, and count discovery traffic by message.
+    """Tell from a capture whether discovery is healthy, and count its messages.
 
-    FILE is pcap or pcapng, also as .gz or .xz, or - for standard input, which is read to its
-    end. Per unit is what was captured for each
-    process, pair of processes or endpoint of the fleet that the capture itself tells of;
+    First comes the answer: whether discovery is healthy, complete and over, if not why, and what to
+    do; then a table by host, and the messages against the model. FILE is pcap or pcapng, also as
+    .gz or .xz, or - for standard input, which is read to its end. Per unit is what was captured for
+    each process, pair of processes or endpoint of the fleet that the capture itself tells of;
     airtime is that on the paper's channel, of a host that is wired on one hop alone. Record with:
 
     \b
@@ -87,16 +110,24 @@ def capture(
         if file == fleet == "-":
             raise click.UsageError("either FILE or --fleet may be -, for standard input")
         found = ds.read_capture(standard_input() if file == "-" else file)
-        members = None if fleet is None else read(fleet)
+        members = compared(fleet, robot, hosts)
         on_wires = _wired(wired)
         spoken = set(found.processes()["protocol"])
         papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
+        tables = papers if against is None else [ds.PROTOCOLS[against]]
         rows = [
             {"protocol": protocol.name} | row
-            for protocol in (papers if against is None else [ds.PROTOCOLS[against]])
-            for row in _whole_rows(found.compare(protocol, members, wired=on_wires).reset_index())
+            for protocol in tables
+            for row in _whole_rows(
+                found.compare(protocol, members, wired=on_wires, window=window).reset_index()
+            )
         ]
+        seconds = {protocol.name: found.compared_seconds(protocol, window) for protocol in tables}
+        sums = found.sums(wired=on_wires)
+        if written is not None:
+            _write_fleet(written, found.fleet(wired=on_wires), called(file))
         groups = found.fleet(wired=on_wires).groups if members is None and spoken else ()
+        diagnosis = found.diagnosis()
         if picture is not None:
             path = Path(_checks.path("--picture", picture, "a file"))
             try:
@@ -109,6 +140,7 @@ def capture(
     elif output.as_json:
         answer = {
             "file": called(file),
+            "diagnosis": told(diagnosis, found),
             "packets": found.packets,
             "duration_s": found.duration,
             "hosts": [
@@ -116,12 +148,17 @@ def capture(
                 for group in groups
             ],
             "wired": list(found.serving() if on_wires is None else on_wires),
+            "window_s": seconds,
+            "sums": _whole_rows(sums.reset_index()),
             "messages": rows,
             "notes": list(found.notes),
         }
         click.echo(as_text(answer))
     elif output.for_people:
+        show_answer(diagnosis)
+        show_tables(diagnosis, output)
         _show_capture(found, groups, rows, output)
+        _show_sums(found, sums, seconds if rows else {})
         if on_wires is None and (serving := found.serving()):
             click.echo(
                 f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
@@ -149,6 +186,41 @@ def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
 def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
     """Return the rows of a table, with None where it has no number."""
     return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
+    """Write a fleet file that `plan` and the others take; all of it, or nothing."""
+    path = Path(_checks.path("--write-fleet", name, "a file"))
+    lines = [f"# Seen in {visible(_checks.brief(source))}."]
+    for group in fleet.described():
+        lines += ["", "[[groups]]"]
+        # A capture does not tell what matches by ROS 2's own names: `shared` is left to the reader.
+        known = {key: value for key, value in group.items() if key != "shared"}
+        lines += [f"{key} = {_toml(value)}" for key, value in known.items()]
+    try:
+        with ds.figures.replacing(path) as beside:
+            beside.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    except OSError as error:
+        raise BadInput(f"--write-fleet: {_checks.brief(name)}: {error.strerror}") from error
+
+
+def _toml(value: str | float | bool) -> str:
+    """Return a value in TOML; whole numbers without a point."""
+    whole = isinstance(value, float) and value.is_integer()
+    return json.dumps(int(value) if whole else value)
+
+
+def _show_sums(found: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
+    """Say what discovery and users' data take, and for how long was counted."""
+    for name, row in sums.iterrows():
+        if row["messages"]:
+            click.echo(
+                f"{words.capitalized(str(name))}: {row['messages']:,.0f} messages, "
+                f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
+                f"channel ({percent(row['of_time'])} of {found.duration:.1f} s)"
+            )
+    for name, time in seconds.items():
+        click.echo(f"Counted against {name}: {time:.1f} s from its first message on.")
 
 
 def _show_capture(

@@ -1,0 +1,98 @@
+"""Tables of a diagnosis: a row a host, and the pairs that never completed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from discostorm.capture.diagnosis.lives import Life
+from discostorm.capture.diagnosis.pairs import Pair
+from discostorm.capture.diagnosis.reach import PATIENCE, RARE
+from discostorm.capture.diagnosis.seen import Seen
+from discostorm.capture.diagnosis.teams import Team
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+COLUMNS = ("products", "processes", "endpoints", "announced_s", "knows_all_s", "known_s")
+
+
+def due(seen: Seen, pair: Pair, alive: list[Life], gone: set[int]) -> bool:
+    """Return whether two processes were there together for so long that they ought to be done."""
+    if np.isnan(pair.complete) or pair.complete < np.inf:
+        return True
+    end = float(seen.time.max(initial=0.0))
+    both = (pair.of, pair.by)
+    begin = max(alive[one].first for one in both)
+    stops = [alive[one].last + (0.0 if alive[one].end or one in gone else RARE) for one in both]
+    return min(end, *stops) - begin >= PATIENCE
+
+
+def hosts(seen: Seen, teams: Iterable[Team], alive: list[Life]) -> pd.DataFrame:
+    """Return a row for each host; see `Diagnosis.hosts`."""
+    import pandas as pd
+
+    pairs = [pair for team in teams for pair in team.pairs]
+    table = seen.processes
+    names = [host for host in dict.fromkeys([*seen.host, *seen.host_life]) if host]
+    spoken = set(seen.host) | {
+        str(host) for host in seen.rows["sender"][seen.of("kind", "Scout", "SPDP")].unique()
+    }
+    rows = []
+    for name in names:
+        if name not in spoken:
+            continue
+        mine = np.flatnonzero(seen.host == name)
+        firsts = [alive[one].first for one in mine if np.isfinite(alive[one].first)]
+        own, others = (
+            [pair.complete for pair in pairs if seen.host[getattr(pair, end)] == name]
+            for end in ("by", "of")
+        )
+        first = min(firsts, default=seen.host_life.get(name, (np.nan, 0.0))[0])
+        knows = _latest(own)
+        if np.isnan(knows) and not len(mine) and len(names) > 1:
+            knows = np.inf  # it looks for others, and no session of it was opened
+        rows.append(
+            {
+                "host": name,
+                "products": ", ".join(dict.fromkeys(table["product"].iloc[mine])),
+                "processes": len(mine),
+                "endpoints": int(table["endpoints"].iloc[mine].sum()),
+                "announced_s": first,
+                "knows_all_s": knows,
+                "known_s": _latest(others),
+            }
+        )
+    found = pd.DataFrame(rows, columns=["host", *COLUMNS]).set_index("host")
+    for column, end in (("sent", "sender"), ("received", "receiver")):
+        counts = seen.rows.groupby(end, observed=True)["bytes"].agg(["size", "sum"])
+        found[column] = counts["size"].reindex(found.index).fillna(0).astype(np.int64)
+        found[f"{column}_bytes"] = counts["sum"].reindex(found.index).fillna(0).astype(np.int64)
+    return found
+
+
+def _latest(times: list[float]) -> float:
+    """Return the latest of times: infinite if one never came, NaN if none is known."""
+    known = [time for time in times if not np.isnan(time)]
+    return max(known) if known else np.nan
+
+
+def incomplete(seen: Seen, pairs: Iterable[Pair]) -> pd.DataFrame:
+    """Return the pairs that never completed; see `Diagnosis.incomplete`."""
+    import pandas as pd
+
+    names = seen.processes.index.to_numpy(object)
+    rows = [
+        {
+            "of": str(seen.host[pair.of]),
+            "by": str(seen.host[pair.by]),
+            "of_process": names[pair.of],
+            "by_process": names[pair.by],
+            "heard_s": pair.heard,
+            "sent": pair.sent,
+        }
+        for pair in pairs
+    ]
+    return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
