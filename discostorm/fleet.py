@@ -288,14 +288,23 @@ class Fleet:
     @cached_property
     def remote_of(self) -> list[Count]:
         """For a process of each group, the number of processes on other hosts."""
+        return self._remote([True] * len(self.groups))
+
+    @cached_property
+    def wireless_remote_of(self) -> list[Count]:
+        """The same of processes on hosts that are not wired."""
+        return self._remote([not group.wired for group in self.groups])
+
+    def _remote(self, counted: list[bool]) -> list[Count]:
+        """Return for a process of each group how many of these groups are on other hosts."""
         # What comes before and after is added up rather than subtracted from the total, which
         # would cancel.
-        own = self.processes_of
-        before = list(accumulate(own[:-1], initial=0))
-        after = list(accumulate(own[:0:-1], initial=0))[::-1]
+        of = [many if yes else 0 for many, yes in zip(self.processes_of, counted, strict=True)]
+        before = list(accumulate(of[:-1], initial=0))
+        after = list(accumulate(of[:0:-1], initial=0))[::-1]
         return [
-            (group.hosts - 1) * group.processes + one + other
-            for group, one, other in zip(self.groups, before, after, strict=True)
+            ((group.hosts - 1) * group.processes if yes else 0) + one + other
+            for group, yes, one, other in zip(self.groups, counted, before, after, strict=True)
         ]
 
     @cached_property

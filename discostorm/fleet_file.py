@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from discostorm import _checks
+from discostorm import _checks, _names
 
 #: What each group counts, and the least that is allowed; the most is `_checks.MOST`.
 LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
@@ -89,5 +89,5 @@ def _only_keys(table: dict[str, Any], known: tuple[str, ...]) -> None:
         if key not in known:
             raise ValueError(
                 f"key must be {' or '.join(known)}; got {_checks.brief(key)} = "
-                f"{_checks.short(value)}"
+                f"{_checks.short(value)}{_names.did_you_mean(key, known)}"
             )

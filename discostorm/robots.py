@@ -1,5 +1,6 @@
 """Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
 
+from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.fleet import HostGroup
 from discostorm.ros2 import (
@@ -30,6 +31,36 @@ def robots() -> dict[str, HostGroup]:
         name: _host(name, [row for row in read_data("fleets/robots.csv") if row["robot"] == name])
         for name in dict.fromkeys(row["robot"] for row in read_data("fleets/robots.csv"))
     }
+
+
+def aliases() -> dict[str, str]:
+    """Return the names of robots by other names that people use (``fleets/aliases.csv``)."""
+    return {row["alias"]: row["robot"] for row in read_data("fleets/aliases.csv")}
+
+
+def robot(name: str) -> HostGroup:
+    """Return one host of the ready-made robot of a name, in any case, with or without hyphens.
+
+    Raises
+    ------
+    ValueError
+        If there is none; the message has the nearest name.
+
+    Examples
+    --------
+    >>> robot("turtlebot4").name
+    'TurtleBot 4 with Nav2'
+    """
+    made = robots()
+    known = {_names.key(one): full for one, full in aliases().items()}
+    known |= {_names.key(one): one for one in made}
+    found = known.get(_names.key(name))
+    if found is None:
+        like = _names.did_you_mean(name, (*made, *aliases()))
+        raise ValueError(
+            f"robot must be the name of a ready-made one; got {_checks.brief(name)!r}{like}"
+        )
+    return made[found]
 
 
 def laptop() -> HostGroup:

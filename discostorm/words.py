@@ -8,6 +8,10 @@ import textwrap
 HUGE = 1e6
 #: What is said of a fleet of one host.
 ALONE = "A single host has nobody to find: what it sends reaches no other host."
+#: What is said of the numbers of a radio that aggregates.
+AGGREGATES = (
+    "This radio aggregates: the answer lies between one frame in each exchange and full A-MPDUs."
+)
 #: How discovery is recorded so that nothing of it is lost; the chapter on captures says why.
 RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
@@ -93,6 +97,38 @@ def duration(time: float) -> str:
     if length == 1:
         return f"{value:.2f} {unit}" if abs(value) < 10 else f"{value:.1f} {unit}"
     return f"{value:.1f} {unit}" if abs(value) < 10 else f"{float(f'{value:.3g}'):,.0f} {unit}"
+
+
+def _between(low: str, high: str) -> str:
+    """Return two ends in words, with the unit once where it is the same."""
+    if low == high:
+        return low
+    number, _, unit = low.rpartition(" ")
+    return f"{number if unit and high.endswith(f' {unit}') else low} to {high}"
+
+
+def durations(low: float, high: float, never: str = "for ever") -> str:
+    """Return a range of times as people tell it.
+
+    Examples
+    --------
+    >>> durations(1.514, 27.67), durations(0.0123, 1.5), durations(2, 2)
+    ('1.51 to 27.7 s', '12.3 ms to 1.50 s', '2.00 s')
+    >>> durations(469, math.inf, never="never done")
+    '7.8 minutes to never done'
+    """
+    return _between(*(duration(end) if math.isfinite(end) else never for end in (low, high)))
+
+
+def percents(low: float, high: float) -> str:
+    """Return a range of shares in percent.
+
+    Examples
+    --------
+    >>> percents(0.1, 0.234), percents(0.5, 0.5)
+    ('10% to 23%', '50%')
+    """
+    return _between(percent(low), percent(high))
 
 
 def airtime(utilization: float, window: float) -> str:

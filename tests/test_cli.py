@@ -26,11 +26,15 @@ from discostorm.cli import main, output
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
 from discostorm.paper.claims import VERDICTS, ledger
+from discostorm.protocols import offered
 from discostorm.words import RECORD
 
 NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
 
 SWARM = "--hosts 7 --processes 2 --endpoints 10"
+
+#: The names of all protocols, in the calculator's order.
+OFFERED = [protocol.name for protocol in offered()]
 
 
 def run(*arguments: str) -> Result:
@@ -47,6 +51,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
     packed = data_path("captures/cyclone_dds_010.pcap.xz")
+    told = Path(__file__).parent / "ros2" / "one_robot.txt"
+    (tmp_path / "ros2.txt").write_text(told.read_text(encoding="utf-8"), encoding="utf-8")
     (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
     return tmp_path
 
@@ -62,7 +68,7 @@ def read_csv(result: Result) -> list[dict[str, str]]:
 
 
 def test_utilization_for_people() -> None:
-    result = swarm("utilization")
+    result = swarm("utilization", "--protocol|paper")
     assert result.exit_code == 0
     heading, rule, dds, zenoh, _, channel = result.output.splitlines()
     assert channel == "Channel: paper (802.11n), one access point, infrastructure."
@@ -76,6 +82,7 @@ def test_utilization_for_people() -> None:
 
 def test_utilization_for_machines() -> None:
     arguments = ("utilization", "--hosts|3,9", "--processes|2", "--endpoints|10")
+    arguments += ("--protocol|paper",)
     rows = read_json(run(*arguments, "--json"))
     assert [(row["protocol"], row["hosts"]) for row in rows] == [
         ("DDS", 3), ("DDS", 9), ("Zenoh", 3), ("Zenoh", 9),
@@ -137,7 +144,7 @@ def test_json_is_indented_and_csv_ends_with_its_last_line(folder: Path) -> None:
 def test_breakdown() -> None:
     (first, *_), table = (
         read_json(swarm("breakdown", "--protocol|dds", "--json")),
-        read_csv(swarm("breakdown", "--csv")),
+        read_csv(swarm("breakdown", "--protocol|both", "--csv")),
     )
     expected = ds.breakdown(ds.DDS, 7, 2, 10)
     assert first["message"] == "SPDP"
@@ -150,8 +157,12 @@ def test_breakdown() -> None:
         for row in rows:
             part = float(row["uplink_s"]) + float(row["downlink_s"])
             assert math.isclose(float(row["share"]), part / whole, rel_tol=1e-12)
-    assert list(table[0]) == list(first) == ["protocol", "message", *expected.columns, "share"]
-    human = swarm("breakdown").output
+    assert (
+        list(table[0])
+        == list(first)
+        == ["protocol", "message", *expected.columns, "payload_bytes", "share"]
+    )
+    human = swarm("breakdown", "--protocol|paper").output
     assert "phase" not in human
     assert "frame [B]" in human
     assert "1,680" in human
@@ -160,12 +171,12 @@ def test_breakdown() -> None:
 
 
 def test_saturation() -> None:
-    arguments = ("saturation", "--processes|2", "--endpoints|10")
+    arguments = ("saturation", "--processes|2", "--endpoints|10", "--protocol|paper")
     dds, zenoh = read_json(run(*arguments, "--json"))
     assert dds["hosts"] == ds.saturation_hosts(ds.DDS, 2, 10)
     assert (dds["fit"], zenoh["fit"]) == (7, 7)
     assert "7.16" in run(*arguments).output
-    (half,) = read_csv(run(*arguments, "--limit|0.5", "--protocol|dds", "--csv"))
+    (half,) = read_csv(run(*arguments[:3], "--limit|0.5", "--protocol|dds", "--csv"))
     assert float(half["hosts"]) == ds.saturation_hosts(ds.DDS, 2, 10, limit=0.5)
     beside, _ = read_json(run(*arguments, "--beside|fleet.toml", "--limit|40", "--json"))
     others = ds.Fleet.from_toml("fleet.toml").groups
@@ -183,7 +194,7 @@ def test_saturation_of_each_group_of_a_fleet() -> None:
     beside = run("saturation|fleet.toml|--limit|999|--protocol|dds|--json|--beside|fleet.toml")
     for row, more in zip(found, read_json(beside), strict=True):
         assert more["hosts"] < row["hosts"]
-    human = run("saturation|fleet.toml").output
+    human = run("saturation|fleet.toml|--protocol|paper").output
     assert max(map(len, human.splitlines())) <= 79
 
 
@@ -249,11 +260,12 @@ def test_simulate_names_its_option_where_nothing_recovers() -> None:
 
 def test_saturation_of_less_than_one_host() -> None:
     arguments = ("saturation", "--processes|1200", "--endpoints|0")
-    dds, zenoh = read_json(run(*arguments, "--json"))
+    paper = (*arguments, "--protocol|paper")
+    dds, zenoh = read_json(run(*paper, "--json"))
     assert (dds["hosts"], dds["fit"]) == (None, 0)
     assert (zenoh["hosts"], zenoh["fit"]) == (ds.saturation_hosts(ds.ZENOH, 1200, 0), 1)
-    assert [row["hosts"] == "" for row in read_csv(run(*arguments, "--csv"))] == [True, False]
-    assert re.search(r"DDS .* less than 1 +0$", run(*arguments).output, re.MULTILINE)
+    assert [row["hosts"] == "" for row in read_csv(run(*paper, "--csv"))] == [True, False]
+    assert re.search(r"DDS .* less than 1 +0$", run(*paper).output, re.MULTILINE)
     crowded = run(*arguments, "--beside|fleet.toml", "--protocol|zenoh", "--json")
     assert [row["fit"] for row in read_json(crowded)] == [0]
 
@@ -281,7 +293,8 @@ def test_plan(folder: Path) -> None:
     rows = read_csv(run(*arguments, "--csv"))
     assert [row["remedy"] for row in rows] == list(expected.to_frame().index)
     assert [float(row["saved"]) for row in rows] == expected.to_frame()["saved"].tolist()
-    assert run("plan", "fleet.toml").output == ds.plan(fleet).advice() + "\n"
+    usual = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
+    assert run("plan", "fleet.toml").output == usual.advice() + "\n"
     told = read_json(run("plan|fleet.toml|--json|--nodes|7"))["fleet"]
     assert [group["shared"] for group in told] == [16, 16]
     told = read_json(run("plan|fleet.toml|--json|--shared|90"))["fleet"]
@@ -382,7 +395,10 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ("utilization|--fleet|fleet.toml|--hosts|3", "--fleet goes without --hosts"),
         ("utilization|--fleet|none.toml", "none.toml: No such file or directory"),
         ("utilization|--fleet|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
-        ("utilization|--fleet|fleet.toml|--wifi|wlan", "--wifi must be one of 'paper', '802.11a"),
+        (
+            "utilization|--fleet|fleet.toml|--wifi|wlan",
+            "--wifi must be 'paper' or a radio; '--wifi list'",
+        ),
         (
             "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--unicast-rate|5",
             "--unicast-rate goes with --wifi paper alone; got --wifi '802.11a 20 MHz 1x1'",
@@ -400,19 +416,22 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ("saturation|--endpoints|10", "--processes must be given, or --fleet FILE"),
         (
             "saturation|fleet.toml|--endpoints|10",
-            "--fleet goes without --processes and --endpoints",
+            "--fleet goes without --processes, --endpoints and --robot",
         ),
         (
             "saturation|--processes|2|--endpoints|10|--limit|0",
             "limit must be a finite number above 0",
         ),
-        ("plan", "Missing argument 'FLEET'"),
+        (
+            "plan",
+            "--hosts, --processes, --endpoints must be given, or --fleet FILE, or --robot NAME",
+        ),
         ("saturation|--processes|2|--endpoints|10|--beside|", "path must name a TOML file; got ''"),
         ("plan|", "path must name a TOML file; got ''"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
         ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
         ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one for each"),
-        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not one of 'dds', 'zenoh'"),
+        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is no product or table. 'list' lists all"),
         ("figures", "Missing option '--out'"),
         ("figures|--out|", "--out must name a folder; got ''"),
         ("claims|--verdict|wrong", "'wrong' is not one of"),
@@ -467,19 +486,21 @@ def test_help_loads_no_command() -> None:
     subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)
 
 
-def test_there_are_eight_commands() -> None:
+def test_there_are_eleven_commands() -> None:
     assert sorted(every_command()) == [
-        "breakdown", "capture", "claims", "figures", "plan", "saturation", "simulate",
-        "utilization",
+        "breakdown", "capture", "claims", "figures", "fleet", "plan", "robots", "saturation",
+        "simulate", "utilization", "watch",
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["", *sorted(every_command())])
+# What is watched is an interface of one's own, or what another program captures.
+@pytest.mark.parametrize("name", ["", *sorted({*every_command()} - {"watch"})])
 def test_help_has_examples_that_run(name: str, folder: Path) -> None:
     result = run(*filter(None, [name]), "--help")
     assert result.exit_code == 0
     assert "Example" in result.output
     text = result.output.replace("\\\n", "").replace("> claims.csv", "")
+    text = text.replace("--processes 3 > fleet.toml", "--processes 2")
     examples = [line for line in text.splitlines() if line.startswith("    discostorm ")]
     assert examples
     runner = CliRunner()
@@ -504,10 +525,10 @@ def test_whoever_is_told_how_to_record_loses_nothing() -> None:
 @pytest.mark.parametrize(
     ("command", "option", "default"),
     [
-        ("utilization", "--protocol", "both"),
+        ("utilization", "--protocol", "Fast DDS"),
         ("utilization", "--wifi", "paper"),
         ("saturation", "--limit", "1.0"),
-        ("plan", "--protocol", "DDS"),
+        ("plan", "--protocol", "Fast DDS"),
     ],
 )
 def test_help_tells_defaults(command: str, option: str, default: str) -> None:
@@ -525,13 +546,13 @@ def test_help_says_where_several_hosts_are_allowed() -> None:
     ("listing", "names"),
     [
         ("saturation|--wifi|list", ["paper", *ds.WIFI]),
-        ("saturation|--protocol|list", [*ds.PROTOCOLS, "both"]),
-        ("simulate|--protocol|list", [*ds.PROTOCOLS]),
-        ("capture|--against|list", [*ds.PROTOCOLS]),
+        ("saturation|--protocol|list", [*OFFERED, "all", "paper"]),
+        ("simulate|--protocol|list", [*OFFERED, "all", "paper"]),
+        ("capture|--against|list", OFFERED),
     ],
 )
 def test_names_are_listed_whatever_else_is_missing(listing: str, names: list[str]) -> None:
-    assert run(listing).output.splitlines() == names
+    assert [line.partition(" (")[0] for line in run(listing).output.splitlines()] == names
 
 
 def test_help_describes_every_option() -> None:
@@ -540,7 +561,9 @@ def test_help_describes_every_option() -> None:
             if isinstance(parameter, click.Option):
                 assert parameter.help, f"{command.name} {parameter.name}"
         names = {parameter.name for parameter in command.params}
-        assert {"as_json", "as_csv"} <= names
+        # A table that is shown anew each second has metrics instead.
+        told = {"port", "text_file"} if command.name == "watch" else {"as_json", "as_csv"}
+        assert told <= names
         # What is simulated needs a radio, which a rate and an overhead of one's own have not.
         every = {"multicast_rate"} if command.name == "simulate" else set(LINK_OPTIONS)
         assert names & set(LINK_OPTIONS) in (set(), every)

@@ -130,11 +130,14 @@ def test_what_the_planner_advises_can_be_given_back() -> None:
     for wifi in ("802.11n 20 MHz 2x2", "802.11ac 80 MHz 2x2, AIFSN 3"):
         advised = ds.plan(fleet, wifi=radio_named(wifi).wifi()).remedies
         for remedy in advised:
-            if remedy.kind in ("radio", "aggregation", "multicast rate"):
+            if remedy.kind in ("radio", "multicast rate"):
                 given = ["--wifi", remedy.wifi.name, "--protocol", "dds", "--json"]
                 (row,) = json.loads(run("utilization", "fleet.toml", *given).stdout)
-                assert row["utilization"] == remedy.utilization
+                assert remedy.span is not None
+                assert row["utilization"] == remedy.span.single
+                assert row["utilization_full_ampdus"] == remedy.span.full
     rate = ["--wifi", "802.11n 20 MHz 2x2", "--multicast-rate", "24", "--json"]
+    rate += ["--protocol", "dds"]
     expected = ds.Radio("802.11n", streams=2, multicast_rate=24e6).wifi()
     assert json.loads(run("utilization", *SWARM, *rate).stdout)[0]["utilization"] == ds.utilization(
         ds.DDS, 7, 2, 10, wifi=expected
@@ -191,7 +194,7 @@ def test_a_wrong_name_of_a_radio_is_refused(name: str, text: str) -> None:
         radio_named(name)
     result = run("utilization", *SWARM, "--wifi", name)
     assert result.exit_code == 2
-    assert "--wifi must be one of 'paper', '802.11a" in result.stderr
+    assert "--wifi must be 'paper' or a radio; '--wifi list' lists some" in result.stderr
 
 
 def test_a_lone_robot_is_told_that_it_has_nobody_to_find(folder: Path) -> None:

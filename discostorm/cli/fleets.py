@@ -1,35 +1,33 @@
-"""Who is on the channel: a fleet file, or hosts, processes and endpoints."""
+"""Who is on the channel: a fleet file, ready-made robots, or hosts, processes and endpoints."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
 import click
 
 import discostorm as ds
-from discostorm import _checks, words
+from discostorm import _checks, _names, robots, words
 from discostorm.cli.options import A_FILE, numbers, packed
-
-hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
-several_hosts_option = click.option(
-    "--hosts", callback=numbers, metavar="N[,N...]", help="Hosts; several give a row each."
-)
+from discostorm.cli.output import Output
+from discostorm.fleet import HostGroup
 
 _MATCHING = (
     "Measured models depend on which endpoints match. The processes of a fleet file share ROS 2's "
-    "own topics unless the file says `shared`; hosts given by --hosts share nothing."
+    "own topics unless the file says `shared`, and so do those of --robot; hosts given by "
+    "--processes and --endpoints share nothing."
 )
 
 
 @dataclass(frozen=True)
 class Members:
-    """Who is on the channel: columns that name them, and arguments of the package."""
+    """Who is on the channel: the fleet, and columns that name it."""
 
     columns: dict[str, Any]
-    arguments: dict[str, Any]
+    fleet: ds.Fleet
 
     @property
     def alone(self) -> bool:
@@ -38,15 +36,22 @@ class Members:
         return isinstance(hosts, float) and hosts == 1
 
     @property
-    def fleet(self) -> ds.Fleet:
-        """They as a fleet."""
-        hosts = self.arguments["hosts"]
-        return hosts if isinstance(hosts, ds.Fleet) else ds.Fleet.swarm(**self.arguments)
+    def told(self) -> str:
+        """How messages begin that are about a fleet file; nothing where there is none."""
+        return f"{self.columns['fleet']}: " if "fleet" in self.columns else ""
 
     def tell_alone(self) -> None:
         """Say that one is alone."""
         if self.alone:
             click.echo(f"\n{words.ALONE}")
+
+
+def without_robot(rows: list[dict[Any, Any]], output: Output) -> list[dict[Any, Any]]:
+    """Return rows for people, above which the ready-made robot is named once for all."""
+    if not (output.for_people and "robot" in rows[0]):
+        return rows
+    click.echo(f"Robot: {rows[0]['robot']}\n")
+    return [{name: row[name] for name in row if name != "robot"} for row in rows]
 
 
 def read(file: str) -> ds.Fleet:
@@ -83,49 +88,125 @@ def _one_file(fleet: str | None, file: str | None) -> str | None:
     return file if fleet is None else fleet
 
 
-def _members(
-    hosts: Any,
+def ready_made(name: str) -> HostGroup:
+    """Return one host of the ready-made robot of ``--robot``."""
+    try:
+        return robots.robot(name)
+    except ValueError:
+        like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases()))
+        raise click.UsageError(
+            f"--robot: {_checks.brief(name)!r} is no ready-made robot{like or '.'} "
+            "`discostorm robots` lists them."
+        ) from None
+
+
+@dataclass(frozen=True)
+class Who:
+    """One way to say who is on the channel: a file, a ready-made robot, or counts of our own."""
+
+    file: str | None
+    robot: str | None
+
+
+def who(fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]) -> Who:
+    """Return which way it is; ``counts`` has what the command must have without a file.
+
+    Raises
+    ------
+    click.UsageError
+        If it is none, or more than one.
+    """
+    chosen = _one_file(fleet, file)
+    given = [f"--{name}" for name, value in counts.items() if value is not None]
+    if chosen is not None:
+        if robot is not None or given:
+            more = [f"--{name}" for name in counts]
+            raise click.UsageError(f"--fleet goes without {words.listed([*more, '--robot'])}")
+    elif robot is not None:
+        if own := [name for name in given if name != "--hosts"]:
+            raise click.UsageError(
+                f"--robot says how many there are of each; it goes without {words.listed(own)}"
+            )
+        if "hosts" in counts and counts["hosts"] is None:
+            raise click.UsageError("--hosts must be given with --robot: how many of them there are")
+    elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
+        raise click.UsageError(
+            f"{', '.join(missing)} must be given, or --fleet FILE, or --robot NAME"
+        )
+    return Who(chosen, robot)
+
+
+def _several(
+    hosts: float | list[float] | None,
     processes: float | None,
     endpoints: float | None,
+    robot: str | None,
     fleet: str | None,
     file: str | None,
-) -> Members:
+) -> list[Members]:
     counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    chosen = file_or_counts(fleet, file, counts)
-    if chosen is None:
-        return Members(counts, counts)
-    return Members({"fleet": called(chosen)}, {"hosts": read(chosen)})
+    way = who(fleet, file, robot, counts)
+    if way.file is not None:
+        return [Members({"fleet": called(way.file)}, read(way.file))]
+    each = hosts if isinstance(hosts, list) else [hosts]
+    if way.robot is not None:
+        one = ready_made(way.robot)
+        return [
+            Members({"robot": one.name, "hosts": many}, ds.Fleet((replace(one, hosts=many),)))
+            for many in each
+        ]
+    return [
+        Members(counts | {"hosts": many}, ds.Fleet.swarm(many, processes, endpoints))
+        for many in each
+    ]
 
 
-def file_or_counts(fleet: str | None, file: str | None, counts: Mapping[str, Any]) -> str | None:
-    """Return the fleet file; None if all the counts are given instead."""
-    chosen = _one_file(fleet, file)
-    names = [f"--{name}" for name in counts]
-    if chosen is None:
-        if missing := [f"--{name}" for name, value in counts.items() if value is None]:
-            raise click.UsageError(f"{', '.join(missing)} must be given, or --fleet FILE")
-    elif any(value is not None for value in counts.values()):
-        raise click.UsageError(f"--fleet goes without {', '.join(names[:-1])} and {names[-1]}")
-    return chosen
+def _one(hosts: float | list[float] | None, **given: Any) -> Members:
+    if isinstance(hosts, list):
+        raise click.UsageError("--hosts must be one number here")
+    return _several(hosts, **given)[0]
 
 
-def _the_file(fleet: str | None, file: str | None) -> str:
-    found = _one_file(fleet, file)
-    if found is None:
-        raise click.UsageError("Missing argument 'FLEET'.")
-    return found
+def compared(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
+    """Return the fleet to compare with: of a file, or of ready-made robots; None for neither."""
+    if fleet is None and robot is None:
+        if hosts is not None:
+            raise click.UsageError("--hosts goes with --robot")
+        return None
+    way = who(fleet, None, robot, {"hosts": hosts})
+    if way.file is not None:
+        return read(way.file)
+    assert way.robot is not None
+    return ds.Fleet((replace(ready_made(way.robot), hosts=hosts),))
 
 
 file_options = (
-    click.option("--fleet", **A_FILE, help="The same as FLEET."),
+    click.option("--fleet", **A_FILE, help="Fleet file; the same as FLEET."),
     click.argument("file", **A_FILE | {"metavar": "[FLEET]"}, required=False),
 )
-file_option = packed("file", _the_file, *file_options)
+robot_option = click.option(
+    "--robot",
+    metavar="NAME",
+    help="Ready-made robot instead of processes and endpoints, as turtlebot4; `discostorm robots` "
+    "lists them.",
+)
 count_options = (
     click.option("--processes", type=float, metavar="N", help="Processes on each host."),
     click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
+    robot_option,
 )
-swarm_options = packed("members", _members, hosts_option, *count_options, *file_options)
+
+
+def _hosts_option(metavar: str, told: str) -> Callable[[Any], Any]:
+    return click.option("--hosts", callback=numbers, metavar=metavar, help=told)
+
+
+hosts_option = _hosts_option("N", "Hosts.")
+swarm_options = packed("members", _one, hosts_option, *count_options, *file_options)
 several_swarms_options = packed(
-    "members", _members, several_hosts_option, *count_options, *file_options
+    "members",
+    _several,
+    _hosts_option("N[,N...]", "Hosts; several give a row each."),
+    *count_options,
+    *file_options,
 )

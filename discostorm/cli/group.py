@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 import discostorm as ds
+from discostorm import _names
 
 #: The commands, each in the module of its name, which is loaded when it is needed.
 COMMANDS = {
@@ -19,10 +20,13 @@ COMMANDS = {
     "capture": "What a capture holds, against the model.",
     "claims": "The paper's claims and their verdicts.",
     "figures": "Write the paper's figures and their data.",
+    "fleet": "A fleet file from what ROS 2 says of its nodes.",
     "plan": "Advice for a fleet: what would help most.",
+    "robots": "The ready-made robots that --robot takes.",
     "saturation": "Hosts at which the channel is full.",
     "simulate": "The start of a fleet on the air, frame by frame.",
     "utilization": "Airtime of discovery in one second.",
+    "watch": "Discovery as it happens, with what is wrong.",
 }
 
 
@@ -39,6 +43,19 @@ class Commands(click.Group):
             return None
         command: click.Command = getattr(import_module(f"discostorm.cli.{cmd_name}"), cmd_name)
         return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command that is meant, with its arguments, none of which may be dropped."""
+        try:
+            name, command, rest = super().resolve_command(ctx, args)
+        except click.UsageError as error:
+            like = _names.did_you_mean(args[0], COMMANDS)
+            raise click.UsageError(f"No such command {args[0][:99]!r}{like}", ctx) from error
+        if command is not None and not ctx.resilient_parsing:
+            _refuse_repeated(command, click.Context(command, ctx, name), rest)
+        return name, command, rest
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """Write what each command does, without loading it."""
@@ -61,6 +78,22 @@ class Commands(click.Group):
             sys.exit(1)
 
 
+def _refuse_repeated(command: click.Command, ctx: click.Context, args: list[str]) -> None:
+    """Raise a UsageError if an option that is taken once is given again, which click drops."""
+    ctx.resilient_parsing = True  # what else is wrong is answered where the command is run
+    _, _, order = command.make_parser(ctx).parse_args(list(args))
+    for option in dict.fromkeys(order):
+        if isinstance(option, click.Option) and not (option.multiple or option.is_flag):
+            many = order.count(option)
+            if many > 1:
+                ctx.resilient_parsing = False
+                listed = "," in str(option.metavar)
+                several = "; several values go in one, with commas between" if listed else ""
+                raise click.UsageError(
+                    f"{option.opts[0]} is given {many} times; give it once{several}", ctx
+                )
+
+
 @click.group(
     cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -76,6 +109,10 @@ def main() -> None:
 
     \b
     Examples:
-      discostorm utilization --hosts 7 --processes 2 --endpoints 10
+      discostorm plan --robot turtlebot4 --hosts 12
+      discostorm utilization --hosts 7 --processes 2 --endpoints 10 --protocol all
       discostorm plan fleet.toml
+
+    Something is wrong already? The book's page "What is wrong with my robots?"
+    (book/what_is_wrong) starts from what you see.
     """

@@ -11,15 +11,19 @@ import click
 from click.shell_completion import CompletionItem
 
 import discostorm as ds
-from discostorm import _checks
+from discostorm import _checks, _names, words
 from discostorm.cli.output import Output, bad_input
+from discostorm.protocols import aliases, named, offered
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import radio_named
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
-#: What ``--protocol both`` stands for: the paper's.
-BOTH = (ds.DDS, ds.ZENOH)
+#: What commands take unless told otherwise: what ROS 2 uses by default, as it was measured.
+DEFAULT = "Fast DDS"
+
+#: Words that stand for several protocols; `both` is what 0.2.0 called the paper's.
+SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH), "both": (ds.DDS, ds.ZENOH)}
 
 #: What an option replaces of a channel, and in which unit.
 LINK_OPTIONS = {
@@ -122,9 +126,8 @@ def _wifi(channel: str, **given: float | None) -> Wifi:
     try:
         radio = radio_named(channel)
     except ValueError as error:
-        known = ", ".join(repr(preset) for preset in ("paper", *ds.WIFI))
         raise click.UsageError(
-            f"--wifi must be one of {known}, or made like them: {error}"
+            f"--wifi must be 'paper' or a radio; '--wifi list' lists some: {error}"
         ) from None
     rate = changes.pop("multicast_rate", None)
     if changes:
@@ -166,8 +169,8 @@ def _wifi_options(make: Callable[..., Wifi], *options: str) -> Callable[[Any], A
             show_default=True,
             metavar="NAME",
             callback=listing(("paper", *ds.WIFI)),
-            help="The channel: paper, or a radio such as '802.11ac 80 MHz 2x2' or "
-            "'802.11n 20 MHz 2x2, A-MPDU 64', in any case of letters; 'list' lists some.",
+            help="The channel: paper, or a radio such as '802.11ac 80 MHz' or "
+            "'802.11n 20 MHz 2x2, A-MPDU 64'; 'list' lists some.",
         ),
         *(
             click.option(
@@ -188,41 +191,75 @@ wifi_options = _wifi_options(_wifi, *LINK_OPTIONS)
 radio_options = _wifi_options(_radio, "multicast_rate")
 
 
-def _protocols(protocol: str) -> tuple[ds.Protocol, ...]:
-    return BOTH if protocol == "both" else (ds.PROTOCOLS[protocol],)
+def _listed() -> list[str]:
+    """Return the lines of ``--protocol list``: names, in brackets what else they are called."""
+    lines = []
+    for protocol in offered():
+        others = [alias for alias, name in aliases().items() if name == protocol.name]
+        lines.append(f"{protocol.name} ({', '.join(others)})" if others else protocol.name)
+    return lines
 
 
-class _Names(click.Choice[str]):
-    """Names to choose from, whose error does not repeat all of a long one."""
-
-    def get_invalid_choice_message(self, value: Any, ctx: click.Context | None) -> str:
-        return super().get_invalid_choice_message(_checks.brief(value), ctx)
+def _several_listed() -> list[str]:
+    told = {"all": "all of these", "paper": words.listed([one.name for one in SEVERAL["paper"]])}
+    return [*_listed(), *(f"{name} ({what})" for name, what in told.items())]
 
 
-def protocol_option_of(
-    flag: str, default: str | None, told: str, others: tuple[str, ...] = ()
-) -> Callable[[Any], Any]:
-    """Return an option that takes the name of a protocol, or one of ``others``."""
-    names = (*ds.PROTOCOLS, *others)
+def _one_protocol(value: str) -> ds.Protocol:
+    try:
+        return named(value)
+    except ValueError:
+        known = (*ds.PROTOCOLS, *aliases(), *SEVERAL)
+        like = _names.did_you_mean(value, known)
+        raise click.BadParameter(
+            f"{_checks.brief(value)!r} is no product or table{like or '.'} "
+            f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'."
+        ) from None
+
+
+def _protocols(
+    context: click.Context, _: click.Parameter, values: tuple[str, ...]
+) -> tuple[ds.Protocol, ...]:
+    """Return the protocols that are named, each once, in the order of the calculator."""
+    chosen: list[ds.Protocol] = []
+    for value in values:
+        if value.lower() == "list":
+            click.echo("\n".join(_several_listed()))
+            context.exit()
+        chosen += SEVERAL.get(_names.key(value)) or (_one_protocol(value),)
+    return tuple(protocol for protocol in offered() if protocol in chosen)
+
+
+def _protocol_name(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+    """Return the name of the protocol that is meant."""
+    if value is None:
+        return None
+    if value.lower() == "list":
+        click.echo("\n".join(_listed()))
+        context.exit()
+    return _one_protocol(value).name
+
+
+def protocol_option_of(flag: str, default: str | None, told: str) -> Callable[[Any], Any]:
+    """Return an option that takes the name of a protocol."""
     return click.option(
         flag,
-        type=_Names([*names, "list"], case_sensitive=False),
         metavar="NAME",
         default=default,
         show_default=True,
-        callback=listing(names),
-        help=f"{told}, in any case of letters; 'list' lists them.",
+        callback=_protocol_name,
+        help=f"{told}, as fastdds or rmw_cyclonedds_cpp; 'list' lists all names.",
     )
 
 
-protocol_option = packed(
+protocol_option = click.option(
+    "--protocol",
     "protocols",
-    _protocols,
-    protocol_option_of("--protocol", "both", "The middleware; both are the paper's two", ("both",)),
-)
-
-one_protocol_option = packed(
-    "protocol",
-    lambda protocol: ds.PROTOCOLS[protocol],
-    protocol_option_of("--protocol", ds.DDS.name, "The middleware"),
+    metavar="NAME",
+    multiple=True,
+    default=(DEFAULT,),
+    show_default=True,
+    callback=_protocols,
+    help="Middleware, as fastdds or rmw_zenoh_cpp. Give it again for more, 'all' for every one, "
+    "'paper' for the paper's DDS and Zenoh; 'list' lists all names.",
 )

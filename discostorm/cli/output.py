@@ -91,6 +91,11 @@ def percent(value: float) -> str:
     return words.percent(value, decimals=1, below="<")
 
 
+def yes(value: bool) -> str:
+    """Return a truth in words."""
+    return "yes" if value else "no"
+
+
 def seconds(value: float) -> str:
     """Return seconds to the microsecond, from ten on to the tenth."""
     if value < 10:

@@ -9,17 +9,28 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm.cli.fleets import called, file_option, read
-from discostorm.cli.options import numbers, one_protocol_option, output_options, wifi_options
-from discostorm.cli.output import Output, as_text, bad_input, print_rows, visible, working
+from discostorm import _checks, words
+from discostorm.cli.fleets import Members, swarm_options
+from discostorm.cli.options import numbers, output_options, protocol_option, wifi_options
+from discostorm.cli.output import (
+    Output,
+    as_text,
+    bad_input,
+    percent,
+    print_channel,
+    print_rows,
+    visible,
+    working,
+    yes,
+)
 from discostorm.fleet import Fleet
 from discostorm.ros2 import usually_shared
 from discostorm.wifi import Wifi
 
 
 @click.command()
-@file_option
-@one_protocol_option
+@swarm_options
+@protocol_option
 @click.option(
     "--nodes",
     callback=numbers,
@@ -35,19 +46,28 @@ from discostorm.wifi import Wifi
     "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node; where nobody says "
     "how many nodes, as many as ready-made robots have for so many endpoints]",
 )
+@click.option(
+    "--paste",
+    type=int,
+    metavar="N",
+    help="Print the configuration of the Nth change of the advice instead, with the lines that "
+    "load it.",
+)
 @wifi_options
 @output_options
 def plan(
-    file: str,
-    protocol: ds.Protocol,
+    members: Members,
+    protocols: tuple[ds.Protocol, ...],
     nodes: Any,
     shared: float | None,
+    paste: int | None,
     wifi: Wifi,
     output: Output,
 ) -> None:
     """Tell what dominates the discovery of a fleet, and what would help most.
 
-    FLEET is a TOML file, or - for standard input, with a table for each group of like hosts:
+    The fleet is hosts of a ready-made robot, hosts that you count, or FLEET: a TOML file, or -
+    for standard input, with a table for each group of like hosts:
 
     \b
       [[groups]]
@@ -58,28 +78,88 @@ def plan(
       nodes = 13          # with parameter services; may be left out
       shared = 28         # match in every other process; may be left out
 
-    What to paste for a remedy is in the JSON; it is easiest copied from the page of the book
-    with the calculator.
+    The answer comes first: after how long all robots know each other, or how long the channel is
+    busy until then. A radio from 802.11n on aggregates, so that both are ranges: from full A-MPDUs
+    to one frame in each exchange. Changes are numbered; --paste N prints what to configure.
 
     \b
     Examples:
       discostorm plan fleet.toml
-      discostorm plan fleet.toml --protocol zenoh --wifi '802.11n 20 MHz 2x2'
+      discostorm plan --robot turtlebot4 --hosts 12 --protocol cyclonedds
+      discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
+      discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
       discostorm plan fleet.toml --nodes 13,2 --json
+      discostorm plan fleet.toml --protocol 'fast dds' --paste 1
     """
     with bad_input(), working("planning"):
-        members = read(file)
         try:
-            answer = ds.plan(_told(members, nodes, shared), protocol, wifi)
+            fleet = _told(members.fleet, nodes, shared)
+            answers = [ds.plan(fleet, protocol, wifi) for protocol in protocols]
         except ValueError as error:
-            raise ValueError(f"{called(file)}: {error}") from error
-    if output.as_csv:
-        print_rows(answer.to_frame().reset_index().to_dict("records"), output)
+            raise ValueError(f"{members.told}{error}") from error
+    answer = answers[0]
+    if paste is not None:
+        with bad_input():
+            if len(answers) > 1:
+                raise ValueError("--paste needs one --protocol; got several")
+            _print_pieces(answer, paste, output)
+    elif output.as_csv:
+        print_rows([row for each in answers for row in _remedies(each, len(answers))], output)
     elif output.as_json:
-        click.echo(as_text(answer.to_dict()))
+        found = [each.to_dict() for each in answers]
+        click.echo(as_text(found if len(found) > 1 else found[0]))
+    elif len(answers) > 1:
+        _compare(answers, output)
     else:
         width = min(max(shutil.get_terminal_size().columns, 40), 79)
         click.echo(visible(answer.advice(width)))
+
+
+def _remedies(answer: ds.Plan, many: int) -> list[dict[Any, Any]]:
+    """Return a row for each remedy, which names the protocol where there are several."""
+    rows = answer.to_frame().reset_index().to_dict("records")
+    return [{"protocol": answer.protocol.name} | row for row in rows] if many > 1 else rows
+
+
+def _compare(answers: list[ds.Plan], output: Output) -> None:
+    """Print a table of the plans of several protocols: airtime, and the change that is best."""
+    rows = []
+    for answer in answers:
+        best = next((remedies[0] for remedies in answer.told().values()), None)
+        rows.append(
+            {
+                "protocol": answer.protocol.name,
+                "utilization": answer.utilization,
+                "fits": words.fits(answer.utilization),
+                "saves": 0.0 if best is None else 1 - best.utilization / best.before,
+                "best_change": "nothing" if best is None else best.what,
+            }
+        )
+    print_rows(rows, output, {"utilization": percent, "fits": yes, "saves": percent})
+    print_channel(answers[0].wifi, output)
+    click.echo("Name one protocol for its plan: what dominates, and what each change costs.")
+
+
+def _print_pieces(answer: ds.Plan, number: int, output: Output) -> None:
+    """Print what to configure for a change of the advice, by its number there."""
+    told = answer.numbered()
+    if not told:
+        raise ValueError("--paste needs a change to configure; nothing that was tried helps")
+    _checks.whole("--paste", number, 1, len(told))
+    chosen = told[number - 1]
+    pieces = [piece.to_dict() for piece in chosen.snippets]
+    if not pieces:
+        raise ValueError(
+            f"--paste: change {number}, {chosen.what}, is not done by configuration; choose another"
+        )
+    if not output.for_people:
+        rows = [{"change": chosen.what, **piece} for piece in pieces]
+        print_rows(rows, output)
+        return
+    # Beside the output, so that this is nothing but configuration.
+    click.echo(visible(f"{words.capitalized(chosen.what)}:\n"), err=True)
+    # Not escaped: it is to be copied as it is.
+    click.echo("\n".join(piece["text"] for piece in pieces), nl=False)
 
 
 def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:

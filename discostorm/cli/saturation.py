@@ -13,13 +13,25 @@ from discostorm import words
 from discostorm.cli.fleets import (
     count_options,
     file_options,
-    file_or_counts,
     read,
+    ready_made,
     says_what_matches,
+    who,
+    without_robot,
 )
 from discostorm.cli.options import A_FILE, output_options, packed, protocol_option, wifi_options
-from discostorm.cli.output import Output, bad_input, percent, print_channel, print_rows, working
+from discostorm.cli.output import (
+    Output,
+    bad_input,
+    percent,
+    plain,
+    print_channel,
+    print_rows,
+    working,
+    yes,
+)
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import both_ends
 
 
 @dataclass(frozen=True)
@@ -29,24 +41,33 @@ class Kind:
     columns: dict[str, Any]
     fleet: ds.Fleet
     index: int = 0
+    asked: float | None = None
 
 
 def _kinds(
+    hosts: float | None,
     processes: float | None,
     endpoints: float | None,
+    robot: str | None,
     fleet: str | None,
     file: str | None,
     beside: str | None,
 ) -> list[Kind]:
-    counts: dict[str, Any] = {"processes": processes, "endpoints": endpoints}
-    chosen = file_or_counts(fleet, file, counts)
-    if chosen == beside == "-":
+    way = who(fleet, file, robot, {"processes": processes, "endpoints": endpoints})
+    if way.file == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
     others = None if beside is None else read(beside)
-    if chosen is None:
-        members = ds.Fleet.swarm(1, processes, endpoints)
-        return [Kind({}, members if others is None else _joined(members, others, others.matching))]
-    members = read(chosen)
+    if way.file is None:
+        if way.robot is None:
+            columns, members = {}, ds.Fleet.swarm(1, processes, endpoints)
+        else:
+            one = ready_made(way.robot)
+            columns, members = {"robot": one.name}, ds.Fleet((one,))
+        together = members if others is None else _joined(members, others, others.matching)
+        return [Kind(columns, together, asked=hosts)]
+    if hosts is not None:
+        raise click.UsageError("--fleet goes without --hosts here")
+    members = read(way.file)
     if others is None:
         together = members
     elif others.matching != members.matching:
@@ -70,6 +91,7 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
 @packed(
     "kinds",
     _kinds,
+    click.option("--hosts", type=float, metavar="N", help="Hosts you have: do they fit?"),
     *count_options,
     *file_options,
     click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
@@ -94,31 +116,64 @@ def saturation(
     """Tell how many like hosts there are when discovery fills the channel.
 
     Of a fleet file, FLEET, each group is asked for in turn: how many of its hosts there are
-    then, beside the other groups as they are.
+    then, beside the other groups as they are. Of hosts that you give with --hosts it tells
+    whether they fit.
 
     {matching}
 
     \b
     Examples:
       discostorm saturation --processes 2 --endpoints 10
+      discostorm saturation --robot turtlebot4 --hosts 12 --protocol all
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
-      discostorm saturation fleet.toml --protocol zenoh
+      discostorm saturation fleet.toml --protocol paper
     """
     with bad_input(), working("computing"):
         rows = [
-            {"protocol": protocol.name} | _full(kind, limit, protocol, wifi)
+            {"protocol": protocol.name} | _both(kind, limit, protocol, *both_ends(wifi))
             for protocol in protocols
             for kind in kinds
         ]
-    if output.for_people and "group" in rows[0]:  # or the lines would be too long
-        rows = [{name: row[name] for name in row if name != "limit"} for row in rows]
+    asked = kinds[0].asked is not None
+    if output.for_people:  # what was given is left out, or the lines would be too long
+        rows = without_robot(rows, output)
+        known = {"processes", "endpoints"} if kinds[0].columns.get("robot") or asked else set()
+        without = known | ({"limit"} if asked or "group" in rows[0] else set())
+        rows = [{name: row[name] for name in row if name not in without} for row in rows]
     print_rows(
         rows,
         output,
-        {"limit": percent, "hosts": _hosts},
-        {"hosts": "saturated at hosts", "fit": "hosts that fit"},
+        {
+            "limit": percent,
+            "hosts": _hosts,
+            "hosts_full_ampdus": _hosts,
+            "asked": plain,
+            "asked_fit": yes,
+        },
+        {
+            "hosts": "saturated at" if asked else "saturated at hosts",
+            "fit": "hosts that fit",
+            "hosts_full_ampdus": "with full A-MPDUs",
+            "fit_full_ampdus": "hosts that may fit",
+            "asked": "yours",
+            "asked_fit": "fit",
+        },
     )
-    print_channel(wifi, output)
+    full, single = both_ends(wifi)
+    print_channel(single, output)
+    if full != single and output.for_people:
+        click.echo(f"\n{words.AGGREGATES}")
+
+
+def _both(
+    kind: Kind, limit: float, protocol: ds.Protocol, full: Wifi, single: Wifi
+) -> dict[str, Any]:
+    """Return that with one frame in each exchange and, where it differs, with full A-MPDUs."""
+    found = _full(kind, limit, protocol, single)
+    if full == single:
+        return found
+    best = _full(kind, limit, protocol, full)
+    return found | {f"{name}_full_ampdus": best[name] for name in ("hosts", "fit")}
 
 
 def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
@@ -136,13 +191,16 @@ def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[s
                 protocol, wifi=wifi, limit=limit, fleet=kind.fleet, group=kind.index
             )
         )
-    return kind.columns | {
+    found = kind.columns | {
         "processes": float(group.processes),
         "endpoints": float(group.endpoints),
         "limit": limit,
         "hosts": hosts,
         "fit": 0 if hosts is None else words.whole_below(hosts),
     }
+    if kind.asked is None:
+        return found
+    return found | {"asked": kind.asked, "asked_fit": hosts is not None and kind.asked < hosts}
 
 
 def _hosts(value: float | None) -> str:

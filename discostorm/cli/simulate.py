@@ -9,8 +9,8 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, staggered
-from discostorm.cli.fleets import file_option, read, says_what_matches
-from discostorm.cli.options import one_protocol_option, output_options, packed, radio_options
+from discostorm.cli.fleets import Members, says_what_matches, swarm_options
+from discostorm.cli.options import output_options, packed, protocol_option, radio_options
 from discostorm.cli.output import (
     BadInput,
     Output,
@@ -20,6 +20,7 @@ from discostorm.cli.output import (
     print_channel,
     print_rows,
     seconds,
+    visible,
 )
 from discostorm.wifi import Wifi
 
@@ -62,13 +63,13 @@ class Runs:
 
 @says_what_matches
 @click.command()
-@file_option
-@one_protocol_option
+@swarm_options
+@protocol_option
 @packed(
     "how",
     Runs,
     click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
-    click.option("--seed", type=int, default=0, show_default=True, help="Of the random numbers."),
+    click.option("--seed", type=int, default=0, show_default=True, help="Random seed."),
     click.option(
         "--loss", type=float, default=0.0, show_default=True, help="Frame errors of a link, 0 to 1."
     ),
@@ -95,8 +96,10 @@ class Runs:
 )
 @radio_options
 @output_options
-def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Output) -> None:
-    """Simulate how the fleet of a file starts, frame by frame, in several runs.
+def simulate(
+    members: Members, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
+) -> None:
+    """Simulate how a fleet starts, frame by frame, in several runs.
 
     FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
     messages answer messages and the middleware repairs what is lost. A time that did not come
@@ -110,26 +113,42 @@ def simulate(file: str, protocol: ds.Protocol, how: Runs, wifi: Wifi, output: Ou
     \b
     Examples:
       discostorm simulate fleet.toml --until 5
+      discostorm simulate --robot node --hosts 6 --protocol cyclonedds --protocol fastdds
       discostorm simulate fleet.toml --window 30 --until 5 --json
       discostorm simulate fleet.toml --no-recovery --wifi '802.11ac 80 MHz 2x2'
     """
+    found: dict[str, ds.Simulation] = {}
+    refused: dict[str, str] = {}
     with bad_input():
-        fleet = read(file)
-        try:
-            found = ds.simulate(fleet, protocol, wifi, **how.arguments())
-        except ImportError as error:
-            raise BadInput(str(error)) from error
-        except ValueError as error:
-            option = str(error).replace("recovery must be False", "--no-recovery must be given", 1)
-            raise ValueError(option) from error
+        arguments = how.arguments()
+        for protocol in protocols:
+            try:
+                found[protocol.name] = ds.simulate(members.fleet, protocol, wifi, **arguments)
+            except ImportError as error:
+                raise BadInput(str(error)) from error
+            except ValueError as error:
+                option = "--no-recovery must be given"
+                said = str(error).replace("recovery must be False", option, 1)
+                if len(protocols) == 1 or option not in said:
+                    raise ValueError(said) from error
+                refused[protocol.name] = said
+        if not found:
+            raise ValueError(next(iter(refused.values())))
+    for name, why in refused.items():
+        click.echo(visible(f"Note: {name} is not simulated: {why}"), err=True)
     if output.as_json:
-        click.echo(as_text(found.to_dict()))
+        answers = [one.to_dict() for one in found.values()]
+        click.echo(as_text(answers if len(protocols) > 1 else answers[0]))
         return
-    table = found.table().reset_index()
-    if not output.as_csv:
-        table = table[["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]]
+    shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
+    rows: list[dict[Any, Any]] = []
+    for name, one in found.items():
+        table = one.table().reset_index()
+        named = {"protocol": name} if len(protocols) > 1 else {}
+        kept = table if output.as_csv else table[shown]
+        rows += [named | row for row in kept.to_dict("records")]
     print_rows(
-        table.to_dict("records"),
+        rows,
         output,
         {"drain_time_s": how.time, "lost": percent, "convergence_time_s": how.time},
         {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},

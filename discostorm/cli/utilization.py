@@ -8,10 +8,19 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options
+from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options, without_robot
 from discostorm.cli.options import output_options, protocol_option, wifi_options
-from discostorm.cli.output import Output, bad_input, percent, print_channel, print_rows, working
+from discostorm.cli.output import (
+    Output,
+    bad_input,
+    percent,
+    print_channel,
+    print_rows,
+    working,
+    yes,
+)
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import both_ends
 
 
 @says_what_matches
@@ -21,39 +30,43 @@ from discostorm.wifi import Wifi
 @wifi_options
 @output_options
 def utilization(
-    members: Members, protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
+    members: list[Members], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
-    """Compute the airtime of discovery in one second, of a swarm or of a fleet file.
+    """Compute the airtime of discovery in one second, of robots or of a fleet file.
 
     {matching}
 
     \b
     Examples:
       discostorm utilization --hosts 3,5,7 --processes 2 --endpoints 10
-      discostorm utilization fleet.toml --protocol zenoh --json
+      discostorm utilization --robot turtlebot4 --hosts 12 --protocol cyclonedds
+      discostorm utilization fleet.toml --protocol all --json
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 \\
           --wifi '802.11ac 80 MHz 2x2'
     """
     rows: list[dict[str, Any]] = []
+    ends = both_ends(wifi)
+    aggregates = ends[0] != ends[1]
     with bad_input(), working("computing"):
-        hosts = members.columns.get("hosts")
         for chosen in protocols:
-            values = ds.utilization(chosen, **members.arguments, wifi=wifi)
-            for index, value in enumerate([values] if isinstance(values, float) else values):
-                columns = members.columns
-                if isinstance(hosts, list):
-                    columns = columns | {"hosts": hosts[index]}
-                taken = float(value)
+            for one in members:
+                least, taken = (float(ds.utilization(chosen, one.fleet, wifi=end)) for end in ends)
                 rows.append(
                     {"protocol": chosen.name}
-                    | columns
-                    | {"utilization": taken, "fits": words.fits(taken)}
+                    | one.columns
+                    | {"utilization": taken}
+                    | ({"utilization_full_ampdus": least} if aggregates else {})
+                    | {"fits": words.fits(taken)}
+                    | ({"may_fit": words.fits(least)} if aggregates else {})
                 )
-    print_rows(rows, output, {"utilization": percent, "fits": _yes})
-    print_channel(wifi, output)
-    if output.for_people:
-        members.tell_alone()
-
-
-def _yes(value: bool) -> str:
-    return "yes" if value else "no"
+    print_rows(
+        without_robot(rows, output),
+        output,
+        {"utilization": percent, "utilization_full_ampdus": percent, "fits": yes, "may_fit": yes},
+        {"utilization_full_ampdus": "full A-MPDUs", "may_fit": "may fit"},
+    )
+    print_channel(ends[1], output)
+    if aggregates and output.for_people:
+        click.echo(f"\n{words.AGGREGATES}")
+    if output.for_people and len(members) == 1:
+        members[0].tell_alone()

@@ -9,9 +9,22 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import MappingProxyType
 
+from discostorm import _checks, _names
+from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
 from discostorm.protocols.as_built import as_built, described
 from discostorm.protocols.paper import DDS, ZENOH
+
+#: On what the counts of tables stand, in the order in which calculator and commands offer them.
+BASES: Mapping[Basis, str] = MappingProxyType(
+    {
+        "measured": "Products as built",
+        "arranged": "Products arranged against the storm",
+        "paper": "As the paper counts",
+        "timed": "The paper's messages, a product's periods",
+        "proposal": "Proposals and other tables",
+    }
+)
 
 #: Where the tables of files are among those of rows, whose column `place` says where they are.
 _FILES = 50
@@ -36,6 +49,40 @@ def _tables() -> dict[str, Protocol]:
 PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
 
 
+def offered() -> tuple[Protocol, ...]:
+    """Return every protocol in the order in which calculator and commands offer them."""
+    order = list(BASES)
+    return tuple(sorted(PROTOCOLS.values(), key=lambda one: order.index(one.basis or "proposal")))
+
+
+def aliases() -> dict[str, str]:
+    """Return the names of protocols by other names that people use (``vendors/aliases.csv``)."""
+    return {row["alias"]: row["protocol"] for row in read_data("vendors/aliases.csv")}
+
+
+def named(name: str) -> Protocol:
+    """Return the protocol of a name that people use, in any case, with or without hyphens.
+
+    Raises
+    ------
+    ValueError
+        If there is none; the message has the nearest name.
+
+    Examples
+    --------
+    >>> named("fastdds").name, named("rmw_cyclonedds_cpp").name, named("ZENOH").name
+    ('Fast DDS', 'Cyclone DDS', 'Zenoh')
+    """
+    other = aliases()
+    known = {_names.key(one): full for one, full in other.items()}
+    known |= {_names.key(one): one for one in PROTOCOLS}
+    found = known.get(_names.key(name))
+    if found is None:
+        like = _names.did_you_mean(name, (*PROTOCOLS, *other))
+        raise ValueError(f"protocol must be the name of one; got {_checks.brief(name)!r}{like}")
+    return PROTOCOLS[found]
+
+
 def _of_basis(basis: Basis) -> frozenset[str]:
     every = (table for known in PROTOCOLS.values() for table in (known, known.wired) if table)
     return frozenset(table.name for table in every if table.basis == basis)
@@ -47,4 +94,14 @@ MEASURED = _of_basis("measured")
 #: The names of those that say what products send when they are arranged against the storm.
 ARRANGED = _of_basis("arranged")
 
-__all__ = ["ARRANGED", "DDS", "MEASURED", "PROTOCOLS", "ZENOH"]
+__all__ = [
+    "ARRANGED",
+    "BASES",
+    "DDS",
+    "MEASURED",
+    "PROTOCOLS",
+    "ZENOH",
+    "aliases",
+    "named",
+    "offered",
+]
