@@ -11,19 +11,27 @@ import json
 import math
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
+from fractions import Fraction
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm import staggered
+from discostorm.book import air
+from discostorm.book.ladder import MOST_RUNS
+from discostorm.messages import Protocol, Schedule
+from discostorm.robots import laptop, robots
+from discostorm.simulation import disc, powers
 from discostorm.simulation._compile import sources
+from discostorm.simulation.places import THRESHOLD
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import finish, set_up
 from discostorm.simulation.traffic import ticks
@@ -44,10 +52,15 @@ ALL = (
     *BUILT,
 )
 SEED = 2026
-#: From so many runs on a row with recovery has an interval of the median, too; and how sure that
-#: is: so that two of them hold together at 95 % at least, dependent or not (Bonferroni), and so
-#: does their ratio.
-MANY, SURE = 100, 0.975
+#: From so many runs on a row with recovery, or without limits of the queues, has an interval of the
+#: median, too; and how sure that is: so that two of them hold together at 95 % at least, dependent
+#: or not (Bonferroni), and so does their ratio.
+MANY, SURE = 100, Fraction("0.975")
+#: A number of hosts is decided if the interval of the median with so many ends within the limit,
+#: and that with one more begins beyond it: then more runs would not change it. Settings that this
+#: asks for have `MANY` runs, and four times as many until it is decided or they have `MOST`; then
+#: the number has the range of those that may be right.
+MOST = MOST_RUNS
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
 
 
@@ -104,12 +117,22 @@ class Setting:
             return float(self.delays[-1])
         return staggered.window(*self.swarm) if self.start == "rule" else self.window_s
 
+    @property
+    def fleet(self) -> ds.Fleet:
+        """Who is on the channel."""
+        return ds.Fleet.swarm(self.hosts, self.processes, self.endpoints)
+
+    @property
+    def table(self) -> Protocol:
+        """What they send."""
+        return ds.PROTOCOLS[self.protocol]
+
     def run(self) -> dict[str, object]:
         """Return the row's results."""
         queue = (self.queue_frames or np.inf, self.queue_s or np.inf)
         found = ds.simulate(
-            ds.Fleet.swarm(self.hosts, self.processes, self.endpoints),
-            ds.PROTOCOLS[self.protocol],
+            self.fleet,
+            self.table,
             self.wifi,
             queue=queue,
             start=self.delays,
@@ -127,11 +150,59 @@ class Setting:
         row |= spread("convergence_time_s", found.convergence_time)
         if self.runs >= MANY and self.recovery:
             row |= interval("convergence_time_s", found.convergence_time)
+        elif self.runs >= MANY and not self.queue_frames:
+            row |= interval("drain_time_s", found.drain_time)
         row |= {name: rounded(found.counts[name].sum() / expected) for name in CAUSES}
         row["converged"] = int(np.isfinite(found.convergence_time).sum())
         row["expired"] = rounded(found.counts["expired"].mean())
         row["collided"] = rounded(found.counts["collided"].sum() / found.counts["ppdus"].sum())
         return row
+
+
+@dataclass(frozen=True)
+class Ready(Setting):
+    """Ready-made robots with what ROS 2 shares, on a radio of `discostorm.WIFI`, for plans.
+
+    Without recovery: the burst that `discostorm.model.burst` counts, all of it there at the start.
+    """
+
+    robot: str = ""
+    #: Beside the robots.
+    laptops: int = 0
+
+    @property
+    def wifi(self) -> ds.Wifi:
+        """The channel."""
+        radio = ds.WIFI[READY_RADIOS[self.radio]].radio
+        assert radio is not None
+        return replace(radio, mpdus=self.mpdus).wifi()
+
+    @property
+    def fleet(self) -> ds.Fleet:
+        """Who is on the channel: processes have whole endpoints here."""
+        own = replace(robots()[self.robot], hosts=self.hosts, endpoints=self.endpoints)
+        return ds.Fleet((own, *(replace(laptop(), hosts=n) for n in [self.laptops] if n)))
+
+    @property
+    def table(self) -> Protocol:
+        """What they send."""
+        table = super().table
+        return table if self.recovery else at_once(table)
+
+    def run(self) -> dict[str, object]:
+        """Return the row's results: what plans take of them."""
+        row = super().run()
+        return {name: row[name] for name in READY_COLUMNS}
+
+
+def at_once(table: Protocol) -> Protocol:
+    """Return a table of the same burst as another's, which sends all of it at the start."""
+    messages = (
+        replace(m, schedule=Schedule((0.0,)), answers=None, per_unit=m.per_unit * m.schedule.extra)
+        for m in table.messages
+        if m.schedule.extra > 0
+    )
+    return Protocol(table.name, tuple(messages))
 
 
 def rounded(value: float) -> str:
@@ -151,10 +222,11 @@ def interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
 
     The number of values below the median is binomial, with one half.
     """
-    runs, below, skipped = len(values), 1, 0
-    while 2 * (below + math.comb(runs, skipped + 1)) <= (1 - SURE) * 2**runs:
+    runs, skipped = len(values), 0
+    ways = below = 1  # in whole numbers, which for thousands of runs no float can hold
+    while 2 * (below + (ways := ways * (runs - skipped) // (skipped + 1))) <= 2**runs * (1 - SURE):
         skipped += 1
-        below += math.comb(runs, skipped)
+        below += ways
     ascending = np.sort(values)
     low, high = float(ascending[skipped]), float(ascending[runs - 1 - skipped])
     return {f"{name}_low": rounded(low), f"{name}_high": rounded(high)}
@@ -176,14 +248,66 @@ BESIDE = replace(ONCE, runs=100, agreements="in place")
 #: Starts are compared with each other, so that medians of few runs do not do.
 SPREAD = replace(HEALED, until_s=600.0, runs=100)
 
-#: Hosts around those that just fit with queues and recovery: so many runs that it is sure which.
-CLOSE = {*(("DDS", n) for n in (9, 10, 11, 12)), *(("Zenoh", n) for n in (10, 11, 12))}
+
+def with_runs(settings: list[Setting]) -> list[Setting]:
+    """Return settings with as many runs as their stored table has, if it has them."""
+    names = ["protocol", "hosts", "mpdus", "recovery", "start"]
+    path = TABLES / "fits.csv"
+    with path.open(encoding="utf-8") as file:
+        runs = {tuple(row[name] for name in names): row["runs"] for row in csv.DictReader(file)}
+    keys = [tuple(str(getattr(one, name)) for name in names) for one in settings]
+    return [
+        replace(one, runs=int(runs.get(key, one.runs)))
+        for one, key in zip(settings, keys, strict=True)
+    ]
 
 
-def sure(one: Setting) -> Setting:
-    """Return a setting with as many runs as it takes to know which number of hosts fits."""
-    close = one.recovery and one.start == "together" and one.mpdus == 1
-    return replace(one, runs=800) if close and (one.protocol, one.hosts) in CLOSE else one
+#: Radios of ready-made robots, by what the column ``radio`` calls them.
+READY_RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
+#: What plans compare: as measured and as arranged, but for what Wi-Fi never sees, and static
+#: endpoints, whose announcements of a large robot are longer than a datagram can be.
+READY_TABLES = tuple(
+    name
+    for name, table in ds.PROTOCOLS.items()
+    if table.basis in ("measured", "arranged")
+    and table not in [other.wired for other in ds.PROTOCOLS.values()]
+    and name != "static endpoints"
+)
+#: What of their results is kept.
+READY_COLUMNS = (
+    *("drain_time_s", "lost", "converged", "convergence_time_s"),
+    *("convergence_time_s_q25", "convergence_time_s_q75"),
+)
+#: A run of so many of these takes up to a minute: more than a few only alone, on one radio.
+MANY_PROCESSES, FEW_HOSTS, MOST_PROCESSES = 20, 4, 12
+READY_HOSTS = (2, 4, 8, 12, 16)
+#: With more it takes long, and small fleets show whether large ones can.
+ENOUGH = {"Zenoh peer": 8, "of many processes": FEW_HOSTS}
+
+
+def ready(tables: Iterable[str], options: dict[str, Any]) -> list[Setting]:
+    """Return the settings of all ready-made robots, alone and beside a laptop."""
+    return [
+        Ready(
+            table,
+            hosts,
+            int(robot.processes),
+            round(robot.endpoints),
+            radio,
+            mpdus=64,
+            robot=name,
+            laptops=laptops,
+            **options,
+        )
+        for table in tables
+        for name, robot in robots().items()
+        for hosts in READY_HOSTS
+        for radio in READY_RADIOS
+        for laptops in (0, 1)
+        if robot.processes < MANY_PROCESSES
+        or hosts <= FEW_HOSTS
+        or (hosts <= MOST_PROCESSES and radio == "ac" and not laptops)
+    ]
 
 
 #: The tables.
@@ -250,9 +374,8 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
             mpdus=(1, 64),
         )
     ),
-    "fits": lambda: [
-        sure(one)
-        for one in each(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
+    "fits": lambda: with_runs(
+        each(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
         + each(
             replace(HEALED, until_s=30.0),
             protocol=PAPER,
@@ -267,14 +390,20 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
             start=("rule", "in turn"),
             hosts=range(31, 41),
         )
-    ],
+    ),
+    # What plans and calculator look up: the burst by itself, and by when all is known.
+    "ready": lambda: (
+        ready((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
+        + ready(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})
+    ),
 }
 
 
 def path_of(setting: Setting) -> Path:
     """Return where the result of a setting is kept."""
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
-    text = repr((of_setting, SEED, sources()))
+    own = (setting.fleet, setting.table) if isinstance(setting, Ready) else ()
+    text = repr((of_setting, SEED, sources(), *own))
     table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 
@@ -301,8 +430,11 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
     """Write one table."""
     TABLES.mkdir(parents=True, exist_ok=True)
     path = TABLES / f"{name}.csv"
-    # Rows of many runs have more columns than others.
-    columns = max((list(row) for row in rows), key=len)
+    columns: list[str] = []
+    for row in rows:  # those of many runs have more columns
+        for before, column in zip(["", *row], row, strict=False):
+            if column not in columns:
+                columns.insert(columns.index(before) + 1 if before else 0, column)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n", restval="")
         writer.writeheader()
@@ -315,22 +447,31 @@ def main() -> None:
     from tqdm import tqdm
 
     parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
-    parser.add_argument("--only", choices=list(SWEEPS), help="one table; default: all")
+    parser.add_argument("--only", choices=[*SWEEPS, "air"], help="one table; default: all")
     only = parser.parse_args().only
     wanted = {name: settings_of(name) for name in SWEEPS if only in (None, name)}
     todo = {one for settings in wanted.values() for one in settings if not path_of(one).exists()}
+
     # The short ones first.
-    for setting in tqdm(sorted(todo, key=lambda one: (one.hosts, repr(one))), "settings"):
+    def size(one: Setting) -> tuple[int, int, str]:
+        return one.hosts * one.processes, one.hosts, repr(one)
+
+    for setting in tqdm(sorted(todo, key=size), "settings"):
         result(setting)
+    if "fits" in wanted:
+        wanted["fits"] = decided(wanted["fits"])
     for name, settings in wanted.items():
         write(name, [asdict(one) | result(one) | SOURCE for one in settings])
     if only in (None, "drain"):
         write("events", [row | SOURCE for row in events()])
         write("saturation", [row | SOURCE for row in saturation()])
+    if only in (None, "air"):
+        write("air", records(air.start()))
     if only in (None, "queues"):
         write("hosts", [row | SOURCE for row in by_host()])
+        write("heard", [row | SOURCE for row in heard()])
     if only in (None, "fits"):
-        write("ladder", ladder([asdict(one) | result(one) for one in settings_of("fits")]))
+        write("ladder", ladder([asdict(one) | result(one) for one in wanted["fits"]]))
 
 
 def events() -> list[dict[str, object]]:
@@ -347,6 +488,11 @@ def events() -> list[dict[str, object]]:
     table = found.transmission_table()
     for column in ("start_s", "end_s"):
         table[column] = [f"{value:.7f}" for value in table[column]]  # whole ticks
+    return records(table)
+
+
+def records(table: pd.DataFrame) -> list[dict[str, object]]:
+    """Return the rows of a table."""
     return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
 
 
@@ -408,6 +554,48 @@ def by_host() -> list[dict[str, object]]:
     return rows
 
 
+#: How stations are heard: alike, or at the distances of a disc by receivers of which a frame must
+#: exceed what overlaps it by so much [dB]: the standard's, those of ns-3 (lab/ns3/README.md), and
+#: ones that receive whatever is strongest.
+HEARD = {"alike": None, "standard": THRESHOLD, "ns-3": (18.7, 1.0), "strongest": (0.0, 0.0)}
+
+
+def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
+    """Return bursts of hosts that are heard alike, and at the unlike distances of a disc."""
+    queues = ((500, 0.5), (0, 0.0))
+    settings = each(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
+    rows: list[dict[str, object]] = []
+    for one, (frames, seconds), (where, threshold) in product(settings, queues, HEARD.items()):
+        protocol = ds.PROTOCOLS[one.protocol]
+        unlike: dict[str, Any] = {}
+        if threshold:
+            unlike = {"power": powers(disc(one.hosts)), "threshold": threshold}
+        fleet = ds.Fleet.swarm(one.hosts, one.processes, one.endpoints)
+        found = ds.simulate(
+            fleet,
+            protocol,
+            one.wifi,
+            queue=(frames or np.inf, seconds or np.inf),
+            recovery=False,
+            runs=one.runs,
+            seed=SEED,
+            agreements="in place",
+            **unlike,
+        )
+        multicast = sum(
+            float(message.load(fleet))
+            for message in protocol.messages
+            if message.cast == "multicast"
+        )
+        names = ("protocol", "hosts", "processes", "endpoints", "mpdus", "agreements", "runs")
+        row = {name: getattr(one, name) for name in names}
+        row |= {"queue_frames": frames, "queue_s": seconds, "heard": where}
+        row |= spread("drain_time_s", found.drain_time) | spread("lost", found.lost)
+        on_air = found.counts["on_air"].mean() / (multicast * (one.hosts - 1))
+        rows.append(row | {"multicast_lost": rounded(float(on_air))})
+    return rows
+
+
 #: Steps of the ladder: what is assumed, in words and as options of the settings.
 CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
 QUEUES = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
@@ -421,48 +609,112 @@ LADDER: list[tuple[str, str, dict[str, object]]] = [
 CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (10.0, 20.0)]}
 
 
+@dataclass(frozen=True)
+class Step:
+    """How many hosts fit under some assumptions, and of how many runs that is known."""
+
+    protocol: str
+    step: str
+    assumed: str
+    #: What is compared with the limit [s].
+    column: str
+    limit: float
+    #: Settings with their results, by hosts.
+    rows: list[dict[str, Any]]
+
+    @property
+    def fits(self) -> int:
+        """Place of the first row whose median is beyond the limit."""
+        good = [float(row[self.column]) <= self.limit for row in self.rows]
+        assert False in good, "the sweep must go on until they do not fit"
+        return good.index(False)
+
+    def end(self, place: int, which: str) -> float:
+        """Return the low or high end of the median's interval; not a number if there is none."""
+        return float(self.rows[place].get(f"{self.column}_{which}") or "nan")
+
+    def open(self) -> list[dict[str, Any]]:
+        """Return the rows that need more runs before the number of hosts is decided."""
+        found = []
+        fewest, most = self.range()
+        for place in range(most + 2):
+            low, high = self.end(place, "low"), self.end(place, "high")
+            near = math.isnan(low) and place >= fewest
+            if math.isnan(low):  # too few runs: the middle half of them instead
+                low, high = (float(self.rows[place][f"{self.column}_{q}"]) for q in ("q25", "q75"))
+            if near or low <= self.limit < high:
+                found.append(self.rows[place])
+        return [row for row in found if int(row["runs"]) < MOST]
+
+    def range(self) -> tuple[int, int]:
+        """Return the places of the fewest and of the most hosts that may be what fits."""
+        low, high = self.fits - 1, self.fits
+        while self.end(low, "high") > self.limit:
+            low -= 1
+        while self.end(high, "low") <= self.limit:
+            high += 1
+        return low, high - 1
+
+
+def steps(rows: list[dict[str, Any]]) -> Iterator[Step]:
+    """Yield the steps of the ladder."""
+    for protocol, (step, assumed, options), mpdus in product(PAPER, LADDER, (1, 64)):
+        wanted = options | {"protocol": protocol, "mpdus": mpdus}
+        of_step = [row for row in rows if all(row[k] == v for k, v in wanted.items())]
+        of_step.sort(key=lambda row: int(row["hosts"]))
+        words = assumed + (", frames aggregated" if mpdus > 1 else "")
+        for column, limit in CRITERIA[int(str(options["recovery"]))]:
+            yield Step(protocol, step, words, column, limit, of_step)
+
+
+def decided(settings: list[Setting]) -> list[Setting]:
+    """Return settings with as many runs as it takes to decide how many hosts fit; see `MOST`."""
+    while True:
+        rows = [asdict(one) | result(one) | {"setting": one} for one in settings]
+        more = {row["setting"] for step in steps(rows) for row in step.open()}
+        if not more:
+            return settings
+        again = {one: replace(one, runs=max(MANY, 4 * one.runs)) for one in more}
+        for one in sorted(again.values(), key=lambda one: (one.runs, one.hosts)):
+            sys.stderr.write(f"{one}\n")
+            result(one)
+        settings = [again.get(one, one) for one in settings]
+
+
 def ladder(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
     """Return how many hosts fit, step by step of the assumptions.
 
     That is the largest number with which the median run meets the criterion, as do all below.
     """
-    steps: list[dict[str, object]] = []
-    for protocol in PAPER:
-        for step, assumed, options in LADDER:
-            for mpdus in (1, 64):
-                wanted = options | {"protocol": protocol, "mpdus": mpdus}
-                of_step = [row for row in rows if all(row[k] == v for k, v in wanted.items())]
-                of_step.sort(key=lambda row: int(row["hosts"]))
-                for column, limit in CRITERIA[int(str(options["recovery"]))]:
-                    good = [float(row[column]) <= limit for row in of_step]
-                    assert False in good, "the sweep must go on until they do not fit"
-                    fits = good.index(False)
-                    low, high = fits - 1, fits
-                    while float(of_step[low].get(f"{column}_high") or "nan") > limit:
-                        low -= 1
-                    while float(of_step[high].get(f"{column}_low") or "nan") <= limit:
-                        high += 1
-                    known = all(of_step[n].get(f"{column}_low") for n in (low, high))
-                    steps.append(
-                        {
-                            "protocol": protocol,
-                            "step": step,
-                            "mpdus": mpdus,
-                            "criterion": column,
-                            "limit_s": f"{limit:g}",
-                            "processes": of_step[0]["processes"],
-                            "endpoints": of_step[0]["endpoints"],
-                            "hosts": int(of_step[fits]["hosts"]) - 1,
-                            "hosts_low": of_step[low]["hosts"] if known else "",
-                            "hosts_high": int(of_step[high]["hosts"]) - 1 if known else "",
-                            "runs": of_step[fits - 1]["runs"],
-                            "value_s": of_step[fits - 1][column] if fits else "",
-                            "one_more_s": of_step[fits][column],
-                            "assumed": assumed + (", frames aggregated" if mpdus > 1 else ""),
-                            "source": "data/simulated/fits.csv",
-                        }
-                    )
-    return steps
+    found: list[dict[str, object]] = []
+    for step in steps(rows):
+        fits, (low, high) = step.fits, step.range()
+        last, beyond = step.rows[fits - 1], step.rows[fits]
+        found.append(
+            {
+                "protocol": step.protocol,
+                "step": step.step,
+                "mpdus": last["mpdus"],
+                "criterion": step.column,
+                "limit_s": f"{step.limit:g}",
+                "processes": last["processes"],
+                "endpoints": last["endpoints"],
+                "hosts": last["hosts"],
+                "hosts_low": step.rows[low]["hosts"],
+                "hosts_high": step.rows[high]["hosts"],
+                "runs": last["runs"],
+                "value_s": last[step.column],
+                "value_low_s": last[f"{step.column}_low"],
+                "value_high_s": last[f"{step.column}_high"],
+                "one_more_runs": beyond["runs"],
+                "one_more_s": beyond[step.column],
+                "one_more_low_s": beyond[f"{step.column}_low"],
+                "one_more_high_s": beyond[f"{step.column}_high"],
+                "assumed": step.assumed,
+                "source": "data/simulated/fits.csv",
+            }
+        )
+    return found
 
 
 if __name__ == "__main__":

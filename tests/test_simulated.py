@@ -68,6 +68,27 @@ def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
         assert [text(row | simulate.SOURCE) for row in rows] == read_data(f"simulated/{name}.csv")
 
 
+def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
+    stored = read_data("simulated/heard.csv")
+    again = [text(row | simulate.SOURCE) for row in simulate.heard((3,))]
+    assert again == [row for row in stored if row["hosts"] == "3"]
+    assert {row["heard"] for row in stored} == simulate.HEARD.keys()
+
+
+def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
+    rows = read_data("simulated/heard.csv")
+    for hosts, mpdus in ((7, 1), (10, 1), (7, 64), (10, 64)):
+        lost = {
+            row["heard"]: float(row["lost"])
+            for row in rows
+            if (row["protocol"], row["hosts"], row["mpdus"]) == ("DDS", f"{hosts}", f"{mpdus}")
+            and row["queue_frames"] == "500"
+        }
+        # Medians of 100 runs, with aggregation of a few points' standard error.
+        assert lost["strongest"] < lost["alike"]
+        assert lost["standard"] < lost["alike"] + (0.03 if mpdus > 1 else 0.01)
+
+
 def test_saturation_comes_out_the_same_again() -> None:
     stored = read_data("simulated/saturation.csv")
     assert [int(row["stations"]) for row in stored[::2]] == list(simulate.STATIONS)
@@ -86,6 +107,28 @@ def test_the_ladder_is_that_of_its_sweep() -> None:
     assert [text(row) for row in simulate.ladder(typed)] == read_data("simulated/ladder.csv")
     for row in read_data("simulated/ladder.csv"):
         assert float(row["value_s"]) <= float(row["limit_s"]) < float(row["one_more_s"])
+
+
+def test_a_number_of_the_ladder_is_sure_or_has_a_range() -> None:
+    for row in read_data("simulated/ladder.csv"):
+        ends = float(row["value_high_s"]), float(row["one_more_low_s"])
+        sure = ends[0] <= float(row["limit_s"]) < ends[1]
+        assert (row["hosts_low"] == row["hosts_high"]) == sure, row
+        assert int(row["hosts_low"]) <= int(row["hosts"]) <= int(row["hosts_high"])
+        assert min(int(row["runs"]), int(row["one_more_runs"])) >= simulate.MANY
+        # What is not sure has had all the runs that there are.
+        assert sure or max(int(row["runs"]), int(row["one_more_runs"])) >= simulate.MOST
+
+
+def test_an_interval_holds_the_median_as_often_as_it_says() -> None:
+    rng = np.random.default_rng(0)
+    held = 0
+    for _ in range(2000):
+        ends = simulate.interval("x", rng.exponential(size=100))
+        held += float(ends["x_low"]) <= np.log(2) <= float(ends["x_high"])
+    # At least 97.5 % of the times; the standard error of 2000 tries is 0.35 %.
+    assert held / 2000 > 0.975 - 0.01
+    assert simulate.interval("x", np.arange(1e4))  # in whole numbers
 
 
 def test_losses_are_those_of_ns3_in_the_mean_of_all_settings() -> None:

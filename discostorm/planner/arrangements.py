@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from discostorm import words
-from discostorm.fleet import Fleet
-from discostorm.model import burst, utilization
+from discostorm.model import utilization
+from discostorm.planner.changes import Setting
 from discostorm.planner.known import is_built
+from discostorm.planner.spans import Span, repeated, startup
 from discostorm.protocols import PROTOCOLS
-from discostorm.timeline import drained
-from discostorm.wifi import Wifi
 
 
 @dataclass(frozen=True)
@@ -29,12 +28,16 @@ class Arrangement:
         How long the channel needs for the start [s]; infinity if it never catches up.
     steady : float
         What is repeated takes of the channel [1].
+    startup, later : Span
+        What `start` and `steady`, which are those of single frames, lie between.
     """
 
     name: str
     utilization: float
     start: float
     steady: float
+    startup: Span
+    later: Span
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold; a start that never ends is None."""
@@ -44,10 +47,11 @@ class Arrangement:
             "fits": words.fits(self.utilization),
             "start_s": self.start if math.isfinite(self.start) else None,
             "steady": self.steady,
+            "startup": self.startup.to_dict(),
         }
 
 
-def compared(fleet: Fleet, wifi: Wifi, window: float) -> tuple[Arrangement, ...]:
+def compared(base: Setting, window: float) -> tuple[Arrangement, ...]:
     """Return what every measured arrangement would take, that of the shortest start first.
 
     Without what a product sends on a network that it takes for wired: on Wi-Fi it does not.
@@ -56,13 +60,11 @@ def compared(fleet: Fleet, wifi: Wifi, window: float) -> tuple[Arrangement, ...]
     found = []
     for name, table in PROTOCOLS.items():
         if is_built(table) and table not in wired:
-            taken, steady = (
-                float(utilization(table, fleet, wifi=wifi, window=span))
-                for span in (window, math.inf)
-            )
-            start = float(drained(float(burst(table, fleet, wifi=wifi)), steady))
-            found.append(Arrangement(name, taken, start, steady))
-    return tuple(sorted(found, key=lambda one: (one.start, one.steady)))
+            setting = replace(base, protocol=table)
+            start, later = startup(setting), repeated(setting)
+            taken = float(utilization(table, base.fleet, wifi=base.wifi, window=window))
+            found.append(Arrangement(name, taken, start.single, later.single, start, later))
+    return tuple(sorted(found, key=lambda one: (one.start, one.startup.full, one.steady)))
 
 
 def table_in_words(all_of_them: tuple[Arrangement, ...], width: int) -> list[str]:
@@ -71,8 +73,8 @@ def table_in_words(all_of_them: tuple[Arrangement, ...], width: int) -> list[str
     rows += [
         (
             one.name,
-            words.duration(one.start) if math.isfinite(one.start) else "never done",
-            words.percent(one.steady),
+            words.durations(*one.startup.ends, never="never done"),
+            words.percents(*one.later.ends),
         )
         for one in all_of_them
     ]

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import Radio, Wifi
+from discostorm.wifi.radio import most_mpdus
 
 #: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
 #: and aggregation are those that were asked for.
@@ -16,11 +17,23 @@ SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregat
 
 @dataclass(frozen=True)
 class Setting:
-    """A fleet, its middleware and its channel."""
+    """A fleet, its middleware and its channel, of which a radio from 802.11n on may aggregate.
+
+    Then `wifi` is that of single frames, and `mpdus` the most that share an exchange.
+    """
 
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
+    mpdus: int = 1
+
+    @property
+    def full(self) -> Wifi:
+        """The channel of full A-MPDUs; that of the setting where nothing aggregates."""
+        radio = self.wifi.radio
+        if self.mpdus == 1 or radio is None:
+            return self.wifi
+        return replace(radio, mpdus=min(self.mpdus, most_mpdus(radio.standard))).wifi()
 
     def after(self, steps: Sequence[Change]) -> Setting:
         """Return it with all of these changes."""
@@ -32,7 +45,7 @@ class Setting:
                 assert radio is not None
                 radio = step.radio(radio)
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
-        return Setting(fleet, protocol, wifi)
+        return replace(self, fleet=fleet, protocol=protocol, wifi=wifi)
 
     def before(self, steps: Sequence[Change]) -> Setting:
         """Return what these changes are compared with: tables and channels of the same kind."""
@@ -41,7 +54,7 @@ class Setting:
         if any(step.radio for step in steps):
             assert wifi.radio is not None
             wifi = replace(wifi.radio.wifi(), name=wifi.name)
-        return Setting(self.fleet, protocol, wifi)
+        return replace(self, protocol=protocol, wifi=wifi)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations
 from typing import Any, Literal
 
@@ -12,7 +12,7 @@ from discostorm._arguments import as_fleet
 from discostorm._renamed import renamed
 from discostorm.fleet import COUNTS, LEAST, Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.model import burst, message_costs, utilization, without_each
+from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
@@ -20,13 +20,17 @@ from discostorm.planner.known import inapplicable, known, simulated_stagger
 from discostorm.planner.radios import radio_changes
 from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
+from discostorm.planner.spans import burst_of, known_after, repeated, span_of, startup, together
 from discostorm.planner.tables import sessions_note, table_changes
 from discostorm.protocols import DDS
 from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
+from discostorm.wifi.radio import both_ends
 
 #: Combinations that are kept, tables that are combined, and most remedies in a combination.
 _KEPT, _TABLES, _TOGETHER = 5, 3, 3
+#: By what gains are computed on a channel that aggregates.
+_BASES = {True: "simulated", False: "one frame in each exchange"}
 
 
 @renamed(
@@ -60,7 +64,11 @@ def plan(
     wifi : Wifi, optional
         The channel; the paper's if left out. What is changed is its radio (`Wifi.radio`), with
         all that the standard says. On the paper's channel both sides of such a comparison have
-        the standard's timing; a channel that is not that of a radio is not changed.
+        the standard's timing; a channel that is not that of a radio is not changed. A radio from
+        802.11n on aggregates, whether its name says so or not: the answer is a range from full
+        A-MPDUs (64 frames, or as many as the radio says) to one frame in each exchange, with what
+        was simulated between them. Gains are those of the simulated values or, where one of both is
+        not stored, of single frames, before and after alike. `PAPER` does not aggregate.
     window : float, optional
         The seconds that are averaged [s], above 0; the paper's one if left out, infinity for
         the steady state.
@@ -101,31 +109,36 @@ def plan(
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
         _checks.whole(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
 
-    base = Setting(fleet, protocol, wifi)
+    full, single = both_ends(wifi)
+    mpdus = full.aggregation.mpdus if full != single and full.aggregation else 1
+    base = Setting(fleet, protocol, single, mpdus)
     found = tuple(changes_of(base))
     singles = {step: _remedy(base, [step], span) for step in found if isinstance(step, Change)}
-    steady = _repeated(base)
-    late = [step for step in singles if step.slot == "time" and not words.fits(steady)]
+    steady, taken = repeated(base), span_of(base, span)
+    late = [step for step in singles if step.slot == "time" and not words.fits(steady.full)]
     never = [
-        f"{singles.pop(step).what}: what is repeated takes {words.percent(steady)} of the channel "
-        "by itself, so that no window is long enough"
+        f"{singles.pop(step).what}: what is repeated takes {words.percent(steady.full)} of the "
+        "channel by itself, so that no window is long enough"
         for step in late
     ]
     together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
     reasons = [reason for reason in found if isinstance(reason, str)]
-    taken = _taken(base, span)
     return Plan(
         fleet=fleet,
         protocol=protocol,
-        wifi=wifi,
+        wifi=single,
         window=span,
-        utilization=taken,
-        steady=steady,
-        shares=tuple(_shares(base, span, taken)),
+        utilization=taken.known,
+        steady=steady.known,
+        shares=tuple(_shares(base, span, _taken(base, span))),
         remedies=tuple(sorted(singles.values(), key=_order)),
         combinations=tuple(sorted(together, key=_order)),
         left_out=(*never, *reasons, *inapplicable(protocol)),
-        arrangements=compared(fleet, wifi, span),
+        arrangements=compared(base, span),
+        span=taken,
+        steady_span=steady,
+        startup=startup(base),
+        known=known_after(protocol, fleet, full) if full != single else None,
     )
 
 
@@ -144,38 +157,37 @@ def changes_of(base: Setting) -> Iterator[Change | str]:
 
 
 def _taken(setting: Setting, window: float) -> float:
-    """Return the utilization of a setting [1]."""
+    """Return the utilization of a setting with single frames [1]."""
     fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
     return float(utilization(protocol, fleet, wifi=wifi, window=window))
-
-
-def _repeated(setting: Setting) -> float:
-    """Return what is repeated takes of the channel [1]."""
-    return _taken(setting, math.inf) if setting.protocol.repeats else 0.0
 
 
 def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     """Return what these changes lead to together."""
     old, new = base.before(steps), base.after(steps)
     parts = next((step.parts for step in steps if step.parts), (new.fleet,))
-    settings = [Setting(part, new.protocol, new.wifi) for part in parts]
-    taken = [_taken(setting, window) for setting in settings]
-    starts = [float(burst(new.protocol, part, wifi=new.wifi)) for part in parts]
-    steadies = [_repeated(setting) for setting in settings]
-    of_all = max if any(step.kind == "channels" for step in steps) else sum
+    of_all = "max" if any(step.kind == "channels" for step in steps) else "sum"
+    settings = [replace(new, fleet=part) for part in parts]
+    was = span_of(old, window)
+    spans = [span_of(setting, window) for setting in settings]
+    taken, steady = together(spans, of_all), together(list(map(repeated, settings)), of_all)
+    # Before and after alike: as simulated, if both are.
+    simulated = was.simulated is not None and taken.simulated is not None
+    before, after = (one.known if simulated else one.single for one in (was, taken))
+    repeats = steady.known if simulated else steady.single
+    starts = together(list(map(burst_of, settings)), of_all)
     # Things first: "leaving out services and a server" would leave out both.
     told = sorted(steps, key=lambda step: is_doing(step.what))
     rows = [known(kind, new.protocol) for step in told for kind in step.steps]
-    before = _taken(old, window)
     if len(steps) > 1:
         note = "; ".join(dict.fromkeys(step.by for step in steps if step.by))
     elif steps[0].kind == "middleware":
         note = sessions_note(
             base.protocol,
             new.protocol,
-            before,
-            taken[0],
-            lambda table: _taken(Setting(base.fleet, table, base.wifi), window),
+            was.single,
+            taken.single,
+            lambda table: _taken(replace(base, protocol=table), window),
             window,
         )
     else:
@@ -189,15 +201,18 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         protocol=new.protocol,
         wifi=new.wifi,
         before=before,
-        utilization=of_all(taken),
+        utilization=after,
         window=window,
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         fails="; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
         steps=tuple(kind for step in steps for kind in step.steps),
-        spread=float(drained(of_all(starts), of_all(steadies))),
-        steady=of_all(steadies),
+        spread=float(drained(starts.known if simulated else starts.single, repeats)),
+        steady=repeats,
         best_case=any(row["gain"] == "best case" for row in rows),
+        span=taken,
+        was=was,
+        basis=_BASES[simulated] if taken.ranges or was.ranges else "",
     )
 
 

@@ -5,14 +5,14 @@ from dataclasses import replace
 from typing import Any
 
 from discostorm import words
-from discostorm.data import read_data
 from discostorm.planner.changes import Change
 from discostorm.planner.known import simulated_aggregation
 from discostorm.wifi import PAPER, Radio, Wifi
+from discostorm.wifi.radio import USUAL_MPDUS, both_ends, most_mpdus
 
 #: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
 #: 17.2.2.3), and frames in an A-MPDU [1].
-MULTICAST_RATE, MPDUS = 24e6, 64
+MULTICAST_RATE, MPDUS = 24e6, USUAL_MPDUS
 #: Other radios: what they change, with at least so many streams.
 RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
@@ -51,13 +51,15 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
                 note=_compared(radio, other, by),
                 by=by,
             )
-    most = _most_mpdus(radio.standard)
+    most = most_mpdus(radio.standard)
     if most == 1:
         yield f"aggregation: {radio.standard} has none"
+    elif both_ends(wifi) != (wifi, wifi):
+        yield "aggregation: counted already, as every radio from 802.11n on aggregates by default"
     elif radio.mpdus < MPDUS:
 
         def aggregated(old: Radio) -> Radio:
-            return replace(old, mpdus=min(MPDUS, _most_mpdus(old.standard)), name=None)
+            return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
         note = "; ".join(filter(None, (by, simulated_aggregation(MPDUS))))
@@ -91,15 +93,9 @@ def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
         # DSSS rates are of 2.4 GHz alone.
         multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
         aifsn=radio.aifsn,
-        mpdus=min(int(radio.mpdus), _most_mpdus(changes["standard"])),
+        mpdus=min(int(radio.mpdus), most_mpdus(changes["standard"])),
         start_spacing=radio.start_spacing,
     )
-
-
-def _most_mpdus(standard: str) -> int:
-    """Return how many frames a standard allows in an A-MPDU [1]; 1 if it has none."""
-    rows = (row for row in read_data("wifi/ampdu.csv") if row["standard"] == standard)
-    return max((int(row["most_mpdus"]) for row in rows), default=1)
 
 
 def _compared(old: Radio, new: Radio, by: str) -> str:

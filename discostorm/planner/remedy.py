@@ -13,6 +13,7 @@ from discostorm.fleet import Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.planner.known import software
 from discostorm.planner.snippets import Snippet, snippets
+from discostorm.planner.spans import Span, Verdict
 from discostorm.wifi import Wifi
 
 #: Changes of less than this are not told apart [1].
@@ -60,6 +61,12 @@ class Remedy:
         What is repeated then takes of the channel [1].
     best_case : bool
         Whether a part of the gain is that of the best case, as that of exchanges that are all full.
+    span, was : Span, optional
+        What `utilization` and `before` lie between on a radio that aggregates; if left out they
+        have no range.
+    basis : str
+        By which of these values they were computed, before and after alike: "simulated" or "one
+        frame in each exchange"; empty where there is no range.
     """
 
     kind: str
@@ -79,6 +86,19 @@ class Remedy:
     spread: float = 0.0
     steady: float = 0.0
     best_case: bool = False
+    span: Span | None = None
+    was: Span | None = None
+    basis: str = ""
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether it fits with it: at both ends of the range, at the better one, or at none."""
+        return _verdict(self.span, self.utilization)
+
+    @property
+    def may_now_fit(self) -> bool:
+        """Whether it may fit with it, but surely did not without."""
+        return self.verdict == "may fit" and _verdict(self.was, self.before) == "does not fit"
 
     @property
     def saved(self) -> float:
@@ -90,8 +110,8 @@ class Remedy:
 
     @property
     def now_fits(self) -> bool:
-        """Whether it fits with it and did not without."""
-        return words.fits(self.utilization) and not words.fits(self.before)
+        """Whether it surely fits with it and did not without."""
+        return self.verdict == "fits" and _verdict(self.was, self.before) != "fits"
 
     @property
     def rank(self) -> int:
@@ -131,6 +151,8 @@ class Remedy:
             # What is left may be less than what numbers tell apart from all.
             most = math.nextafter(1, 0) if self.utilization else 1.0
             brings = f"cut{s} {before} to {after} ({words.percent(min(self.saved, most))})"
+            if self.basis:
+                brings += ", simulated" if self.basis == "simulated" else f", with {self.basis}"
             if self.best_case:
                 brings += " at best"
         return "; ".join(filter(None, (f"{self.what} {brings}", self.note)))
@@ -149,7 +171,7 @@ class Remedy:
         later = ""
         if not words.fits(self.steady):
             later = f" What is repeated still takes {words.percent(self.steady)}: no start fits."
-        elif self.kind == "combination" and not words.fits(self.utilization):
+        elif self.kind == "combination" and self.verdict == "does not fit":
             later = f" It still does not fit: start within {words.duration(self.spread)}."
         return f"It takes {words.listed(efforts)}. Mind: {mind}.{later}"
 
@@ -172,11 +194,20 @@ class Remedy:
             "utilization": self.utilization,
             "saved": self.saved,
             "best_case": self.best_case,
-            "fits": words.fits(self.utilization),
+            "fits": self.verdict == "fits",
+            "verdict": self.verdict,
+            "basis": self.basis,
+            "range": (self.span or Span(self.utilization, None, self.utilization)).to_dict(),
             "steady": self.steady,
             "start_within_s": self.spread if math.isfinite(self.spread) else None,
             "paste": [piece.to_dict() for piece in self.snippets],
         }
+
+
+def _verdict(span: Span | None, value: float) -> Verdict:
+    """Return whether a range fits, or a number that has none."""
+    ranges = span is not None and span.ranges
+    return (span if ranges and span else Span(value, None, value)).verdict
 
 
 def is_doing(what: str) -> bool:

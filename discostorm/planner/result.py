@@ -14,6 +14,7 @@ from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.arrangements import Arrangement, table_in_words
 from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
+from discostorm.planner.spans import Known, Span, Verdict
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
@@ -66,12 +67,13 @@ class Plan:
     window : float
         The seconds that are averaged [s]; infinity for the steady state.
     utilization : float
-        What discovery takes of them [1]; what is less than 1 fits.
+        What discovery takes of them [1]; what is less than 1 fits. On a radio that aggregates as
+        simulated or, where that is not stored, with one frame in each exchange.
     steady : float
-        What is repeated takes of the channel [1]; if that is 1 or more, no start fits, however
-        slow it is.
+        What is repeated takes of the channel [1], likewise; if that is 1 or more, no start fits,
+        however slow it is.
     shares : tuple of Share
-        Messages, phases and groups, each kind with the largest first.
+        Messages, phases and groups, each kind with the largest first, of single frames.
     remedies : tuple of Remedy
         What could be changed, one thing each: what makes it fit first, that which is easiest
         before all; then what saves most. In both parts those of which the gain is that of the best
@@ -85,6 +87,14 @@ class Plan:
     arrangements : tuple of Arrangement
         Every measured arrangement of every product, for the same fleet and channel; the one of
         the shortest start first.
+    span, steady_span : Span
+        What `utilization` and `steady` lie between: full A-MPDUs and one frame in each exchange;
+        twice the same on a channel that does not aggregate.
+    startup : Span
+        How long the channel needs for the start [s], if nothing is lost: the drain time.
+    known : Known or None
+        After how long all robots know each other, simulated with queues that overflow and with
+        recovery; None where that is not stored (``data/simulated/ready.csv``).
     """
 
     fleet: Fleet
@@ -98,6 +108,15 @@ class Plan:
     combinations: tuple[Remedy, ...]
     left_out: tuple[str, ...]
     arrangements: tuple[Arrangement, ...]
+    span: Span
+    steady_span: Span
+    startup: Span
+    known: Known | None
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether it fits: with one frame in each exchange, only with fuller ones, or never."""
+        return (self.span if self.span.ranges else _point(self.utilization)).verdict
 
     def of_kind(self, kind: str) -> tuple[Share, ...]:
         """Return the shares of one kind: message, phase or group; the largest first."""
@@ -145,7 +164,11 @@ class Plan:
             "steady_fits": words.fits(self.steady),
             "window_s": self.window if math.isfinite(self.window) else None,
             "utilization": self.utilization,
-            "fits": words.fits(self.utilization),
+            "fits": self.verdict == "fits",
+            "verdict": self.verdict,
+            "range": self.span.to_dict(),
+            "startup": self.startup.to_dict(),
+            "known_after_s": self.known.to_dict() if self.known else None,
             "shares": [asdict(share) for share in self.shares],
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
@@ -170,12 +193,18 @@ class Plan:
         for found in self.remedies:
             if found.kind == "staggered start":
                 continue
-            by = ""
-            if found.before != self.utilization:
-                on_air = found.wifi != self.wifi
-                base = str(software(found.protocol))
-                by = ", by the standard's timing" if on_air else f", as {base} was measured"
-                of = self.protocol.name if on_air else base
+            by, of = "", self.protocol.name
+            was = found.was or _point(found.before)
+            if found.wifi != self.wifi and not self.span.ranges:
+                by = ", by the standard's timing" if found.before != self.utilization else ""
+            elif was.single != (self.span if self.span.ranges else _point(self.utilization)).single:
+                of = str(software(found.protocol))
+                by = f", as {of} was measured"
+            if found.basis == "simulated" and self.span.simulated is None:
+                by += ", simulated"
+            elif found.basis not in ("", "simulated") and self.span.simulated is not None:
+                by += f", {found.basis}"
+            if by:
                 bars.append((f"as it is{by}", of, found.before))
             shown.append((found.what + by, found.protocol.name, found.utilization))
         bars = [*dict.fromkeys(bars), *shown]
@@ -198,7 +227,7 @@ class Plan:
         sure = first is not None and first.now_fits and not first.best_case
         fitting = (r for r in self.remedies if r.now_fits and r.whole)
         alone = min((r.rank for r in fitting if not (sure and r.best_case)), default=math.inf)
-        needed = first is not None and not words.fits(self.utilization)
+        needed = first is not None and self.verdict != "fits"
         if first is None or not needed or (alone < math.inf and not first.rank < alone):
             return None
         return first
@@ -218,17 +247,24 @@ class Plan:
         }
         return {title: remedies for title, remedies in found.items() if remedies}
 
+    def numbered(self) -> tuple[Remedy, ...]:
+        """Return the remedies that are told in words, in the order of their numbers from 1 on."""
+        return tuple(remedy for remedies in self.told().values() for remedy in remedies)
+
     def advice(self, width: int = 79) -> str:
         """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
-        lines = [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
+        lines = [*self._answer_in_words(), ""] if self.fleet.hosts() > 1 else []
+        lines += [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
             lines += ["", words.ALONE]
             return "\n".join(words.wrapped(line, width) for line in lines)
         if "What would help most, alone:" not in told:
             lines += ["", "Nothing that was tried helps."]
+        place = 1
         for title, remedies in told.items():
-            lines += ["", title, *self._ranked(remedies)]
+            lines += ["", title, *self._ranked(remedies, place)]
+            place += len(remedies)
         wrapped = "\n".join(words.wrapped(line, width) for line in lines)
         table = "\n".join(
             [
@@ -238,44 +274,81 @@ class Plan:
             ]
         )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
-        more = f"In the JSON: {words.many(rest, 'other')}, what was left out and what to paste."
+        more = (
+            "`discostorm plan` with `--paste N` prints the configuration of number N. In the JSON: "
+            f"{words.many(rest, 'other')}, what was left out and what to paste."
+        )
         return "\n".join((wrapped, table, "", words.wrapped(more, width)))
 
     def __str__(self) -> str:
         return self.advice()
 
-    def _cost_in_words(self) -> Iterator[str]:
-        hosts = sum(group.hosts for group in self.fleet.groups)
-        takes = words.airtime(self.utilization, self.window)
-        if not words.fits(self.steady) and math.isfinite(self.window):
+    def _answer_in_words(self) -> Iterator[str]:
+        """Yield the answer, then what it rests on: the channel's time, how full exchanges are."""
+        steady = self.steady_span
+        if not words.fits(steady.full) and math.isfinite(self.window):
             yield (
-                f"What is repeated does not fit: it takes {words.percent(self.steady)} of the "
+                f"What is repeated does not fit: it takes {words.percent(steady.full)} of the "
                 "channel by itself, so that no start fits, however slow it is."
             )
-        fit = "so it does not fit"
-        if words.fits(self.utilization):
-            fit = "so it fits" if self.wifi.aggregation is None else "so at best it fits"
+            return
+        low, high = self.startup.ends
+        start = (
+            words.durations(low, high) if math.isfinite(high) else f"{words.duration(low)} or more"
+        )
+        busy = f"startup keeps the channel busy for {start} if nothing is lost"
+        if math.isinf(low):
+            busy = "startup never ends"
+        if self.known is None:
+            yield (
+                f"Drain time: {busy}. Until then some of your robots do not know each other; lost "
+                "announcements make it longer."
+            )
+        else:
+            yield f"{self.known.sentence()} {words.capitalized(busy)} (drain time)."
+        if self.startup.ranges:
+            middle = self.startup.simulated
+            simulated = "" if middle is None else f"; {words.duration(middle)} was simulated"
+            yield (
+                "The shorter time is with full A-MPDUs, the longer with one frame in each "
+                f"exchange{simulated}. How many frames share an exchange depends on how many wait."
+            )
+        if not words.fits(steady.single) and math.isfinite(self.window):
+            yield (
+                "What is repeated may not fit: with one frame in each exchange it takes "
+                f"{words.percent(steady.single)} of the channel by itself."
+            )
+
+    def _cost_in_words(self) -> Iterator[str]:
+        hosts = sum(group.hosts for group in self.fleet.groups)
+        ends = (self.span if self.span.ranges else _point(self.utilization)).ends
         if math.isfinite(self.window):
-            takes += " of airtime"
+            low, high = (end * self.window for end in ends)
+            takes = f"{words.durations(low, high)} of airtime"
+        else:
+            takes = f"{words.percents(*ends)} of the time"
+        fit = {"fits": "so it fits", "may fit": "so it may fit"}.get(
+            self.verdict, "so it does not fit"
+        )
         yield (
             f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
             f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}. "
             f"Channel: {self.wifi.name}, {TOPOLOGY}."
         )
         if math.isinf(self.window):
-            share = words.charged(self.utilization, "of the channel", "the channel has")
+            share = _charged(ends, "of the channel", "the channel has")
             yield f"That is {share} in the steady state, {fit}."
         elif self.window == PAPER_WINDOW:
-            share = words.charged(self.utilization, "of it", "it holds")
+            share = _charged(ends, "of it", "it holds")
             yield f"All charged to one second, that is {share}, {fit}."
         else:
-            share = words.charged(self.utilization, "of them", "they hold")
+            share = _charged(ends, "of them", "they hold")
             yield f"All charged to the first {self.window:g} s, that is {share}, {fit}."
-        exchanges = "an exchange of its own"
-        if self.wifi.aggregation is not None:
-            exchanges = f"an exchange of {self.wifi.aggregation.mpdus} like it, as far as they fit"
+        exchanges = "each unicast message in an exchange of its own"
+        if self.span.ranges:
+            exchanges = "from 64 unicast messages in an exchange to one"
         yield (
-            f"Counted with nothing lost, no collisions and each unicast message in {exchanges}. "
+            f"Counted with nothing lost, no collisions and {exchanges}. "
             "Queues that overflow may make it many times longer: `discostorm simulate` tries it."
         )
         if self.protocol.captured is not None:
@@ -308,7 +381,7 @@ class Plan:
                 )
         timed = [r.before for r in self.remedies if r.wifi != self.wifi]
         before = next((value for value in timed if value != self.utilization), None)
-        if before is not None:
+        if before is not None and not self.span.ranges:
             yield (
                 f"Changes of the channel are compared by the standard's timing, by which this "
                 f"fleet takes {words.airtime(before, self.window)} as it is."
@@ -330,12 +403,25 @@ class Plan:
                 yield f"- {rest} further groups take part in at most {most} each."
 
     @staticmethod
-    def _ranked(remedies: Sequence[Remedy]) -> Iterator[str]:
+    def _ranked(remedies: Sequence[Remedy], first: int) -> Iterator[str]:
         """Yield remedies with their places, effort, price and what fails."""
-        for place, remedy in enumerate(remedies, start=1):
+        for place, remedy in enumerate(remedies, start=first):
             brings = words.capitalized(remedy.sentence())
             if remedy.now_fits:
                 best_case = remedy.best_case or remedy.wifi.aggregation is not None
                 brings += "; that would fit" if best_case else "; that fits"
+            elif remedy.may_now_fit:
+                brings += "; that may fit"
             yield f"{place:2}. {brings}."
             yield f"    {remedy.caution()}"
+
+
+def _point(value: float) -> Span:
+    """Return a number without a range as one."""
+    return Span(value, None, value)
+
+
+def _charged(ends: tuple[float, float], to: str, held: str) -> str:
+    """Return the range of what is charged to a time, in words."""
+    low, high = (words.charged(end, to, held) for end in ends)
+    return low if low == high else f"{low} to {high}"
