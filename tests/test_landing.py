@@ -1,6 +1,7 @@
-"""The first page in a browser that moves: the live storm, the ladder, and what links show."""
+"""The first page in a browser that moves: frames on the air, the ladder, and what links show."""
 
 import functools
+import gzip
 import re
 import statistics
 from collections.abc import Iterator
@@ -11,7 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from test_browser import AXE, BARRIERS, DESKTOP, PHONE
 
 import discostorm as ds
-from discostorm.book import ladder, storm
+from discostorm.book import air, ladder
 
 pytestmark = pytest.mark.book
 
@@ -44,82 +45,116 @@ def tab(browser: Browser, address: str) -> Iterator[Page]:
     assert not errors
 
 
-def choose(tab: Page, middleware: str, hosts: int, processes: int, endpoints: int) -> None:
-    form = tab.locator("#storm-form")
+def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) -> None:
+    form = tab.locator("#air-form")
     form.locator("[name=middleware]").select_option(middleware)
-    form.locator("[name=processes]").select_option(str(processes))
-    form.locator("[name=endpoints]").select_option(str(endpoints))
+    form.locator("[name=aggregation]").set_checked(aggregation)
     form.locator("[name=hosts]").fill(str(hosts))
 
 
-@pytest.mark.parametrize("swarm", [(7, 2, 10), (2, 1, 0), (12, 3, 20)])
-@pytest.mark.parametrize("middleware", ["DDS", "Zenoh"])
-def test_the_storm_has_the_packages_numbers(
-    tab: Page, middleware: str, swarm: tuple[int, int, int]
+def simulated(middleware: str, hosts: int, aggregation: bool, seed: int = 0) -> ds.Simulation:
+    wifi = air.AGGREGATED if aggregation else air.SINGLE
+    fleet = ds.Fleet.swarm(hosts, air.PROCESSES, air.ENDPOINTS)
+    return ds.simulate(fleet, ds.PROTOCOLS[middleware], wifi, queue=air.QUEUE, seed=seed)
+
+
+@pytest.mark.parametrize("aggregation", [False, True])
+@pytest.mark.parametrize("middleware", ["Fast DDS", "Zenoh peer", "DDS"])
+def test_frames_on_the_air_end_when_pythons_do(
+    tab: Page, middleware: str, aggregation: bool
 ) -> None:
-    choose(tab, middleware, *swarm)
-    protocol = ds.PROTOCOLS[middleware]
-    many = sum(1 for _ in storm.messages(protocol, *swarm))
-    used = ds.utilization(protocol, *swarm)
-    told = tab.locator("#storm-sum")
-    expect(told).to_contain_text(f"{many:,} messages, {used:.2f} s of airtime")
-    expect(told).to_contain_text("it fits" if used < 1 else "more than the second")
+    choose(tab, middleware, 5, aggregation)
+    (converged,) = simulated(middleware, 5, aggregation).convergence_time
+    told = tab.locator("#air-sum")
+    expect(told).to_contain_text(f"Every robot knows every other after {converged:.1f} s.")
+    expect(told).to_contain_text(re.compile(r"lost [\d,]+ deliver(y|ies); the|Nothing was lost"))
+
+
+def test_without_recovery_it_says_what_is_lost_and_why(tab: Page) -> None:
+    choose(tab, "Zenoh router", 4)
+    told = tab.locator("#air-sum")
+    expect(told).to_contain_text("The channel has carried the startup after")
+    expect(told).to_contain_text("nothing recovers them here: its processes announce themselves")
+
+
+def test_a_new_seed_is_another_run(tab: Page) -> None:
+    choose(tab, "Fast DDS", 5)
+    (first,) = simulated("Fast DDS", 5, False).convergence_time
+    expect(tab.locator("#air-sum")).to_contain_text(f"after {first:.1f} s.")
+    tab.locator("#air-seed").click()
+    (second,) = simulated("Fast DDS", 5, False, seed=1).convergence_time
+    assert f"{first:.1f}" != f"{second:.1f}"
+    expect(tab.locator("#air-sum")).to_contain_text(f"after {second:.1f} s.")
 
 
 def test_a_frame_leaves_time_to_spare_with_twelve_robots_on_a_phone(tab: Page) -> None:
-    choose(tab, "DDS", 12, 3, 20)
-    tab.locator("#storm-canvas").scroll_into_view_if_needed()
+    choose(tab, "Fast DDS", 12)
+    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    expect(tab.locator("#air-many")).to_have_text("12")
+    expect(tab.locator("#air-sum")).to_contain_text("Every robot knows")
     tab.get_by_role("button", name="From the start").click()
-    tab.wait_for_function("parseFloat(document.getElementById('storm-told').textContent) > 0")
+    tab.wait_for_function("parseFloat(document.getElementById('air-told').textContent) > 0.2")
     tab.evaluate("window.took.length = 0")
     tab.wait_for_function("window.took.length >= 60")
     # A sixtieth of a second is 16.7 ms; wall-clock frames depend on what else the machine does.
     assert statistics.median(tab.evaluate("window.took")) < 8
 
 
-def test_the_storm_can_be_paused_and_played_by_keyboard(tab: Page) -> None:
+def test_the_run_can_be_paused_and_played_by_keyboard(tab: Page) -> None:
     def told() -> str:
-        return tab.locator("#storm-told").inner_text()
+        return tab.locator("#air-told").inner_text()
 
-    choose(tab, "DDS", 7, 2, 10)
-    tab.locator("#storm-pause").focus()
+    choose(tab, "Fast DDS", 7)
+    expect(tab.locator("#air-sum")).to_contain_text("Every robot knows")
+    tab.locator("#air-pause").focus()
     tab.keyboard.press("Enter")
-    expect(tab.locator("#storm-pause")).to_have_text("Play")
+    expect(tab.locator("#air-pause")).to_have_text("Play")
+    tab.wait_for_timeout(100)
     before = told()
     tab.wait_for_timeout(400)
     assert told() == before
     tab.keyboard.press("Space")
-    expect(tab.locator("#storm-pause")).to_have_text("Pause")
+    expect(tab.locator("#air-pause")).to_have_text("Pause")
     tab.wait_for_function(
-        "before => document.getElementById('storm-told').textContent !== before", arg=before
+        "before => document.getElementById('air-told').textContent !== before", arg=before
     )
-    slider = tab.locator("#storm-form [name=hosts]")
+    slider = tab.locator("#air-form [name=hosts]")
     slider.focus()
     tab.keyboard.press("ArrowRight")
-    expect(tab.locator("#storm-many")).to_have_text("8")
+    expect(tab.locator("#air-many")).to_have_text("8")
 
 
-@pytest.mark.parametrize("scripts", [True, False])
-def test_a_still_picture_where_nothing_may_move(
-    browser: Browser, address: str, scripts: bool
+def test_without_scripts_and_on_paper_there_is_a_still_picture(
+    browser: Browser, address: str, tab: Page
 ) -> None:
-    with browser.new_context(
-        reduced_motion="reduce" if scripts else "no-preference", java_script_enabled=scripts
-    ) as context:
+    expect(tab.locator("#air")).to_be_visible()
+    expect(tab.locator("#fig-air")).to_be_hidden()
+    tab.emulate_media(media="print")
+    expect(tab.locator("#air")).to_be_hidden()
+    expect(tab.locator("#fig-air")).to_be_visible()
+    tab.emulate_media(media="screen")
+    with browser.new_context(java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(address)
-        expect(page.locator("#fig-storm")).to_be_visible()
-        expect(page.locator("#storm")).to_be_hidden()
+        expect(page.locator("#fig-air")).to_be_visible()
+        expect(page.locator("#air")).to_be_hidden()
 
 
-def test_where_it_moves_there_is_no_second_picture(tab: Page) -> None:
-    expect(tab.locator("#storm")).to_be_visible()
-    expect(tab.locator("#fig-storm")).to_be_hidden()
+def test_with_reduced_motion_the_whole_run_stands_still(browser: Browser, address: str) -> None:
+    with browser.new_context(reduced_motion="reduce", viewport=DESKTOP) as context:
+        page = context.new_page()
+        page.goto(address)
+        expect(page.locator("#air-sum")).to_contain_text("The whole startup is shown")
+        expect(page.locator("#air-pause")).to_be_hidden()
+        before = page.locator("#air-canvas").screenshot()
+        page.wait_for_timeout(300)
+        assert page.locator("#air-canvas").screenshot() == before
+        assert len(set(before)) > 100  # something is drawn
 
 
 @functools.cache
-def known() -> dict[tuple[frozenset[str], str], int]:
-    return {(rung.switches, rung.protocol): rung.fit for rung in ladder.rungs()}
+def known() -> dict[tuple[frozenset[str], str], ladder.Rung]:
+    return {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
 
 
 def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
@@ -131,16 +166,41 @@ def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
         on = frozenset(box.get_attribute("value") or "" for box in boxes.all())
         assert switch.key in on
         for protocol in ladder.TABLES:
-            expect(told).to_contain_text(f"{known()[on, protocol]} with {protocol}")
+            expect(told).to_contain_text(f"{known()[on, protocol].shown} with {protocol}")
         marker = tab.locator(".ladder-marker").first
-        expect(marker).to_have_text(re.compile(rf"^{known()[on, 'DDS']}\s*DDS"))
+        expect(marker).to_have_text(re.compile(rf"^{known()[on, 'DDS'].shown}\s*DDS"))
     while tab.locator("#ladder input:checked").count():  # one may take others with it
         tab.locator("#ladder input:checked").first.uncheck()
     expect(told).to_contain_text("as the paper counts")
 
 
+def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:
+    note = tab.locator("#ladder-note")
+    buttons = tab.locator(".tag_ladder-table .ladder-runs")
+    simulated = [one for one in ladder.SWITCHES if one.kind == "simulated"]
+    assert buttons.count() == len(simulated) * len(ladder.TABLES)
+    told = {rung.runs for rung in known().values() if rung.runs}
+    tab.set_viewport_size(PHONE)
+    for button in buttons.all():  # by touch and by keyboard
+        expect(note).to_be_hidden()
+        button.click()
+        expect(note).to_be_visible()
+        assert note.inner_text() in told
+        box = note.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= PHONE["width"]
+        tab.keyboard.press("Escape")
+    buttons.first.focus()
+    tab.keyboard.press("Tab")
+    expect(buttons.nth(1)).to_be_focused()
+    expect(note).to_be_visible()
+    tab.keyboard.press("Escape")
+    expect(note).to_be_hidden()
+
+
 def test_nothing_serious_keeps_anyone_out_of_what_moves(tab: Page) -> None:
-    tab.locator("#storm-pause").click()
+    tab.locator("#air-pause").click()
     tab.evaluate(AXE)
     found = {}
     for scheme, size in (("light", PHONE), ("dark", DESKTOP)):
@@ -158,10 +218,13 @@ def test_the_live_parts_weigh_little(book: Path) -> None:
     page = (book / "book" / "index.html").read_text(encoding="utf-8")
     data = re.findall(r'<script type="application/json".*?</script>', page, re.S)
     assert len(data) == 2
-    assert landing + sum(map(len, data)) <= 150_000
+    assert landing + sum(map(len, data)) <= 50_000
+    # The simulator comes when the picture is seen.
+    live = (book / "_static" / "live").glob("*.js")
+    assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in live) <= 60_000
 
 
-@pytest.mark.parametrize("page", ["book/index", "book/calculator", "notebooks/01_system"])
+@pytest.mark.parametrize("page", ["book/index", "book/calculator", "notebooks/01_who_tells_whom"])
 def test_a_shared_link_shows_what_it_is(book: Path, page: str) -> None:
     text = (book / f"{page}.html").read_text(encoding="utf-8")
     told = dict(re.findall(r'<meta (?:property|name)="([\w:]+)" content="([^"]*)"', text))

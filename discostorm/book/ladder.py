@@ -17,6 +17,8 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Radio
 
+#: How many runs a setting has at least before its number of robots may stay undecided.
+MOST_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64
 
@@ -65,6 +67,10 @@ class Rung:
         overflow, until all know each other in the median of the runs.
     full : float
         Robots at which the channel is full [1]; of a simulation, which has whole ones, NaN.
+    fits : tuple of (int, int)
+        Between which whole numbers of robots it lies; of an equation it is one.
+    runs : str
+        In words how many runs it comes from and what they say; empty unless it is simulated.
     """
 
     switches: frozenset[str]
@@ -72,6 +78,14 @@ class Rung:
     fit: int
     within: float
     full: float = math.nan
+    fits: tuple[int, int] = (0, 0)
+    runs: str = ""
+
+    @property
+    def shown(self) -> str:
+        """The number of robots, or from which to which it may be."""
+        low, high = self.fits
+        return f"{self.fit}" if low == high else f"{low} to {high}"
 
 
 TIMING = Switch(
@@ -151,7 +165,8 @@ def rungs() -> Iterator[Rung]:
         )
         assert isinstance(hosts, float)
         assert math.isfinite(hosts)
-        yield Rung(on, protocol, words.whole_below(hosts), within, hosts)
+        fit = words.whole_below(hosts)
+        yield Rung(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated()
 
 
@@ -169,7 +184,27 @@ def _simulated() -> Iterator[Rung]:
         limit = PAPER_WINDOW if row["step"] == "contention" else lease
         if row["step"] in _STEPS and float(row["limit_s"]) == limit:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
-            yield Rung(frozenset(on), row["protocol"], int(row["hosts"]), limit)
+            fits = int(row["hosts_low"]), int(row["hosts_high"])
+            yield Rung(
+                frozenset(on), row["protocol"], int(row["hosts"]), limit, fits=fits, runs=_told(row)
+            )
+
+
+def _told(row: dict[str, str]) -> str:
+    """Return what the runs of a step of the ladder say, in words."""
+    said = []
+    for robots, value, runs in (
+        (int(row["hosts"]), "value", "runs"),
+        (int(row["hosts"]) + 1, "one_more", "one_more_runs"),
+    ):
+        median, low, high = (float(row[f"{value}{end}_s"]) for end in ("", "_low", "_high"))
+        said.append(
+            f"with {robots} robots the median of {int(row[runs]):,} runs is {median:.3g} s "
+            f"({low:.3g} to {high:.3g} s)"
+        )
+    sure = row["hosts_low"] == row["hosts_high"]
+    end = "more runs would not change the number" if sure else "more runs might change the number"
+    return f"{words.capitalized(said[0])}, {said[1]}. Time allowed: {row['limit_s']} s; {end}."
 
 
 def _subsets(switches: tuple[Switch, ...]) -> Iterator[frozenset[str]]:

@@ -1,12 +1,6 @@
-"""The storm in pictures: every message of the enumeration, in its order, with its airtime.
+"""The storm in a picture: every message of the enumeration, in its order, with its airtime."""
 
-`export` writes the largest one that the book's first page shows; a smaller swarm's storm is the
-part of it between those who take part, as a test confirms. `picture` draws a few moments of it.
-"""
-
-import string
 from collections.abc import Iterator
-from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -19,22 +13,10 @@ from discostorm._numeric import evaluate
 from discostorm.messages import Protocol
 from discostorm.palette import lights
 from discostorm.paper.enumeration import Endpoint, Process, Sent, walk
-from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi
 
-PROTOCOLS = (DDS, ZENOH)
-
-#: The largest storm that is exported: hosts, processes on each, endpoints of each process.
-MOST = (12, 3, 20)
-
-#: What `export` counts with.
-LETTERS = string.digits + string.ascii_letters
-
 _NEUTRAL = lights("neutral")
-
-#: Moments that `picture` shows, as parts of the airtime of the storm.
-MOMENTS = (0.004, 0.5, 1.0)
 
 
 def messages(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[Sent]:
@@ -54,71 +36,6 @@ def airtimes(protocol: Protocol, wifi: Wifi = PAPER) -> dict[str, tuple[float, f
         )
         for message in protocol.messages
     }
-
-
-def export() -> dict[str, Any]:
-    """Return the largest storm of each protocol, as what JSON can hold.
-
-    Runs of messages from one process to another that differ in their endpoint alone are told
-    at once, by a letter of ``LETTERS`` each: kind, sender, receiver, and which entry of ``numbers``
-    are the numbers of their endpoints (an empty one: the message tells of no endpoint).
-    """
-    hosts, processes, endpoints = MOST
-    storms = {}
-    for protocol in PROTOCOLS:
-        kinds = [message.name for message in protocol.messages]
-        numbers: list[list[int]] = []
-        runs: list[int] = []
-        told = messages(protocol, *MOST)
-        for (kind, sender, receiver), run in groupby(
-            told, key=lambda sent: (sent.kind, sent.sender, sent.receiver)
-        ):
-            for part in _parted(list(run)):
-                if part not in numbers:
-                    numbers.append(part)
-                runs += [kinds.index(kind), _place(sender), _place(receiver), numbers.index(part)]
-        storms[protocol.name] = {
-            "kinds": kinds,
-            "airtimes": [airtimes(protocol)[kind] for kind in kinds],
-            "numbers": numbers,
-            "runs": "".join(LETTERS[index] for index in runs),
-            "color": figures.property_of(protocol),
-        }
-    most = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    return {"letters": LETTERS, "most": most, "protocols": storms}
-
-
-def _parted(run: list[Sent]) -> Iterator[list[int]]:
-    """Yield the endpoints of a run together, messages that tell of none one by one."""
-    numbers = [sent.about.number for sent in run if isinstance(sent.about, Endpoint)]
-    yield from [numbers] if numbers else [[] for _ in run]
-
-
-def _place(process: Process | str) -> int:
-    """Return the place of a process among those of the largest storm; everyone is behind them."""
-    if isinstance(process, Process):
-        return (process.host - 1) * MOST[1] + process.number - 1
-    return MOST[0] * MOST[1]
-
-
-def picture(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Figure:
-    """Draw a few moments of the storm: who is on the air, how much of the second is used.
-
-    A robot is filled with what it has heard of the others' endpoints.
-    """
-    sent, used = _carried(protocol, hosts, processes, endpoints)
-    with figures.style():
-        figure = Figure(figsize=(figures.WIDTH, 2.6))
-        grid = figure.add_gridspec(2, len(MOMENTS), height_ratios=(8, 1))
-        for column, moment in enumerate(MOMENTS):
-            last = int(np.searchsorted(used, moment * used[-1] * (1 - 1e-9)))
-            _draw(figure.add_subplot(grid[0, column]), protocol, sent, last, hosts)
-            bar = figure.add_subplot(grid[1, column])
-            _bar(bar, protocol, float(used[last]))
-            bar.set_xlabel(
-                f"{last + 1:,} messages\n{words.duration(used[last])} of airtime", fontsize=8
-            )
-    return figure
 
 
 def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:

@@ -63,12 +63,12 @@
       markers[i].hidden = !rung;
       if (!rung) return;
       markers[i].style.left = place(rung.fit);
-      markers[i].firstChild.textContent = rung.fit;
+      markers[i].firstChild.textContent = rung.shown;
     });
     // The lower marker's name does not cross the line of the higher one.
     markers[1].classList.toggle("ladder-left", fits[1]?.fit < fits[0]?.fit);
     const shown = fits.filter(Boolean);
-    const words = shown.map(({ fit, protocol }) => `${fit} with ${protocol}`).join(", ");
+    const words = shown.map(({ shown, protocol }) => `${shown} with ${protocol}`).join(", ");
     const times = new Set(shown.map(({ within }) => within));
     const time =
       times.size > 1
@@ -93,7 +93,58 @@
     show(found, changed);
   });
 
-  box.append(line, told, list);
+  // ---- the table below: a simulated number tells of its runs ----
+
+  const note = make("div", { class: "ladder-note", role: "tooltip", id: "ladder-note" });
+  note.hidden = true;
+  let open = null;
+  function close() {
+    note.hidden = true;
+    open?.setAttribute("aria-expanded", "false");
+    open = null;
+  }
+  function tell(button, runs) {
+    close();
+    open = button;
+    button.setAttribute("aria-expanded", "true");
+    note.textContent = runs;
+    note.hidden = false;
+    put();
+  }
+  function put() {
+    if (!open) return;
+    const { left, bottom } = open.getBoundingClientRect();
+    const most = document.documentElement.clientWidth - note.offsetWidth - 8;
+    note.style.left = `${Math.max(8, Math.min(left, most))}px`;
+    note.style.top = `${bottom}px`;
+  }
+  function ask({ shown, runs }) {
+    const button = make("button", { type: "button", class: "ladder-runs", "aria-expanded": "false", "aria-label": `${shown}: ${runs}` }, shown);
+    // Safari does not focus a button that is clicked.
+    for (const event of ["focus", "click"]) button.addEventListener(event, () => tell(button, runs));
+    button.addEventListener("mouseenter", ({ movementX, movementY }) => {
+      if (movementX || movementY) tell(button, runs); // not what only came under the pointer, as by Escape
+    });
+    button.addEventListener("blur", close);
+    button.addEventListener("mouseleave", ({ relatedTarget }) => {
+      if (relatedTarget !== note && document.activeElement !== button) close();
+    });
+    return button;
+  }
+  addEventListener("DOMContentLoaded", () => {
+    const rows = document.querySelector(".tag_ladder-table table")?.tBodies[0].rows ?? [];
+    DATA.rows.forEach((on, row) =>
+      DATA.protocols.forEach(({ name }, column) => {
+        const rung = DATA.rungs.find(({ protocol, switches }) => protocol === name && same(switches, on));
+        if (rung?.runs) rows[row]?.cells[2 + column]?.replaceChildren(ask(rung));
+      }),
+    );
+  });
+  note.addEventListener("mouseleave", close);
+  addEventListener("keydown", ({ key }) => key === "Escape" && close());
+  addEventListener("scroll", put, { capture: true, passive: true });
+
+  box.append(line, told, list, note);
   box.hidden = false;
   show([]);
 })();

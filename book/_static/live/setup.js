@@ -1,0 +1,275 @@
+// The arrays of a run at its start: what discostorm.simulation.run and .traffic make of a setting.
+// What depends on neither fleet nor seed comes from the package, as data (tables.js).
+"use strict";
+
+function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
+  const { state, bits } = liveChance();
+  const { sum, population, shares } = liveTraffic();
+  const { NEVER, TICK, PROCESS_BITS } = constants;
+  const DEFAULTS = {
+    recovery: true,
+    queue: [500, 0.5], // frames and seconds; null: no limit
+    start: 0, // of all hosts, or one of each [s]
+    loss: 0, // of all hosts, or one of each [1]
+    until: 120, // after the last host's start [s]
+    eifs: false,
+    agreements: "cold",
+    power: null, // at [sender][receiver], the access point last, as factors; null: all heard alike
+    seed: 0,
+    run: 0,
+    log: constants.LOG, // rows
+  };
+
+  const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
+  const ticks = (seconds) => Math.min(even(seconds / TICK), NEVER);
+  const each = (value, hosts) => (Array.isArray(value) ? value : Array(hosts).fill(value));
+
+  // ---- arrays: bytes with a shape; records are read and written by the names of their fields ----
+
+  const SIZES = { i8: 8, f8: 8, i4: 4 };
+  const ACCESS = {
+    i8: [(view, at) => view.getBigInt64(at, true), (view, at, value) => view.setBigInt64(at, BigInt(value), true)],
+    i4: [(view, at) => view.getInt32(at, true), (view, at, value) => view.setInt32(at, value, true)],
+    f8: [(view, at) => view.getFloat64(at, true), (view, at, value) => view.setFloat64(at, value, true)],
+  };
+
+  function array(name, ...shape) {
+    const type = TYPES[name];
+    const size = SIZES[type] ?? layouts[type].size;
+    const bytes = new Uint8Array(shape.reduce((product, length) => product * length, size));
+    const view = new DataView(bytes.buffer);
+    const put = (place, field, value) => {
+      const [offset, kind] = layouts[type].fields[field];
+      ACCESS[kind][1](view, place * size + offset, value);
+    };
+    const fill = (values) => {
+      let at = -size;
+      for (const value of values) ACCESS[type][1](view, (at += size), value);
+    };
+    return { bytes, shape, size, put, fill };
+  }
+
+  function record(name, values) {
+    const found = array(name, 1);
+    for (const [field, value] of Object.entries(values)) found.put(0, field, value);
+    return found;
+  }
+
+  const refuse = (message) => {
+    throw new RangeError(message);
+  };
+  const MOST = 1e9; // that a run may take [B]
+
+  function checkSize(bytes) {
+    if (bytes > MOST) refuse(`This run needs more than ${MOST / 1e6} MB of memory. Choose fewer robots or endpoints.`);
+  }
+
+  // ---- what the setting says ----
+
+  // Return the messages' rows, which the inner loops read, and how many of each a process sends.
+  function traffic(table, recovering, wifi, all) {
+    const found = shares(table, all);
+    const most = 2 ** constants.ITEM_BITS;
+    const sets = [all.processes.map(() => 1)];
+    const of = found.shares.map(({ taking }) => {
+      const known = sets.findIndex((set) => !taking || set.join() === taking.join());
+      return known < 0 ? sets.push(taking) - 1 : known;
+    });
+    const rows = found.shares.map(({ each: toEach, toAll }, row) => {
+      const message = table.messages[row];
+      const octets = even(found.octets[row]) + (wifi.aggregates ? 2 : 0);
+      if (octets > constants.OCTETS) refuse(`${message.name}: its frames must have at most ${constants.OCTETS} B; got ${octets}`);
+      const columns = Object.fromEntries(Object.entries(recovering.kinds).map(([name, values]) => [name, values[row]]));
+      if (columns.role === constants.DATA && Math.max(...toEach) > most) {
+        refuse(`${message.name}: a process must send at most ${most} to each other; got ${Math.max(...toEach)}`);
+      }
+      const up = length(octets, wifi.fast);
+      const down = message.multicast ? length(octets, wifi.slow) : up;
+      const whole = Number(![...toEach, ...toAll].some((number) => number % 1));
+      return { ...columns, octets, set: of[row], whole, time_up: up, time_down: down };
+    });
+    const numbers = (name) => all.processes.flatMap((_, i) => found.shares.map((one) => one[name][i]));
+    return { rows, sets, each: numbers("each"), toAll: numbers("toAll") };
+  }
+
+  // Return how long a PPDU takes with one frame of so many octets [ticks].
+  function length(octets, { bits: perSymbol, added, symbol, grid, preamble }) {
+    const symbols = Math.ceil((added + 8 * octets) / perSymbol);
+    return preamble + Math.ceil((symbols * symbol) / grid) * grid;
+  }
+
+  // Return what each process misses of each other, at [reader, writer].
+  function missing({ rows, sets, each: toEach }, part, { processes }) {
+    const [count, found] = [processes.length, new Float64Array(processes.length ** 2)];
+    rows.forEach(({ role, set }, row) => {
+      if (role !== constants.DATA) return;
+      for (let writer = 0; writer < count; writer++) {
+        const [wanted, begin] = [toEach[writer * rows.length + row], part[writer * rows.length + row]];
+        let rank = 0;
+        for (let reader = 0; reader < count; reader++) {
+          if (processes[reader].host === processes[writer].host || !sets[set][reader]) continue;
+          found[reader * count + writer] += Math.floor((rank + 1) * wanted + begin) - Math.floor(rank * wanted + begin);
+          rank++;
+        }
+      }
+    });
+    return found;
+  }
+
+  // Return what happens first: bursts, announcements that no table names, looks at leases.
+  function firstEvents({ bursts, repairs }, starts, processes) {
+    const due = starts.flatMap((start, host) =>
+      bursts.times.map(([time, number]) => [ticks(start + time), constants.SEND | BigInt(host) | (BigInt(number) << BigInt(PROCESS_BITS))]),
+    );
+    if (repairs) {
+      const { announce_first: first = 0, lease } = repairs;
+      processes.forEach(({ host }, i) => {
+        if (first) due.push([ticks(starts[host]) + first, constants.ANNOUNCE | BigInt(i)]);
+        if (lease < NEVER) due.push([ticks(starts[host]) + lease, constants.EXPIRE | BigInt(i)]);
+      });
+    }
+    return due.sort(([one, what], [other, that]) => one - other || (what < that ? -1 : 1));
+  }
+
+  // Return how many frames and events one step adds at most.
+  function reserve({ rows, each: toEach, toAll }, repairs, window, { processes, sizes }) {
+    const most = Math.max(...sizes) * processes.length;
+    const least = 1024 + sizes.length * window;
+    const numbers = rows.map((_, row) => {
+      const own = processes.map((_, i) => Math.max(toEach[i * rows.length + row], toAll[i * rows.length + row]));
+      return Math.ceil(Math.max(...own));
+    });
+    if (!repairs) return least + sum(numbers.filter((_, row) => !(rows[row].up && rows[row].down))) * most;
+    return least + 2 * most * (sum(numbers) + 4 + sum(rows.map(({ gap_number: gaps = 0 }) => gaps)));
+  }
+
+  // ---- the run ----
+
+  // Return its arrays, when it ends at the latest [ticks], and how much one step adds at most.
+  function setUp(given) {
+    const setting = { ...DEFAULTS, ...given };
+    const [table, wifi] = [tables[setting.table], radios[setting.radio]];
+    const recovering = setting.recovery ? table.recovering : table.alone;
+    if (recovering.refused) refuse(recovering.refused);
+    if (setting.fleet.groups.some(({ wired }) => wired)) refuse("fleet: wired must be False for a simulation; got True");
+    const all = population(setting.fleet);
+    const { processes, sizes } = all;
+    const [count, hosts, rows] = [processes.length, sizes.length, table.messages.length];
+    if (hosts < 2) refuse(`fleet must have at least 2 hosts to simulate; got ${hosts}`);
+    const { bursts, repairs } = recovering;
+    if (repairs) checkSize(count ** 2 * layouts.pairs.size);
+    const sent = traffic(table, recovering, wifi, all);
+    const starts = each(setting.start, hosts);
+    const [frames, seconds] = setting.queue ?? [null, null];
+    const radio = {
+      ...wifi.record,
+      heard: setting.eifs ? wifi.record.heard : 0,
+      queue: Math.min(frames ?? NEVER, NEVER),
+      lifetime: ticks(seconds ?? Infinity),
+    };
+    const { mpdus, window } = radio;
+
+    const draw = bits(setting.seed, [setting.run, 2]);
+    const part = sent.each.map(() => (draw() >>> 12) / 2 ** 20);
+    const due = firstEvents(recovering, starts, processes);
+    const now = {
+      base: radio.slot,
+      idle: -1,
+      stray_time: NEVER,
+      step: ticks(1e-3),
+      spare: constants.POOL,
+      hosts,
+      links: hosts - 1,
+      kinds: rows,
+      per_receiver: Number(mpdus > 1),
+      cold: Number(setting.agreements === "cold" && mpdus > 1),
+      unlike: Number(Boolean(setting.power)),
+      // As xorshift must not begin at zero.
+      random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),
+      events: due.length,
+      coming: hosts * bursts.times.filter(([, number]) => bursts.periods[number] === 0).length,
+      repairs: Number(Boolean(repairs)),
+      pairs: repairs ? count ** 2 - sizes.reduce((total, size) => total + size ** 2, 0) : 0,
+    };
+
+    const stations = array("stations", hosts + 1);
+    for (let station = 0; station <= hosts; station++) {
+      for (const name of ["head", "tail", "to_head", "to_tail"]) stations.put(station, name, -1);
+    }
+    let first = 0;
+    sizes.forEach((size, host) => {
+      stations.put(host, "processes", size);
+      stations.put(host, "first", first);
+      stations.put(host, "loss", each(setting.loss, hosts)[host]);
+      first += size;
+    });
+    const pool = array("pool", constants.POOL);
+    for (let entry = 0; entry < constants.POOL; entry++) pool.put(entry, "next", entry + 1);
+    const events = array("events", 2 * due.length + 1024);
+    due.forEach(([time, what], place) => {
+      events.put(place, "time", time);
+      events.put(place, "what", what);
+    });
+    const kinds = array("kinds", rows);
+    sent.rows.forEach((columns, row) => Object.entries(columns).forEach(([name, value]) => kinds.put(row, name, value)));
+    const members = array("processes", count);
+    processes.forEach(({ host }, i) => {
+      members.put(i, "host", host);
+      members.put(i, "start", ticks(starts[host]));
+      members.put(i, "announce", repairs?.announce_first ?? 0);
+    });
+    const plain = (name, values, ...shape) => {
+      const found = array(name, ...shape);
+      found.fill(values);
+      return found;
+    };
+    const batches = bursts.messages.map((burst, number) => [
+      ...sent.rows.map((_, row) => Number(burst.includes(row))),
+      bursts.periods[number],
+    ]);
+    const before = sent.sets.map((set) => {
+      let taking = 0;
+      return [0, ...set.map((takes) => (taking += takes))];
+    });
+    const lacking = repairs ? missing(sent, part, all) : new Float64Array(0);
+    const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
+    lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
+    const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
+    const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
+
+    const made = {
+      radio: record("radio", radio),
+      now: record("now", now),
+      stations,
+      window: array("window", hosts + 1, mpdus),
+      ordered: plain("ordered", Array(hosts * window).fill(-1), hosts, window),
+      wheel: plain("wheel", Array(wheel).fill(-1), wheel),
+      behind: plain("behind", Array(hosts + 1).fill(-1), hosts + 1),
+      strays: array("strays", hosts + 1),
+      senders: array("senders", Math.max(hosts + 1, mpdus)),
+      pool,
+      agreements: array("agreements", hosts, 2),
+      actions: array("actions", hosts + 1),
+      events,
+      kinds,
+      batches: plain("batches", batches.flat(), Math.max(1, batches.length), rows + 1),
+      processes: members,
+      each: plain("each", sent.each, count, rows),
+      to_all: plain("to_all", sent.toAll, count, rows),
+      part: plain("part", part, count, rows),
+      before: plain("before", before.flat(), before.length, count + 1),
+      power: setting.power ? plain("power", setting.power.flat(), hosts + 1, hosts + 1) : array("power", 1, 1),
+      repairs: record("repairs", repairs ?? {}),
+      pairs,
+      has: repairs ? array("has", count, count, items) : array("has", 1, 1, 1),
+      airtime: array("airtime", rows + 1, 3),
+      samples: array("samples", constants.SAMPLES),
+      log: array("log", setting.log),
+    };
+    const arrays = Object.fromEntries(Object.keys(TYPES).map((name) => [name, made[name]]));
+    const end = repairs ? ticks(Math.max(...starts) + setting.until) : NEVER;
+    return { arrays, until: end < NEVER ? BigInt(end) : BigInt(NEVER) - 1n, reserve: reserve(sent, repairs, window, all) };
+  }
+
+  return { setUp, checkSize };
+}
