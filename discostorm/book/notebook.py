@@ -20,6 +20,7 @@ from discostorm import figures, words
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.notation import N_H, NOTATION
+from discostorm.paper import claims
 from discostorm.planner import Plan, Remedy
 
 
@@ -90,6 +91,11 @@ def answer(*paragraphs: str) -> Markdown:
     return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
 
 
+def badge(figure: str) -> Markdown:
+    """Show what the ledger says of a figure of the paper, such as "2"."""
+    return Markdown(claims.figures()[figure].caption())
+
+
 @dataclass(frozen=True, repr=False)
 class Advice:
     """The advice of a plan: as HTML in cards, elsewhere as text."""
@@ -104,9 +110,11 @@ class Advice:
 
     def _repr_html_(self) -> str:
         blocks = self.plan.advice().split("\n\n")
-        cost, shares = (block.splitlines() for block in blocks[:2])
+        # The answer comes first; a host alone has none.
+        before = 3 if self.plan.fleet.hosts() > 1 else 2
+        *said, shares = (block.splitlines() for block in blocks[:before])
         parts = [
-            f"<p>{_prose(' '.join(cost))}</p>",
+            *(f"<p>{_prose(' '.join(lines))}</p>" for lines in said),
             f"<p>{_prose(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
         ]
         for title, remedies in self.plan.told().items():
@@ -129,7 +137,9 @@ def _prose(text: str) -> str:
 def _card(remedy: Remedy) -> str:
     """Return a remedy as HTML: what it brings, what it takes, and what to paste, folded."""
     how = "would fit" if remedy.best_case else "fits"
-    fits = f'<strong class="plan-fits">{how}</strong>' if remedy.now_fits else ""
+    how = "may fit" if remedy.may_now_fit else how
+    better = remedy.now_fits or remedy.may_now_fit
+    fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
     what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
     pieces = "".join(
         f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"

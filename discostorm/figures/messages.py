@@ -4,16 +4,15 @@ from collections.abc import Mapping, Sequence
 from itertools import count
 
 import pandas as pd
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Patch, Polygon
+from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from discostorm._numeric import evaluate
 from discostorm.figures.looks import MESSAGE_COLORS, WIDTH, color_of, style
 from discostorm.figures.paper import PAPER_PROTOCOLS
 from discostorm.fleet import Fleet
-from discostorm.messages import Message, Protocol
+from discostorm.messages import Protocol
 from discostorm.wifi import PAPER
 
 
@@ -75,61 +74,50 @@ def airtime() -> Figure:
 
 
 def who_tells_whom(protocol: Protocol) -> Figure:
-    """Draw the way of each message of a protocol: from one process to whom, by the access point.
+    """Draw the frames of each message of a protocol: from one process, by the access point.
 
-    Three hosts of two processes with two endpoints each; one process sends. How many messages
-    go to whom is read off the protocol's table.
+    Three hosts of one process with two endpoints each; time runs down, and each frame has its
+    number. How many messages go to whom is read off the protocol's table.
     """
-    swarm = Fleet.swarm(3, 2, 2)
+    swarm = Fleet.swarm(3, 1, 2)
+    color = color_of(protocol)
+    lines = {"host 1": 0.0, "access point": 1.4, "host 2": 2.8, "host 3": 4.2}
+    places = list(lines.values())
+    row, frame = 0.0, 0
     with style():
-        rows = -(-len(protocol.messages) // 2)
-        figure = Figure(figsize=(WIDTH, 1.95 * rows))
-        panels = figure.subplots(rows, 2, squeeze=False)
-        for axis, message in zip(panels.flat, protocol.messages, strict=False):
-            sent = message.per_unit * message.unit.count(swarm) / 6
-            _way(axis, message, int(sent), color_of(protocol))
-        for axis in panels.flat:
-            axis.set_axis_off()
+        figure = Figure(figsize=(WIDTH, 0.9 + 0.32 * _rows(protocol)))
+        axis = figure.subplots()
+        for message in protocol.messages:
+            multicast = message.cast == "multicast"
+            sent = int(message.per_unit * message.unit.count(swarm)) // 3
+            to_whom = "to all" if multicast else f"{sent // 2} to each"
+            first = row
+            for receivers in [places[2:]] if multicast else [[place] for place in places[2:]]:
+                axis.plot(receivers, [row] * len(receivers), "o", color=color, ms=5)
+                for hop, start, end in (
+                    ("up", places[0], places[1]),
+                    ("down", places[1], receivers[-1]),
+                ):
+                    frame += 1
+                    arrow = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 2}
+                    axis.annotate("", (end, row), (start, row), arrowprops=arrow)
+                    axis.text(start + 0.6, row - 0.12, f"{frame} {hop}", ha="center", fontsize=8)
+                row += 1
+            middle = (first + row - 1) / 2
+            axis.text(-0.25, middle, f"{message.name}\n{to_whom}", ha="right", va="center")
+            row += 0.35
+        axis.vlines(places, -0.8, row - 0.6, "0.6", lw=1, zorder=0)
+        for name, place in lines.items():
+            axis.text(place, -1.0, name, ha="center", va="bottom")
+        axis.set(xlim=(-1.6, 4.7), ylim=(row - 0.5, -1.5))
+        axis.set_axis_off()
+        axis.set_title(f"{protocol.name}: unicast crosses the channel twice for each receiver")
     return figure
 
 
-def _way(axis: Axes, message: Message, sent: int, color: str) -> None:
-    """Draw the hosts, the access point, and one message on its way up and down."""
-    gray = "0.45"
-    multicast = message.cast == "multicast"
-    processes = [(2.2 * host + 0.75 * number, 0.0) for host in range(3) for number in range(2)]
-    point, sender, others = (2.575, 2.3), processes[0], processes[2:]
-    for host in range(3):
-        axis.add_patch(
-            FancyBboxPatch(
-                (2.2 * host - 0.3, -0.75),
-                1.35,
-                1.15,
-                boxstyle="round,pad=0.06",
-                facecolor="0.95",
-                edgecolor=gray,
-            )
-        )
-        name = f"host {host + 1}"
-        axis.text(2.2 * host + 0.375, -0.55, name, ha="center", va="center", fontsize=9)
-    if multicast:
-        fan = Polygon([point, (1.6, 0.35), (5.75, 0.35)], color=color, alpha=0.18, linewidth=0)
-        axis.add_patch(fan)
-    ways = [(sender, point), *((point, other) for other in others)]
-    for start, end in ways[: 1 if multicast else None]:
-        axis.add_patch(
-            FancyArrowPatch(
-                start, end, arrowstyle="-|>", mutation_scale=11, color=color, lw=1.6, shrinkA=7,
-                shrinkB=9,
-            )
-        )  # fmt: skip
-    axis.plot(*zip(*processes, strict=True), "o", color="white", mec=gray, ms=9, zorder=3)
-    axis.plot(*sender, "o", color=color, mec="black", ms=9, zorder=4)
-    axis.plot(*point, "s", color="white", mec="black", ms=13, zorder=4)
-    axis.text(point[0] + 0.35, point[1], "access point", va="center", fontsize=9)
-    to_whom = "to all at once" if multicast else f"{sent // 4} to each remote process"
-    axis.set_title(f"{message.name}\n{to_whom}", fontsize=10)
-    axis.set(xlim=(-0.5, 5.95), ylim=(-0.95, 2.75), aspect="equal")
+def _rows(protocol: Protocol) -> float:
+    """Return how many rows of arrows there are, with the gaps between the messages."""
+    return sum(1.35 if message.cast == "multicast" else 2.35 for message in protocol.messages)
 
 
 def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:

@@ -1,7 +1,5 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -150,8 +148,8 @@ def fig2() -> Figure:
 def fig3() -> Figure:
     """Draw Fig. 3: utilization against processes and endpoints (N_H = 3).
 
-    Above the paper's surfaces with the line of 40 endpoints on a host and, dashed, the
-    height of 100%; below the same line on its own.
+    Above maps with lines of equal utilization, and the robots with 40 endpoints on a host; below
+    these robots on their own. The paper draws surfaces in three dimensions.
     """
     data = fig3_data()
     of = {
@@ -159,51 +157,48 @@ def fig3() -> Figure:
     }
     with style():
         figure = Figure(figsize=(WIDTH, 5.8))
-        # Placed by hand: the layout engine leaves a third of the room around a cube empty.
-        figure.set_layout_engine("none")
-        for left, protocol in zip((0.0, 0.5), PAPER_PROTOCOLS, strict=True):
-            axis = figure.add_axes(
-                (left + 0.055, 0.48, 0.44, 0.52), projection="3d", computed_zorder=False
-            )
+        grid = figure.add_gridspec(2, 2, height_ratios=(1, 0.85))
+        left = figure.add_subplot(grid[0, 0], ylabel="endpoints of each $N_E$")
+        panels = (left, figure.add_subplot(grid[0, 1], sharey=left))
+        for axis, protocol in zip(panels, PAPER_PROTOCOLS, strict=True):
             surface, line = of["surface", protocol.name], of["trajectory", protocol.name]
-            _surface(axis, surface, line, color_of(protocol))
-            axis.set_title(protocol.name, y=0.97)
-        axis = figure.add_axes((0.13, 0.09, 0.85, 0.36))
+            _map(axis, surface, line, color_of(protocol))
+            axis.set_title(protocol.name)
+        panels[1].tick_params(labelleft=False)
+        axis = figure.add_subplot(grid[1, :])
         for protocol in PAPER_PROTOCOLS:
             color, line = color_of(protocol), of["trajectory", protocol.name]
-            axis.plot(line["processes"], line["utilization"], color=color, label=protocol.name)
+            axis.plot(line["processes"], line["utilization"], color=color)
             whole = line[line["processes"].isin(whole_divisions())]
             axis.plot(whole["processes"], whole["utilization"], "o", color=color)
+            last = line.iloc[-1]
+            axis.annotate(
+                protocol.name, (last["processes"], last["utilization"]), (4, 0), color=color,
+                textcoords="offset points", va="center",
+            )  # fmt: skip
         _percent(axis, 2)
+        axis.set_xlim(0.7, 11)
         axis.xaxis.set_major_locator(MultipleLocator(1))
         axis.set_xlabel(
-            f"processes on a host $N_P$ [1], with $N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
+            f"processes on a host $N_P$, with $N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
         )
-        axis.legend(loc="upper left")
     return figure
 
 
-def _surface(axis: Any, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
-    """Draw one surface of Fig. 3 on a 3-D axis, with the trajectory on it."""
+def _map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
+    """Draw lines of equal utilization, the full channel thick, and the robots of the line."""
     grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
-    x, y = np.meshgrid(grid.columns, grid.index)
-    percent = 100 * grid.to_numpy()
-    axis.plot_surface(
-        x, y, percent, color=color, alpha=0.55, linewidth=0.2, edgecolor="white", rcount=21
-    )
-    axis.contour(x, y, percent, levels=[100], colors="black", linestyles="--", linewidths=1)
-    axis.plot(line["processes"], line["endpoints"], 100 * line["utilization"], "k", linewidth=2)
-    axis.view_init(elev=24, azim=-125)
-    axis.set_xlabel("processes $N_P$ [1]", labelpad=-7)
-    axis.set_ylabel("endpoints $N_E$ [1]", labelpad=-7)
-    axis.set_zlabel("utilization [%]", labelpad=1)
-    axis.set_zlim(0, 1200)
-    axis.tick_params(pad=-3, labelsize=8)
-    axis.tick_params(axis="z", pad=1)
-    for direction, step in ((axis.xaxis, 3), (axis.yaxis, 10), (axis.zaxis, 300)):
-        direction.set_major_locator(MultipleLocator(step, 1 if step == 3 else 0))
-        direction.label.set_size(9)
-    axis.set_box_aspect((1, 1, 0.95), zoom=0.93)
+    levels = [0.25, 0.5, 1, 2]
+    lines = axis.contour(
+        grid.columns, grid.index, grid.to_numpy(), levels, colors=color,
+        linewidths=[2.6 if level == 1 else 1 for level in levels],
+    )  # fmt: skip
+    axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8)
+    label = f"{FIG3_ENDPOINTS_IN_ALL} endpoints in all"
+    axis.plot(line["processes"], line["endpoints"], "--", color="black", label=label)
+    axis.legend(loc="upper right", fontsize=8)
+    axis.xaxis.set_major_locator(MultipleLocator(3, 1))
+    axis.set_xlabel("processes on a host $N_P$")
 
 
 def whole_divisions() -> list[int]:

@@ -88,6 +88,14 @@
     return `${value < 10 ? two.format(value) : whole.format(Number(value.toPrecision(3)))}${SPACE}${unit}`;
   }
 
+  /** A range in words, with the unit once where both ends have it. */
+  function between(low, high) {
+    if (low === high) return low;
+    const [number, unit] = low.split(SPACE);
+    return `${unit && high.endsWith(`${SPACE}${unit}`) ? number : low} to ${high}`;
+  }
+  const durations = (low, high, never = "for ever") => between(...[low, high].map((end) => (end < Infinity ? duration(end) : never)));
+
   const count = (value) => (value < 1e9 && Number.isInteger(value) ? whole.format(value) : number(value));
   const plural = (value, one, many = `${one}s`) => `${count(value)}${SPACE}${value === 1 ? one : many}`;
   const capitalized = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -158,7 +166,6 @@
     fill(byId("channel"), [
       ["As in the paper", [...named("linear"), [OWN, "Own rates and overheads"]]],
       ["From the standard", named("padded")],
-      ["With aggregation", named("aggregated")],
     ]);
     for (const field of SWARM) addField(byId("counts"), field);
     for (const field of BESIDE) addField(byId("others"), field);
@@ -291,7 +298,64 @@
     return 1 + more;
   }
 
+  // ---- between the ends of a channel that aggregates ----
+
+  const likeThose = ([N_P, N_E, N_S], those) =>
+    N_P === those.N_P && Math.abs(N_E - those.N_E) < MODEL.ready.whole && Math.abs(N_S - those.N_S) <= MODEL.ready.shared * those.N_E;
+
+  /** What was simulated of these robots, null if nothing was, as `discostorm.planner.spans` has it. */
+  function simulated(name, channel, swarm) {
+    const { robots: kinds, laptop, found } = MODEL.ready;
+    const laptops = swarm.N_H1 === 1 && likeThose([swarm.N_P1, swarm.N_E1, swarm.N_S1], laptop) ? 1 : 0;
+    if (!channel.simulated || swarm.names === 2 || swarm.N_H1 > laptops) return null;
+    const robot = Object.keys(kinds).find((kind) => likeThose([swarm.N_P, swarm.N_E, swarm.N_S], kinds[kind]));
+    return found[channel.simulated][name]?.[robot]?.[laptops] ?? null;
+  }
+
+  /** The rows of a table at the numbers of robots next to one, null where it has none below or above. */
+  function around(rows, hosts) {
+    const [below, above] = [rows.findLast(([n]) => n <= hosts), rows.find(([n]) => n >= hosts)];
+    return below && above ? [below, above] : null;
+  }
+
+  /** How far the simulated burst is from full A-MPDUs to single frames, null if there is none. */
+  function fullness(name, channel, swarm) {
+    const rows = around(simulated(name, channel, swarm)?.bursts ?? [], swarm.N_H);
+    if (!rows) return null;
+    const [[low, first], [high, last]] = rows;
+    const ratio = high > low ? first + ((last - first) * (swarm.N_H - low)) / (high - low) : first;
+    const [single, full] = [channel, channel.full].map((air) => total(priced(name, air), "burst", swarm));
+    return ((ratio - 1) * full) / (single - full);
+  }
+
+  /** A number with full A-MPDUs, as simulated (null if that is not stored) and with single frames. */
+  function spanOf(name, channel, swarm, window) {
+    const single = total(priced(name, channel), window, swarm);
+    if (!channel.full) return { full: single, simulated: null, single, known: single };
+    const full = total(priced(name, channel.full), window, swarm);
+    const part = fullness(name, channel, swarm);
+    const middle = part === null ? null : full + part * (single - full);
+    return { full, simulated: middle, single, known: middle ?? single };
+  }
+
+  /** After how long all know each other, null if that was not simulated. */
+  function knownAfter(name, channel, swarm) {
+    const stored = simulated(name, channel, swarm)?.known ?? [];
+    const most = stored.at(-1);
+    // With more robots than so many that never do, they never do either.
+    const rows = around(stored, most?.[1] === Infinity ? Math.min(swarm.N_H, most[0]) : swarm.N_H);
+    return rows && { low: rows[0][1], high: rows[1][2], hosts: [...new Set(rows.map(([n]) => n))] };
+  }
+
   function answerOf(name, channel, swarm) {
+    const single = atOneEnd(name, channel, swarm);
+    if (!channel.full) return { ...single, full: single, middle: null, known: null };
+    const [start, later] = ["burst", "ever"].map((window) => spanOf(name, channel, swarm, window));
+    const middle = start.simulated === null ? null : F[MODEL.drain]({ B: start.simulated, rho: later.simulated ?? 0 });
+    return { ...single, full: atOneEnd(name, channel.full, swarm), middle, known: knownAfter(name, channel, swarm) };
+  }
+
+  function atOneEnd(name, channel, swarm) {
     const table = priced(name, channel);
     const { protocol, rows, costs } = table;
     const one = { ...swarm, N_H: 1 };
@@ -348,16 +412,20 @@
 
   /** Return the first three things that help, the best of each kind, in the planner's order, and what might in the best case: the same functions, asked again. */
   function remediesOf({ middleware, channel, swarm, nodes }) {
-    const cost = (name, air, fleet) => total(priced(name, air), "second", fleet);
+    const cost = (name, air, fleet) => spanOf(name, air, fleet, "second");
     const found = [];
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
     const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "", way = kind }) => {
-      const [before, after] = [cost(from, base, swarm), cost(name, air, fleet)];
+      const [was, then] = [cost(from, base, swarm), cost(name, air, fleet)];
+      // Before and after alike: as simulated, if both are.
+      const basis = was.simulated !== null && then.simulated !== null ? "simulated" : "single";
+      const [before, after] = [was[basis], then[basis]];
       const saved = before ? 1 - after / before : 0;
       const { of, steps } = MODEL.remedies[way];
-      const fits = before >= MODEL.limit && after < MODEL.limit;
-      if (saved >= NOTHING) found.push({ kind, steps, what, note, name, before, after, saved, fits, air, fleet, ...(of[MODEL.protocols[name].family] ?? of.None) });
+      const fits = was.single >= MODEL.limit && then.single < MODEL.limit;
+      const by = then.full === then.single && was.full === was.single ? "" : basis === "single" ? ", one frame in each exchange" : ", simulated";
+      if (saved >= NOTHING) found.push({ kind, steps, what, note, name, before, after, saved, fits, air, fleet, by, ...(of[MODEL.protocols[name].family] ?? of.None) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
@@ -394,7 +462,8 @@
   const SIGNS = ["✓", "◐", "!", "✕"];
   // What each assumes is said once, above.
   const outlookOf = ({ outlook }) => outlook.replace(" at best", "");
-  const ENDINGS = ["within a second", "slowly", "with leases at risk"].map((how) => `; it then starts ${how}`);
+  const ENDINGS = ["within a second", "slowly", "with leases at risk"];
+  const MAY = ["start within a second", "start slowly", "put leases at risk", "never catch up"];
   const robotsWord = (value) => plural(value, "robot");
 
   function everybody({ swarm }) {
@@ -402,28 +471,61 @@
     return `${robotsWord(swarm.N_H)}${beside}`;
   }
 
+  /** The answer to when all know each other, as simulated. */
+  function knownIn({ low, high, hosts }) {
+    const { until, runs } = MODEL.ready;
+    const how = `Simulated with ${hosts.map(count).join(" and ")} robots (quartiles of ${count(runs)} runs): queues overflow, and the middleware repairs what they lose.`;
+    if (low === Infinity) return [`Your robots do not all know each other within ${duration(until)}.`, how];
+    if (high === Infinity) return [`Your robots know each other after ${duration(low)} at the earliest.`, `${how} ${robotsWord(hosts.at(-1))} did not within ${duration(until)}.`];
+    return [`Your robots know each other after ${durations(low, high)}.`, how];
+  }
+
+  /** How full exchanges are, where that makes the answer a range. */
+  function rangeOf({ full, drain, middle }) {
+    if (full.drain === drain) return "";
+    const simulated = middle === null ? "" : `, ${duration(middle)} as simulated`;
+    return ` The range is from full A-MPDUs${simulated}, to one frame in each exchange.`;
+  }
+
+  const busyFor = (low, high) => (low < Infinity && high === Infinity ? `${duration(low)} or more` : durations(low, high));
+
   function verdict({ front, settings }) {
-    const { severity, drain, steady, protocol } = front;
+    const [title, reason] = verdictOf({ front, settings });
+    const why = `${reason}${rangeOf(front)}`;
+    const { known, full, drain } = front;
+    if (known) {
+      const [answer, how] = knownIn(known);
+      return [answer, `${how} ${why}`];
+    }
+    if (full.severity === front.severity) return [title, why];
+    return [`May ${MAY[full.severity]} or ${MAY[front.severity]}: ${busyFor(full.drain, drain)} if nothing is lost.`, why];
+  }
+
+  function verdictOf({ front, settings }) {
+    const { steady, protocol, full } = front;
+    // What only one end never carries, the other does.
+    const severity = full.severity === front.severity ? front.severity : Math.min(front.severity, 2);
+    const drain = busyFor(full.drain, front.drain);
     const who = everybody(settings);
     const alone = settings.swarm.N_H + settings.swarm.N_H1 === 1;
-    const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${duration(drain)}`;
+    const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${drain}`;
     const after = protocol.repeats ? ` Once the start is over, discovery takes ${percent(steady)} of the channel.` : "";
     const lease = duration(protocol.lease);
     return [
       ["Starts within a second if nothing is lost.", `${takes}.${after}`],
       protocol.lease < Infinity
         ? [
-            `Starts slowly: ${duration(drain)} if nothing is lost.`,
+            `Starts slowly: ${drain} if nothing is lost.`,
             `${takes}. Until then some do not see each other, and data waits in the same queues. ` +
               `It is within the lease of ${lease}, so nobody need be taken for lost if no queue overflows.${after}`,
           ]
         : [
-            `Does not fit into one second: ${duration(drain)} if nothing is lost.`,
+            `Does not fit into one second: ${drain} if nothing is lost.`,
             `${takes}, which the paper charges to one second and calls saturated. Its messages have neither a ` +
               `lease nor periods; choose a product to see what becomes of the start.`,
           ],
       [
-        `Leases at risk: ${duration(drain)} if nothing is lost.`,
+        `Leases at risk: ${drain} if nothing is lost.`,
         `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
       ],
       ["Never catches up.", `What ${who} ${alone ? "repeats" : "repeat"} for ever takes ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the start is never carried.`],
@@ -434,17 +536,23 @@
     const { front } = answer;
     const [title, reason] = verdict(answer);
     const box = byId("answer");
-    box.dataset.severity = front.severity && Math.max(front.severity, front.protocol.lease < Infinity ? 1 : 2);
+    // What may fit is neither what does nor what does not.
+    const least = front.protocol.lease < Infinity ? 1 : 2;
+    const worst = front.full.severity === front.severity ? front.severity : Math.max(1, front.full.severity);
+    box.dataset.severity = worst && Math.max(worst, least);
     become(
       box,
       make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[box.dataset.severity]), make("strong", {}, title)),
       make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${capitalized(front.name)}`),
     );
     byId("reason").textContent = reason;
-    const { second, lease, ever } = front.fitting;
-    const fit = [["within a second", second], ["within the lease", lease], ["in the long run", ever]]
+    const fit = [["within a second", "second"], ["within the lease", "lease"], ["in the long run", "ever"]]
+      .map(([when, window]) => [when, front.fitting[window], front.full.fitting[window]])
       .filter(([, found]) => found && found.largest < Infinity)
-      .map(([when, { full, largest }]) => make("li", {}, make("b", {}, count(largest)), ` ${when}`, full === null ? ", as even one is too many" : ""));
+      .map(([when, { full, largest }, best]) => {
+        const range = best.largest === largest ? count(largest) : `${count(largest)} to ${count(best.largest)}`;
+        return make("li", {}, make("b", {}, range), ` ${when}`, full === null && best.full === null ? ", as even one is too many" : "");
+      });
     become(
       byId("numbers"),
       make("p", { class: "calc-title" }, "Robots that fit"),
@@ -455,10 +563,9 @@
 
   /** What every number of this page assumes, and whether the product ever ran with so many. */
   function assumed({ settings: { channel, swarm }, front }) {
-    const frames =
-      channel.model === "aggregated"
-        ? `${count(channel.values.n_agg)} frames in every exchange where that many fit`
-        : "each message in a frame of its own, except where a product packs or splits it";
+    const frames = channel.full
+      ? `from ${count(channel.full.values.n_agg)} frames in every exchange, where that many fit, to one`
+      : "each message in a frame of its own, except where a product packs or splits it";
     const all = [
       swarm.N_H + swarm.N_H1,
       swarm.N_H * swarm.N_P + swarm.N_H1 * swarm.N_P1,
@@ -472,9 +579,16 @@
     return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
   }
 
+  /** How it then starts, if that is better: surely, or perhaps. */
+  function ending(front, then) {
+    if (then.severity < front.severity) return make("b", {}, `; it then starts ${ENDINGS[then.severity]}`);
+    if (then.full.severity < front.full.severity) return make("b", {}, `; it may then start ${ENDINGS[then.full.severity]}`);
+    return "";
+  }
+
   function showRemedies(answer) {
     byId("remedies").replaceChildren(
-      ...answer.remedies.map(({ kind, what, note, before, after, saved, then, takes, mind, paste, best_case }) => {
+      ...answer.remedies.map(({ kind, what, note, before, after, saved, by, then, takes, mind, paste, best_case }) => {
         const item = make(
           "li",
           {},
@@ -482,7 +596,8 @@
           `${duration(before)} → ${duration(after)} of airtime, `,
           exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
           best_case ? " at best" : "",
-          then.severity < answer.front.severity ? make("b", {}, ENDINGS[then.severity]) : "",
+          by,
+          ending(answer.front, then),
           make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
         );
         for (const { where, version, text } of paste) {
@@ -498,9 +613,15 @@
 
   function showAll(answer) {
     const some = ({ full, largest }) => (full === null ? "none" : full === Infinity ? "any" : count(largest));
+    /** Both ends where they differ: for people a range, for machines each with all its digits. */
+    const both = (low, high, of, words) => [
+      ...(Object.is(low, high) ? [] : [make("data", { value: String(low), "data-of": `${of} full`, hidden: "" })]),
+      exact(high, words, of),
+    ];
     const cell = (one, window) => {
-      const found = one.fitting[window];
-      return found ? exact(found.full ?? NaN, some(found), `${one.name} saturation ${window}`) : "–";
+      const [found, best] = [one.fitting[window], one.full.fitting[window]];
+      const of = `${one.name} saturation ${window}`;
+      return found ? both(best.full ?? NaN, found.full ?? NaN, of, between(some(found), some(best))) : ["–"];
     };
     become(
       byId("all").tBodies[0],
@@ -510,11 +631,16 @@
           "tr",
           one === answer.front ? { class: "calc-front" } : {},
           make("th", { scope: "row" }, answer.drawn.includes(one) ? sample(answer, one) : "", ` ${capitalized(one.name)}`),
-          make("td", {}, exact(one.drain, one.drain < Infinity ? duration(one.drain) : "never done", `${one.name} drain`), make("span", { class: "calc-hint" }, ` ${outlookOf(one)}`)),
-          make("td", {}, one.protocol.repeats ? exact(one.steady, percent(one.steady), `${one.name} steady`) : "nothing"),
-          make("td", {}, cell(one, "second")),
-          make("td", {}, cell(one, "lease")),
-          make("td", {}, cell(one, "ever")),
+          make(
+            "td",
+            {},
+            ...both(one.full.drain, one.drain, `${one.name} drain`, durations(one.full.drain, one.drain, "never done")),
+            make("span", { class: "calc-hint" }, ` ${between(outlookOf(one.full), outlookOf(one))}`),
+          ),
+          make("td", {}, ...(one.protocol.repeats ? both(one.full.steady, one.steady, `${one.name} steady`, between(percent(one.full.steady), percent(one.steady))) : ["nothing"])),
+          make("td", {}, ...cell(one, "second")),
+          make("td", {}, ...cell(one, "lease")),
+          make("td", {}, ...cell(one, "ever")),
         );
         const head = make("tr", { class: "calc-group" }, make("th", { scope: "rowgroup", colspan: "6" }, group));
         return group === all[i - 1]?.protocol.group ? [row] : [head, row];
@@ -524,7 +650,8 @@
 
   function showParts(answer) {
     const { front } = answer;
-    byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}`;
+    const single = answer.settings.channel.full ? ", one frame in each exchange" : "";
+    byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}${single}`;
     const [body] = byId("parts").tBodies;
     become(
       body,
@@ -817,6 +944,11 @@
       }
       rows.push([one.name, "drain time", "", hosts, one.drain, "s"]);
       rows.push([one.name, "steady utilization", "", hosts, one.steady, "1"]);
+      if (settings.channel.full) {
+        rows.push([one.name, "utilization", "full A-MPDUs", hosts, one.full.utilization, "1"]);
+        rows.push([one.name, "drain time", "full A-MPDUs", hosts, one.full.drain, "s"]);
+        if (one.middle !== null) rows.push([one.name, "drain time", "simulated", hosts, one.middle, "s"]);
+      }
       for (const message of one.messages) {
         rows.push([one.name, "uplink messages", message.name, hosts, message.hops.includes("up") ? message.load : 0, "1"]);
         rows.push([one.name, "uplink airtime", message.name, hosts, message.up, "s"]);
@@ -888,7 +1020,8 @@
     byId("form").reset();
     refused = {};
     for (const list of LISTS) {
-      const wanted = parts.get(listName(list));
+      // Links of before had an entry for each radio with aggregation, too.
+      const wanted = parts.get(listName(list))?.replace(/, A-MPDU \d+$/, "") ?? null;
       if (wanted === null) continue;
       if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
       else refused[list] = `The link asks for “${brief(wanted)}”, which is not in the list; this is used instead.`;
@@ -927,10 +1060,11 @@
     byId("middleware-hint").textContent = `${capitalized(about || group)}${lease < Infinity ? `; lease ${duration(lease)}` : ""}.`;
     byId("own").hidden = chosen("channel") !== OWN;
     const channel = channels.get(chosen("channel"));
-    const { R_uni, O_uni, R_multi, O_agg, n_agg } = channel?.values ?? {};
+    const { R_uni, O_uni, R_multi } = channel?.values ?? {};
+    const { O_agg, n_agg } = channel?.full?.values ?? {};
     const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
     byId("channel-hint").textContent = channel
-      ? `Unicast at ${mega(R_uni)} after ${number((O_agg ?? O_uni) * 1e6)}${SPACE}µs${O_agg ? ` for up to ${count(n_agg)} frames` : " a frame"}, multicast at ${mega(R_multi)}.`
+      ? `Unicast at ${mega(R_uni)} after ${number(O_uni * 1e6)}${SPACE}µs a frame${O_agg ? `, or ${number(O_agg * 1e6)}${SPACE}µs for up to ${count(n_agg)} frames` : ""}, multicast at ${mega(R_multi)}.`
       : "";
   }
 

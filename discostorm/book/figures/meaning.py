@@ -1,0 +1,211 @@
+"""Figures of Part II, what the paper's result means."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+from numpy.typing import NDArray
+
+from discostorm import figures, timeline
+from discostorm.figures import WIDTH, color_of, style
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.messages import Protocol
+from discostorm.model import utilization
+
+_LINES = ("--", "-", "-.")
+_PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
+_TIME = np.geomspace(0.05, 200, 700)  # s after startup
+_HOSTS = np.linspace(2, 55, 531)
+_WHOLE = np.arange(2, 56, 3)
+_LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
+
+
+def start_data(
+    products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
+) -> pd.DataFrame:
+    """Return what is requested by some times after startup, and when the channel goes idle [s]."""
+    curves = [
+        pd.DataFrame(
+            {"hosts": hosts, "what": "requested", "time_s": _TIME}
+            | {
+                f"{product.name} [s]": timeline.demand(product, _TIME, hosts, **swarm)
+                for product in products
+            }
+        )
+        for hosts in fleets
+    ]
+    idle = pd.DataFrame(
+        {"hosts": hosts, "what": "idle"}
+        | {
+            f"{product.name} [s]": timeline.first_idle(product, hosts, **swarm)
+            for product in products
+        }
+        for hosts in fleets
+    )
+    return pd.concat([*curves, idle])
+
+
+def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
+    """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
+    data = start_data(products, fleets, swarm)
+    with style():
+        figure = Figure(figsize=(WIDTH, 5.6))
+        panels = figure.subplots(2, 2, sharex=True, sharey=True)
+        for axis, hosts in zip(panels.flat, fleets, strict=True):
+            rows = data[data["hosts"] == hosts]
+            curves, idle = rows[rows["what"] == "requested"], rows[rows["what"] == "idle"]
+            axis.plot(_TIME, _TIME, color="black", linewidth=1.5)
+            for product, line in zip(products, _LINES, strict=True):
+                look: dict[str, Any] = {"color": color_of(product)}
+                name = f"{product.name} [s]"
+                axis.plot(_TIME, curves[name], line, label=product.name, **look)
+                axis.plot(idle[name], idle[name], "o", zorder=3, **look)
+            for limit in _LIMITS:
+                axis.axvline(limit, color="gray", linewidth=0.8, linestyle=":")
+            axis.loglog()
+            axis.minorticks_off()
+            axis.set(xlim=(0.05, 200), ylim=(0.02, 500))
+            axis.set_title(f"{hosts} robots", loc="left")
+            for along in (axis.xaxis, axis.yaxis):
+                along.set_major_formatter(_PLAIN)
+        for axis in panels[:, 0]:
+            axis.set_ylabel("airtime [s]")
+        for axis in panels[-1]:
+            axis.set_xlabel("time after startup [s]")
+        named = panels[0, 0].get_legend_handles_labels()
+        figure.legend(*named, loc="outside upper center", ncols=3)
+    return figure
+
+
+def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.DataFrame:
+    """Return the bound of the drain time [s], the steady state, and exact drain times [s]."""
+    bounds = [
+        pd.DataFrame(
+            {
+                "product": product.name,
+                "hosts": _HOSTS,
+                "at_most_s": timeline.drain_time(product, _HOSTS, **swarm),
+                "steady state": utilization(product, _HOSTS, **swarm, window=np.inf),
+            }
+        )
+        for product in products
+    ]
+    exact = [
+        pd.DataFrame(
+            {
+                "product": product.name,
+                "hosts": _WHOLE,
+                "idle_after_s": [timeline.first_idle(product, int(n), **swarm) for n in _WHOLE],
+            }
+        )
+        for product in products
+    ]
+    return pd.concat([*bounds, *exact])
+
+
+def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
+    """Draw the drain time and the steady state against the number of hosts."""
+    data = drain_data(products, swarm)
+    with style():
+        figure = Figure(figsize=(WIDTH, 6.2))
+        above, below = figure.subplots(2, 1, sharex=True)
+        for product, line in zip(products, _LINES, strict=True):
+            rows = data[data["product"] == product.name]
+            color = color_of(product)
+            bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
+            lasts = bound["at_most_s"].replace(np.inf, np.nan)
+            above.plot(bound["hosts"], lasts, line, color=color, label=product.name)
+            above.plot(
+                exact["hosts"], exact["idle_after_s"], "o", color=color, fillstyle="none", ms=4
+            )
+            below.plot(bound["hosts"], bound["steady state"], line, color=color)
+        for limit, text in _LIMITS.items():
+            above.axhline(limit, color="gray", linewidth=0.8)
+            above.text(55, limit, text, ha="right", va="bottom", fontsize=9)
+        below.axhline(1, color="gray", linewidth=0.8)
+        above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
+        above.yaxis.set_major_formatter(_PLAIN)
+        below.set(ylim=(0, 1.5), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$")
+        below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
+        above.legend(loc="lower right")
+    return figure
+
+
+_LABELS = {"alone": "-", "beside one laptop": "--"}
+
+
+def _beside(
+    laptop: HostGroup, small: tuple[int, int]
+) -> dict[tuple[str, str], float | NDArray[Any]]:
+    """Return utilization by 1 to 8 small robots, alone and beside a laptop."""
+    count = figures.steps(1, 8)
+    return {
+        (protocol.name, label): utilization(protocol, Fleet((HostGroup(count, *small), *others)))
+        for protocol in figures.PAPER_PROTOCOLS
+        for label, others in zip(_LABELS, ((), (laptop,)), strict=True)
+    }
+
+
+def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
+    """Return the airtime of large fleets by part, and the utilization of small robots."""
+    bars = large.drop(columns="total [s]").melt(
+        ["protocol", "fleet"], var_name="part", value_name="utilization"
+    )
+    lines = [
+        pd.DataFrame(
+            {
+                "protocol": protocol,
+                "fleet": f"small robots {label}",
+                "small_robots": figures.steps(1, 8),
+                "utilization": values,
+            }
+        )
+        for (protocol, label), values in _beside(laptop, small).items()
+    ]
+    return pd.concat([bars, *lines])
+
+
+def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
+    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop.
+
+    Parameters
+    ----------
+    large : pandas.DataFrame
+        Columns protocol, fleet, ``robot-robot [s]``, ``robot-laptop [s]`` and ``total [s]``.
+    laptop : HostGroup
+        What stands beside the small robots.
+    small : tuple of int
+        Processes, and endpoints of each, of a small robot.
+    """
+    with style():
+        figure = Figure(figsize=(4.8, 6.4))
+        above, below = figure.subplots(2, 1, height_ratios=[1, 1.2])
+        order = large.iloc[::-1].reset_index(drop=True)
+        places = order.index + (order["protocol"] == "DDS") * 0.5
+        shades = [figures.COLORS[protocol] for protocol in order["protocol"]]
+        left = np.zeros(len(order))
+        for part, alpha in {"robot-robot [s]": 0.45, "robot-laptop [s]": 1}.items():
+            above.barh(places, order[part], left=left, height=0.7, color=shades, alpha=alpha)
+            left += order[part]
+        above.set_yticks(places, order["fleet"])
+        above.set_xlabel("airtime [s]")
+        above.set_xlim(0, 1.3 * order["total [s]"].max())
+        for place, total, protocol in zip(
+            places, order["total [s]"], order["protocol"], strict=True
+        ):
+            above.text(total, place, f" {protocol} {total:.1f}", va="center")
+        above.grid(axis="y", visible=False)
+        for (protocol, label), values in _beside(laptop, small).items():
+            color = figures.COLORS[protocol]
+            below.plot(
+                figures.steps(1, 8), values, _LABELS[label], color=color,
+                label=f"{protocol}, {label}",
+            )  # fmt: skip
+        below.axhline(1, color="black", linewidth=1)
+        below.yaxis.set_major_formatter("{x:.0%}")
+        below.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))
+        below.legend(loc="upper left")
+    return figure

@@ -1,0 +1,150 @@
+"""Figures of Part I, the paper."""
+
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+
+from discostorm.data import read_data
+from discostorm.figures import MESSAGE_COLORS, WIDTH, style
+from discostorm.messages import Protocol
+from discostorm.paper.enumeration import EVERYONE, Process, Sent, walk
+
+
+def process_name(process: Process | str) -> str:
+    """Return a process as host.number, both from 1."""
+    return process if isinstance(process, str) else f"{process.host}.{process.number}"
+
+
+def every_message_data(
+    protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]
+) -> pd.DataFrame:
+    """Return each message that the walk of a small swarm names, on its way up: a row a message."""
+    return pd.DataFrame(
+        {
+            "protocol": protocol.name,
+            "from": process_name(sent.sender),
+            "to": process_name(sent.receiver),
+            "message": sent.kind,
+            "tells_of": str(sent.about) or "itself",
+        }
+        for protocol in protocols
+        for sent in _uplink(protocol, hosts)
+    )
+
+
+def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]) -> Figure:
+    """Draw each message of a small swarm as a square: a row a sender, a column a receiver.
+
+    Parameters
+    ----------
+    protocols : sequence of Protocol
+        The paper's; a panel each.
+    hosts : sequence of sequence of int
+        For each host the number of endpoints of each of its processes.
+    """
+    with style():
+        figure = Figure(figsize=(4.2, 4.5 * len(protocols)))
+        for axis, protocol in zip(figure.subplots(len(protocols), 1), protocols, strict=True):
+            _squares(axis, protocol, _uplink(protocol, hosts))
+    return figure
+
+
+def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[Sent]:
+    return [sent for sent in walk(protocol.name, hosts) if sent.hop == "up"]
+
+
+def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
+    senders = list(dict.fromkeys(message.sender for message in sent))
+    receivers = [EVERYONE, *senders]
+    for row, sender in enumerate(senders):
+        for column, receiver in enumerate(receivers):
+            if isinstance(receiver, Process) and receiver.host == sender.host:
+                axis.add_patch(Rectangle((column, row), 1, 1, color="0.88"))
+    axis.hlines(range(len(senders) + 1), 0, len(receivers), "0.6", lw=0.6)
+    axis.vlines(range(len(receivers) + 1), 0, len(senders), "0.6", lw=0.6)
+    placed: Counter[tuple[Process, Process | str]] = Counter()
+    number = Counter(message.kind for message in sent)
+    for kind in number:
+        places = []
+        for message in sent:
+            if message.kind == kind:
+                cell = message.sender, message.receiver
+                down, across = divmod(placed[cell], 3)
+                column, row = receivers.index(message.receiver), senders.index(message.sender)
+                places.append((column + 0.22 + 0.28 * across, row + 0.22 + 0.28 * down))
+                placed[cell] += 1
+        axis.plot(*zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=7.5, mew=0)
+    axis.set(
+        xlim=(-0.02, len(receivers) + 0.02),
+        ylim=(len(senders) + 0.02, -0.02),
+        aspect="equal",
+        xlabel="to (host.process)",
+        ylabel="from (host.process)",
+    )
+    names = [process_name(sender) for sender in senders]
+    axis.set_xticks([column + 0.5 for column in range(len(receivers))], ["all", *names])
+    axis.set_yticks([row + 0.5 for row in range(len(senders))], names)
+    axis.tick_params(length=0)
+    axis.grid(visible=False)
+    axis.spines[:].set_visible(False)
+    shown = [
+        Patch(color=MESSAGE_COLORS[kind], label=f"{kind} ({many})") for kind, many in number.items()
+    ]
+    axis.legend(
+        handles=shown,
+        title=f"{protocol.name}: {len(sent)} messages",
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=2,
+    )
+
+
+def frame_parts_data() -> pd.DataFrame:
+    """Return the parts of each frame of Table II [B]: a row a message."""
+    parts = pd.DataFrame(read_data("paper/headers.csv")).astype({"bytes": int})
+    table = pd.DataFrame(read_data("paper/table2.csv"))
+    alone = parts[parts["transports"] != "UDP TCP"].set_index("transports")["bytes"]
+
+    def of(start: str) -> int:
+        return int(parts["bytes"][parts["part"].str.startswith(start)].sum())
+
+    data = pd.DataFrame(
+        {
+            "message": table["message"],
+            "payload [B]": table["payload_B"].astype(int),
+            "UDP or TCP [B]": table["transport"].map(alone),
+            "IPv4 [B]": of("IPv4"),
+            "LLC and SNAP [B]": of("LLC"),
+            "802.11 header and check sequence [B]": of("IEEE 802.11"),
+        }
+    )
+    assert (data.iloc[:, 1:].sum(axis=1) == table["frame_printed_B"].astype(int)).all()
+    return data
+
+
+def frame_parts() -> Figure:
+    """Draw each frame of Table II as a bar of its payload and headers."""
+    data = frame_parts_data().set_index("message")
+    colors = ["C0", "C4", "C5", "0.6", "0.82"]
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.9))
+        axis = figure.subplots()
+        left = np.zeros(len(data))
+        for part, color in zip(data, colors, strict=True):
+            length = data[part].to_numpy()
+            label = str(part).removesuffix(" [B]")
+            axis.barh(
+                data.index, length, left=left, color=color, edgecolor="white", lw=0.6, label=label
+            )
+            left += length
+        axis.invert_yaxis()
+        axis.set_axisbelow(True)
+        axis.grid(axis="y", visible=False)
+        axis.set_xlabel("length on the air [B]")
+        axis.legend(loc="lower right")
+    return figure
