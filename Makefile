@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator palette notebooks lint bench lab deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -79,6 +79,12 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/write_calculator.py
 
+live: $(READY) ## compile the simulator for the pages and write what its runs are set up from (needs lld)
+	@$(BIN)/python scripts/write_live.py
+
+live-check: $(READY) ## compare the pages' simulator with Python's, in 1000 settings (needs Chromium)
+	@$(BIN)/python scripts/check_live.py $(ARGS)
+
 palette: $(READY) ## write the colors of the pages from the palette
 	@$(BIN)/python scripts/write_palette.py
 
@@ -100,6 +106,11 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 	@[ "$$GRID" != short ] || $(BIN)/python lab/run_hybrid.py --grid lab/hybrid/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
+
+ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
+	@$(BIN)/python lab/ills.py
+	@$(BIN)/python lab/run.py --grid lab/ills_healthy.csv --out build/lab/ills_healthy --crowd 12
+	@$(BIN)/python lab/ill_table.py
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/deaths.py $(ARGS)

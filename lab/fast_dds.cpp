@@ -1,6 +1,7 @@
 // One process of the lab: a participant of Fast DDS with ENDPOINTS endpoints, as rmw_fastrtps
 // makes them, or with those that ENDPOINTS lists: "w TOPIC TYPE,r TOPIC TYPE". It says that it is
 // ready, reads the time to begin from its input, and leaves SECONDS later without saying goodbye.
+// A file of profiles and the name of the participant come from the environment, as in ROS 2.
 #include <dlfcn.h>
 #include <unistd.h>
 
@@ -165,23 +166,30 @@ int main(int argc, char** argv) {
     const bool list = endpoints.find(' ') != std::string::npos;
     const auto wanted = list ? listed(endpoints) : numbered(names, host, process, pairs);
 
+    auto* factory = DomainParticipantFactory::get_instance();
     DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
-    qos.name("/");
-    const std::string enclave = "enclave=/;";
+    if (std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE") != nullptr) {
+        factory->load_profiles();
+        qos = factory->get_default_participant_qos();
+    }
+    const char* given = std::getenv("ROS_SECURITY_ENCLAVE_OVERRIDE");
+    const std::string name = given == nullptr ? "/" : given, enclave = "enclave=" + name + ";";
+    qos.name(name);
     qos.user_data().data_vec({enclave.begin(), enclave.end()});
     if (variant == "udp") {
         qos.transport().use_builtin_transports = false;
         qos.transport().user_transports.push_back(
             std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
     }
-    endpoints_known = variant == "static";
-    if (endpoints_known) {
+    if (variant == "static") {
         qos.name(participant_name(host, process));
         auto& discovery = qos.wire_protocol().builtin.discovery_config;
         discovery.use_SIMPLE_EndpointDiscoveryProtocol = false;
         discovery.use_STATIC_EndpointDiscoveryProtocol = true;
         discovery.static_edp_xml_config(everybody(names, pairs).c_str());
     }
+    endpoints_known = qos.wire_protocol()
+                          .builtin.discovery_config.use_STATIC_EndpointDiscoveryProtocol;
     DataWriterQos writer_qos = DATAWRITER_QOS_DEFAULT;
     as_ros(writer_qos);
     writer_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
@@ -199,7 +207,7 @@ int main(int argc, char** argv) {
     std::this_thread::sleep_until(begin);
     tell("begin");
     const char* domain = std::getenv("ROS_DOMAIN_ID");
-    auto* participant = DomainParticipantFactory::get_instance()->create_participant(
+    auto* participant = factory->create_participant(
         domain ? static_cast<DomainId_t>(std::atoi(domain)) : 0, qos);
     must(participant, "participant");
     tell("participant");
@@ -207,6 +215,8 @@ int main(int argc, char** argv) {
     auto* subscriber = participant->create_subscriber(SUBSCRIBER_QOS_DEFAULT);
     must(publisher, "publisher");
     must(subscriber, "subscriber");
+    const char* from_xml = std::getenv("RMW_FASTRTPS_USE_QOS_FROM_XML");
+    const bool by_topic = from_xml != nullptr && std::string(from_xml) == "1";
     int id = endpoint_id(host, process, 0, pairs);
     for (const Endpoint& one : wanted) {
         if (participant->find_type(one.type).empty()) {
@@ -217,9 +227,18 @@ int main(int argc, char** argv) {
             topic = participant->create_topic(one.topic, one.type, TOPIC_QOS_DEFAULT);
         }
         must(topic, "topic");
-        if (endpoints_known) {
+        if (variant == "static") {
             writer_qos.endpoint().user_defined_id = static_cast<int16_t>(id);
             reader_qos.endpoint().user_defined_id = static_cast<int16_t>(id++);
+        } else if (by_topic) {
+            // A profile has the name that the topic has in ROS 2.
+            const std::string profile = one.topic.substr(one.topic.find('/'));
+            DataWriterQos writer;
+            DataReaderQos reader;
+            publisher->get_datawriter_qos_from_profile(profile, writer);
+            subscriber->get_datareader_qos_from_profile(profile, reader);
+            writer_qos.endpoint().user_defined_id = writer.endpoint().user_defined_id;
+            reader_qos.endpoint().user_defined_id = reader.endpoint().user_defined_id;
         }
         if (one.role == 'w') {
             must(publisher->create_datawriter(topic, writer_qos), "writer");

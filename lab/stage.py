@@ -78,16 +78,21 @@ def build_bridge() -> None:
     say("ip link set br0 address 02:00:00:00:01:00 up")
 
 
-def begin_capture(out: Path, buffer: int, inside: int | None = None) -> subprocess.Popen[bytes]:
+def begin_capture(
+    out: Path, buffer: int, inside: int | None = None, interface: str = "", only: str = ""
+) -> subprocess.Popen[bytes]:
     """Begin to capture what crosses the bridge, with a buffer of so many KiB; once it listens.
 
-    Inside of a host: what is on any of its interfaces.
+    Inside of a host: what is on any of its interfaces, or on one; all of it, or by a filter.
     """
     capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
-    flags = shlex.split(f"-i {'any' if inside else 'br0'} -n -s 0 -B {buffer} -Z root")
+    interface = interface or ("any" if inside else "br0")
+    flags = shlex.split(f"-i {interface} -n -s 0 -B {buffer} -Z root")
     where = ["nsenter", f"--target={inside}", "--net"] if inside else []
     with report.open("w") as stderr:
-        dump = subprocess.Popen([*where, "tcpdump", *flags, "-w", capture], stderr=stderr)
+        dump = subprocess.Popen(
+            [*where, "tcpdump", *flags, "-w", capture, *([only] * bool(only))], stderr=stderr
+        )
     for _ in range(500):
         if "listening on" in report.read_text():
             return dump

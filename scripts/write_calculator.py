@@ -16,12 +16,14 @@ from javascript import Formulas, Value, said_once, written
 import discostorm as ds
 from discostorm import _checks, figures, notation as nt, timeline, words
 from discostorm.data import read_data
-from discostorm.fleet import LEAST, SWARM, Fleet, symbolic_group
+from discostorm.fleet import LEAST, SWARM, Fleet, HostGroup, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Family, Message, Protocol, Unit
+from discostorm.planner import spans
 from discostorm.planner.changes import Change, Setting
 from discostorm.planner.known import known, row_of, software
 from discostorm.planner.plan import changes_of
 from discostorm.planner.snippets import snippets
+from discostorm.protocols import BASES
 from discostorm.robots import (
     endpoints_of_a_node,
     laptop,
@@ -31,20 +33,15 @@ from discostorm.robots import (
 )
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, Wifi, bits_airtime, downlink_airtime, uplink_airtime
-from discostorm.wifi.radio import TOPOLOGY
+from discostorm.wifi.radio import TOPOLOGY, both_ends
 
 TARGET = Path(__file__).parents[1] / "book" / "_static" / "calculator" / "model.js"
 
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
-#: Channels of the standard on which frames to one receiver share exchanges.
-AGGREGATED = (
-    ds.Radio("802.11n", streams=2, mpdus=64).wifi(),
-    ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi(),
-    ds.Radio("802.11ax", streams=2, width=80e6, mpdus=64).wifi(),
-)
-CHANNELS = (ds.PAPER, *ds.WIFI.values(), *AGGREGATED)
+#: What one can choose: one entry a radio, whether its frames share exchanges or not.
+CHANNELS = (ds.PAPER, *ds.WIFI.values())
 
 #: Where the calculator starts, with how many of which robots.
 START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
@@ -90,15 +87,6 @@ MORE = sp.Symbol("x", positive=True)
 #: What the powers of these are multiplied with [1]; of higher ones there is no closed form.
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
-#: Headings of the middlewares, in order, by what the counts of a table stand on.
-GROUPS = {
-    "measured": "Products as built",
-    "arranged": "Products arranged against the storm",
-    "paper": "As the paper counts",
-    "timed": "The paper's messages, a product's periods",
-    "proposal": "Proposals and other tables",
-}
-
 #: The largest whole number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
 LARGEST = sp.ceiling(N_SAT) - 1
@@ -125,7 +113,15 @@ def way(change: Change) -> str:
 
 
 def channel(wifi: Wifi) -> dict[str, Value]:
-    """Return the data of a Wi-Fi channel."""
+    """Return the data of a Wi-Fi channel; of a radio that aggregates also with full A-MPDUs."""
+    full, single = both_ends(wifi)
+    if full in (single, wifi):
+        return one_channel(wifi)
+    return one_channel(wifi) | {"full": one_channel(full), "simulated": spans.radio_of(wifi)}
+
+
+def one_channel(wifi: Wifi) -> dict[str, Value]:
+    """Return the data of a channel by itself."""
     return {
         "name": wifi.name,
         "model": wifi.model,
@@ -136,13 +132,15 @@ def channel(wifi: Wifi) -> dict[str, Value]:
 def radio_remedies(wifi: Wifi) -> Value:
     """Return what the planner would change of a channel: the channel before and after."""
     base = Setting(ANY, ds.DDS, wifi)
+    # Of the paper's channel, which does not aggregate, both sides of a comparison do not.
+    told = one_channel if both_ends(wifi)[0] == wifi else channel
     return [
         {
             "kind": change.kind,
             "what": change.what,
             "note": change.note,
-            "base": channel(base.before([change]).wifi),
-            "wifi": channel(base.after([change]).wifi),
+            "base": told(base.before([change]).wifi),
+            "wifi": told(base.after([change]).wifi),
         }
         for change in changes(ds.DDS, wifi)
         if change.radio is not None
@@ -313,7 +311,7 @@ def group(protocol: Protocol) -> str | None:
     """Return under which heading a table is offered; None if only a change can have it."""
     if protocol not in ds.PROTOCOLS.values():
         return None
-    return GROUPS[protocol.basis or "proposal"]
+    return BASES[protocol.basis or "proposal"]
 
 
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Value]:
@@ -467,6 +465,30 @@ def pastes(kinds: Iterable[str]) -> Value:
     }
 
 
+def ready() -> Value:
+    """Return what was simulated of ready-made robots, and which hosts are as those."""
+
+    def same_as(host: HostGroup) -> Value:
+        return {"N_P": host.processes, "N_E": host.endpoints, "N_S": host.shared}
+
+    found: dict[str, Any] = {}
+    for (radio, table, robot, laptops), rows in spans.stored().items():
+        found.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
+    (until,) = {
+        row["until_s"] for row in read_data("simulated/ready.csv") if row["recovery"] == "1"
+    }
+    (runs,) = {row["runs"] for row in read_data("simulated/ready.csv") if row["recovery"] == "1"}
+    return {
+        "robots": {name: same_as(host) for name, host in robots().items()},
+        "laptop": same_as(laptop()),
+        "shared": spans.SHARED,
+        "whole": spans.WHOLE,
+        "until": float(until),
+        "runs": int(runs),
+        "found": found,
+    }
+
+
 def model() -> Value:
     """Return all that the calculator reads."""
     known = Formulas()
@@ -485,10 +507,11 @@ def model() -> Value:
             "robot": START_ROBOT,
             "middleware": START_MIDDLEWARE,
         },
-        "groups": list(GROUPS.values()),
+        "groups": list(BASES.values()),
         "fields": fields(),
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
+        "ready": ready(),
         "topology": TOPOLOGY,
         "limit": 1.0,
         "times": [list(row) for row in words.TIMES],

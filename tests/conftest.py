@@ -51,7 +51,8 @@ class ByFileOrPage(LoadScopeScheduling):
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
-        if "simulat" in nodeid or file.endswith(("test_hybrid.py", "test_recovery.py")):
+        simulating = ("air", "hybrid", "landing", "live", "recovery")
+        if "simulat" in nodeid or file.endswith(tuple(f"test_{name}.py" for name in simulating)):
             return "simulation"  # compiled by one of the processes, and not by each
         if file.endswith(("test_links.py", "test_chapters.py")):
             return "links"  # both look at all pages, which are parsed once

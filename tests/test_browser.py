@@ -237,7 +237,7 @@ def visit(visitor: Visitor, page: str, by: str) -> Visit:
 every_page = pytest.mark.parametrize("page", [*PAGES, "search"])
 both_ways = pytest.mark.parametrize("by", ["http", "file"])
 #: Of those that come by http, too, one of each kind: all are the same files with the same scripts.
-KINDS = ("book/index", "book/calculator", "notebooks/06_hosts", "notebooks/17_claims", "search")
+KINDS = ("book/index", "book/calculator", "notebooks/03_hosts", "notebooks/17_claims", "search")
 EACH = [*((page, "file") for page in [*PAGES, "search"]), *((page, "http") for page in KINDS)]
 each_visit = pytest.mark.parametrize(("page", "by"), EACH)
 each_chapter = pytest.mark.parametrize(
@@ -247,7 +247,9 @@ each_chapter = pytest.mark.parametrize(
 
 @each_visit
 def test_nothing_is_requested_from_elsewhere(visit: Visit) -> None:
-    elsewhere = [url for url in visit.requests if not url.startswith((visit.base, "data:"))]
+    elsewhere = [
+        url for url in visit.requests if not url.startswith((visit.base, "data:", "blob:"))
+    ]
     assert not elsewhere
     assert len(visit.requests) > 10  # else nobody listened
 
@@ -308,11 +310,6 @@ def test_the_page_fits_a_desktop(visitor: Visitor, page: str) -> None:
     assert visit.desktop["width"] == DESKTOP["width"]
     assert not visit.desktop["clipped"]
     assert not visit.desktop["code_that_scrolls"]
-
-
-@pytest.mark.parametrize("page", [page for page in PAGES if page.startswith("notebooks/")])
-def test_code_takes_a_fifth_of_a_chapter_at_most(visitor: Visitor, page: str) -> None:
-    assert visitor(page, "file").code_share <= 0.2
 
 
 @every_page
@@ -395,10 +392,10 @@ def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str
         ("how many robots", "book/index.html#how-many-robots-fit"),
         ("staggered start", "25_staggered_start.html"),
         ("discovery server", "26_servers.html"),
-        ("wifi multicast", "11_any_wifi.html#multicast-rates-and-bands"),
+        ("wifi multicast", "08_any_wifi.html#multicast-rates-and-bands"),
         ("zenoh router", "26_servers.html"),
         ("CycloneDDS peers", "26_servers.html"),
-        ("lease", "10_slow_or_never.html#two-limits"),
+        ("lease", "07_what_100_percent_means.html"),
         ("saturation_hosts", "notebooks/"),
     ],
 )
@@ -421,7 +418,8 @@ def test_search_reads_what_pages_show_and_not_what_python_calls_it(book: Path) -
     assert {section["url"].split("#")[0] for section in sections} == {f"{p}.html" for p in PAGES}
     # Python's names of what is shown are left out, what is shown is not.
     assert not [s["url"] for s in sections if re.search(r"<(Figure|[\w.]+ object)", s["text"])]
-    answered = {s["url"].split(".html")[0] for s in sections if "The answer. " in s["text"]}
+    answer = re.compile(r"The answer\. |In short\. ")
+    answered = {s["url"].split(".html")[0] for s in sections if answer.search(s["text"])}
     assert answered == {page for page in PAGES if (ROOT / f"{page}.ipynb").exists()}
 
 
@@ -458,4 +456,6 @@ def test_what_comes_from_elsewhere_is_as_it_came(row: dict[str, str]) -> None:
 def test_every_page_is_in_the_contents(book: Path) -> None:
     built = {path.relative_to(book).with_suffix("").as_posix() for path in book.rglob("*.html")}
     built = {page for page in built if not page.startswith("_static")}
-    assert built == {*PAGES, "search", "index"}
+    with (ROOT / "book/moved.csv").open(encoding="utf-8", newline="") as file:
+        moved = {row["page"].removesuffix(".html") for row in csv.DictReader(file)}
+    assert built == {*PAGES, *moved, "search", "index"}

@@ -13,12 +13,14 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from playwright.sync_api import Browser
 from test_browser import TOC, toc_files
 from test_links import parsed
 
 import discostorm as ds
 from discostorm import figures
 from discostorm.book import notebook
+from discostorm.book.facts import is_guarded
 
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted(
@@ -37,7 +39,18 @@ def cells(page: str) -> list[dict[str, Any]]:
 @pytest.mark.parametrize("page", CHAPTERS)
 def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
     first, *_ = cells(page)
-    assert re.search(r"^> \*\*The question\.\*\* .+\?$", "".join(first["source"]), re.M | re.S)
+    opening = "".join(first["source"])
+    assert re.search(r"^> \*\*The question\.\*\* .+\?$", opening, re.M | re.S)
+    if is_guarded(cells(page)):
+        starts = re.findall(r"^\*\*(In short\.|Before you start:|Assumes:)\*\* ", opening, re.M)
+        assert starts == ["In short.", "Before you start:", "Assumes:"]
+        assert len(re.findall("\\?", opening.split("**In short.**")[0])) == 1
+        headings = [
+            "".join(cell["source"]) for cell in cells(page) if cell["cell_type"] == "markdown"
+        ]
+        assert any(re.search(r"^## The answer$", text, re.M) for text in headings)
+        assert re.search(r"^\*\*What is next\.\*\* .+", headings[-1], re.M)
+        return
     code = [cell for cell in cells(page) if cell["cell_type"] == "code"]
     answers = [
         "".join(output["data"].get("text/markdown", ""))
@@ -160,21 +173,25 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
 
 
 def test_who_tells_whom_is_read_off_the_table() -> None:
-    def titles(protocol: ds.Protocol) -> list[str]:
-        drawn = figures.who_tells_whom(protocol)
-        return [axis.get_title().replace("\n", ": ") for axis in drawn.axes]
+    def said(protocol: ds.Protocol) -> list[str]:
+        (axis,) = figures.who_tells_whom(protocol).axes
+        return [text.get_text().replace("\n", ": ") for text in axis.texts if text.get_text()]
 
-    assert titles(ds.DDS) == [
-        "SPDP: to all at once",
-        "SEDP: 2 to each remote process",
-        "Heartbeat: 2 to each remote process",
-        "ACKNACK: 2 to each remote process",
+    dds = said(ds.DDS)
+    assert [text for text in dds if ": " in text] == [
+        "SPDP: to all",
+        "SEDP: 2 to each",
+        "Heartbeat: 2 to each",
+        "ACKNACK: 2 to each",
     ]
+    # Two frames of the multicast message; of each other message two for each of two receivers.
+    hops = [text for text in dds if text.split()[-1] in {"up", "down"}]
+    assert hops == [f"{n} {'up' if n % 2 else 'down'}" for n in range(1, 15)]
     thrice = tuple(replace(message, per_unit=3 * message.per_unit) for message in ds.ZENOH.messages)
-    assert titles(replace(ds.ZENOH, messages=thrice))[1:] == [
-        "Hello: 3 to each remote process",
-        "Declare: 6 to each remote process",
-        "KeepAlive: 6 to each remote process",
+    assert [text for text in said(replace(ds.ZENOH, messages=thrice)) if ": " in text][1:] == [
+        "Hello: 3 to each",
+        "Declare: 6 to each",
+        "KeepAlive: 6 to each",
     ]
 
 
@@ -200,3 +217,26 @@ def test_equations_and_figures_of_the_paper_have_its_numbers(book: Path) -> None
     wanted = [("equation-eq", n) for n in range(1, 13)] + [("fig", n) for n in range(1, 5)]
     assert papers == {key: str(key[1]) for key in wanted}
     assert all(re.fullmatch(r"\d+\.\d+", number) for number in others)
+
+
+@pytest.mark.book
+def test_one_switch_shows_all_code_and_stays_so_on_the_next_page(
+    book: Path, browser: Browser
+) -> None:
+    folded = "div.cell.tag_hide-input > details.hide.above-input"
+    tab = browser.new_page()
+    tab.goto((book / f"{CHAPTERS[0]}.html").as_uri())
+    switch = tab.get_by_role("button", name="All code")
+    assert not tab.locator(folded).first.is_visible()
+    switch.click()
+    assert tab.locator(f"{folded}[open] pre").first.is_visible()
+    tab.goto((book / f"{CHAPTERS[1]}.html").as_uri())
+    assert tab.locator(f"{folded}[open] pre").first.is_visible()
+    tab.get_by_role("button", name="Hide code").click()
+    assert not tab.locator(folded).first.is_visible()
+    tab.close()
+    context = browser.new_context(java_script_enabled=False)
+    tab = context.new_page()
+    tab.goto((book / f"{CHAPTERS[0]}.html").as_uri())
+    assert tab.locator(f"{folded} > summary").first.is_visible()
+    context.close()

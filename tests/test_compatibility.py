@@ -1,5 +1,6 @@
 """What 0.2.0 offered is there, or is answered by an error that says what took its place."""
 
+import csv
 import importlib
 import inspect
 import json
@@ -13,12 +14,16 @@ from typing import Any
 import click
 import pytest
 import yaml
+from playwright.sync_api import Browser
 
 import discostorm as ds
 from discostorm import _renamed
 from discostorm.cli import main
 
 ROOT = Path(__file__).parents[1]
+#: Pages, and parts of them, that are elsewhere now.
+with (ROOT / "book/moved.csv").open(encoding="utf-8", newline="") as _file:
+    MOVED = list(csv.DictReader(_file))
 #: Public names, options, pages, labels on pages and keys of fleet files, as 0.2.0 had them.
 OLD = json.loads((ROOT / "tests" / "names_of_0.2.0.json").read_text(encoding="utf-8"))
 
@@ -177,8 +182,28 @@ def test_every_key_of_fleet_files_is_read(tmp_path: Path) -> None:
 def test_every_page_is_at_its_address_and_every_label_on_a_page() -> None:
     contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
     files = [chapter["file"] for part in contents["parts"] for chapter in part["chapters"]]
-    assert set(OLD["pages"]) <= {f"{file}.html" for file in [contents["root"], *files]}
+    moved = {row["page"] for row in MOVED}
+    assert set(OLD["pages"]) <= {f"{file}.html" for file in [contents["root"], *files]} | moved
     pages = [*ROOT.glob("book/*.md"), *ROOT.glob("notebooks/*.ipynb")]
     text = "".join(page.read_text(encoding="utf-8") for page in pages)
     labels = re.findall(r"\(([\w-]+)\)=|:label: ([\w-]+)", text)
     assert set(OLD["labels"]) <= {label for pair in labels for label in pair}
+
+
+@pytest.mark.book
+@pytest.mark.parametrize("page", sorted({row["page"] for row in MOVED}))
+def test_an_address_that_has_moved_leads_to_its_text(
+    book: Path, browser: Browser, page: str
+) -> None:
+    tab = browser.new_page()
+    page_start = {row["page"]: row["now"].partition("#")[2] for row in MOVED if not row["anchor"]}
+    anchors = [label for label, where in OLD["labels"].items() if where == page]
+    assert anchors
+    for anchor in ["", *anchors]:
+        tab.goto("about:blank")
+        tab.goto((book / page).as_uri() + (f"#{anchor}" if anchor else ""))
+        tab.wait_for_selector("article")
+        hash_ = tab.evaluate("decodeURIComponent(location.hash)")
+        assert hash_ == f"#{anchor}" if anchor else hash_ in {"", "#" + page_start[page]}
+        assert tab.evaluate("id => !id || document.getElementById(id) !== null", hash_[1:]), anchor
+    tab.close()

@@ -28,8 +28,10 @@ SOURCES = {
 #: Tables without such a column, by the README that says where all their rows are from.
 DESCRIBED = {
     "measured/README.md": (
-        *("arrangements", "as_built", "causes", "counts", "deaths", "hybrid", "misses"),
+        *("arrangements", "as_built", "causes", "counts", "deaths", "hybrid", "ills"),
         *(
+            "ill_times",
+            "misses",
             "mitigation_counts",
             "mitigation_misses",
             "mitigations",

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,7 @@ from discostorm.uncertainty import bounds
 
 PROTOCOLS = (ds.DDS, ds.ZENOH)
 SERVER_ON_A_ROBOT = ds.PROTOCOLS["Fast DDS Discovery Server, on a robot"]
+ROUTERS = ds.PROTOCOLS["Zenoh router per host"]
 
 
 def fleet(groups: int) -> ds.Fleet:
@@ -24,6 +26,10 @@ def fleet(groups: int) -> ds.Fleet:
             for index in range(groups)
         )
     )
+
+
+def half_wired(members: ds.Fleet) -> ds.Fleet:
+    return ds.Fleet(tuple(replace(g, wired=i % 2 == 0) for i, g in enumerate(members.groups)))
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
@@ -55,8 +61,10 @@ def test_counted_numbers_are_those_of_the_symbols(protocol: ds.Protocol, wifi: d
         lambda members: ds.saturation_hosts(ds.ZENOH, limit=1e9, fleet=members),
         lambda members: bounds(ds.ZENOH, members),
         lambda members: ds.utilization(SERVER_ON_A_ROBOT, members),
+        lambda members: ds.utilization(ROUTERS, members),
+        lambda members: ds.utilization(ds.PROTOCOLS["Fast DDS"], half_wired(members)),
     ],
-    ids=["utilization", "saturation", "bounds", "what matches of others"],
+    ids=["utilization", "saturation", "bounds", "what matches of others", "hosts", "wired"],
 )
 def test_ten_times_the_groups_take_about_ten_times_as_long(
     task: Callable[[ds.Fleet], object],

@@ -138,11 +138,11 @@ def test_the_cheat_sheet_is_one_page_with_what_it_promises() -> None:
 @pytest.mark.parametrize("address", ["", "https://example.org/book/"])
 def test_chapters_lead_to_their_page(address: str) -> None:
     app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address))
-    link = printed._link(app, "notebooks/06_hosts").astext()  # type: ignore[arg-type]
+    link = printed._link(app, "notebooks/03_hosts").astext()  # type: ignore[arg-type]
     if address:
-        assert r"\qrcode[height=1.6cm]{https://example.org/book/notebooks/06_hosts.html}" in link
+        assert r"\qrcode[height=1.6cm]{https://example.org/book/notebooks/03_hosts.html}" in link
     else:
-        assert "html/notebooks/06_hosts.html" in link
+        assert "html/notebooks/03_hosts.html" in link
         assert "qrcode" not in link
 
 

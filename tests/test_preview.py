@@ -26,7 +26,7 @@ def told(address: str) -> dict[str, str]:
     app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address, project="x", html_title="y"))
     context: dict[str, Any] = {"pathto": lambda *_: "../", "title": "Any Wi-Fi"}
     page = new_document("page")
-    preview._add(cast(Sphinx, app), "notebooks/11_any_wifi", "page.html", context, page)
+    preview._add(cast(Sphinx, app), "notebooks/08_any_wifi", "page.html", context, page)
     found = re.findall(r'(?:property|name)="([\w:]+)" content="([^"]*)"', context["metatags"])
     return dict(found)
 
@@ -34,7 +34,7 @@ def told(address: str) -> dict[str, str]:
 @pytest.mark.parametrize("address", ["https://example.org/storm", "https://example.org/storm/"])
 def test_once_the_address_is_known_page_and_picture_are_absolute(address: str) -> None:
     tags = told(address)
-    assert tags["og:url"] == "https://example.org/storm/notebooks/11_any_wifi.html"
+    assert tags["og:url"] == "https://example.org/storm/notebooks/08_any_wifi.html"
     assert tags["og:image"] == "https://example.org/storm/_static/preview.png"
 
 
@@ -55,7 +55,7 @@ def test_a_book_with_an_address_has_a_site_map(tmp_path: Path) -> None:
         app = SimpleNamespace(
             config=SimpleNamespace(html_baseurl=address),
             builder=SimpleNamespace(format="html"),
-            env=SimpleNamespace(found_docs={"notebooks/11_any_wifi", "book/index"}),
+            env=SimpleNamespace(found_docs={"notebooks/08_any_wifi", "book/index"}),
             outdir=tmp_path,
         )
         preview._map(cast(Sphinx, app), None)
@@ -69,7 +69,7 @@ def test_a_book_with_an_address_has_a_site_map(tmp_path: Path) -> None:
         if place.tag.endswith("}loc")
     ]
     page = "https://example.org/storm/"
-    assert places == [f"{page}book/index.html", f"{page}notebooks/11_any_wifi.html"]
+    assert places == [f"{page}book/index.html", f"{page}notebooks/08_any_wifi.html"]
 
 
 def test_a_book_is_served_below_an_address(tmp_path: Path) -> None:

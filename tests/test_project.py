@@ -61,7 +61,8 @@ def test_files_of_chapters_are_numbered_in_the_order_of_the_contents() -> None:
     contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
     files = [chapter["file"] for part in contents["parts"] for chapter in part["chapters"]]
     numbers = [int(m[1]) for file in files if (m := re.match(r"notebooks/(\d+)_", file))]
-    assert numbers == [*range(1, len(numbers) + 1)]
+    # With gaps, where chapters became one: an address changes once, to its last number.
+    assert numbers == sorted(set(numbers))
 
 
 def test_no_number_of_a_chapter_is_typed() -> None:

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,9 @@ from conftest import missing
 from test_lab import lab, ready
 
 from discostorm.data import data_path, read_data
+from discostorm.planner.changes import Change
 from discostorm.planner.snippets import Snippet, snippets
+from discostorm.planner.tables import table_changes
 from discostorm.protocols import PROTOCOLS
 
 pytestmark = pytest.mark.book
@@ -320,7 +323,8 @@ def test_the_product_would_refuse_a_mistake(
 OTHER = """
 unshare --net --mount sleep 60 &
 other=$!
-sleep 0.2
+# A busy machine may be slow to make the other host, and to begin to listen.
+while [ "$(readlink /proc/$other/ns/mnt)" = "$(readlink /proc/self/ns/mnt)" ]; do sleep 0.05; done
 ip link set eth1 netns $other
 inside() { nsenter --target=$other --net --mount "$@"; }
 inside sh -euc '
@@ -329,7 +333,7 @@ ip link set lo up
 ip address add 192.168.1.22/24 dev eth1
 ip link set eth1 up && ip route add default dev eth1'
 tcpdump -n -i eth0 -l udp 2>/dev/null &
-sleep 0.5
+until ss -H --packet | grep -q .; do sleep 0.05; done
 """
 
 
@@ -395,12 +399,12 @@ def cyclone_traffic(uri: str) -> tuple[int, int]:
     run = f"{BIN}/cyclone_dds 5 {{}} {{}} 20 unique default >/dev/null"
     script = [OTHER, "begin=$(($(date +%s) + 1))"]
     for process in (1, 2):
-        script.append(f"echo $begin | {run.format(1, process)} &")
-        script.append(f"echo $begin | inside {run.format(2, process)} &")
+        script.append(f"echo $begin | {run.format(1, process)} & running+=($!)")
+        script.append(f"echo $begin | inside {run.format(2, process)} & running+=($!)")
     said = alone(
         "bash",
         "-c",
-        "\n".join([*script, "sleep 6", "kill $(jobs -p) 2>/dev/null || true"]),
+        "\n".join([*script, "wait ${running[@]}", "sleep 0.5", "kill $(jobs -p)"]),
         env={"CYCLONEDDS_URI": uri},
     )
     sent = re.findall(r"> (239\.255)?\S+: UDP, length (\d+)", said)
@@ -422,6 +426,129 @@ def test_what_is_pasted_for_cyclone_dds_moves_its_traffic_as_the_planner_says(
     assert peers[0] == 0
     assert multicast[0] > 2 * wifi[0]
     assert 0 < multicast[1] < wifi[1]
+
+
+def spread(begins: list[str], seen: list[str]) -> str:
+    """Run processes on two hosts until tcpdump has seen all that is asked for; return all of it.
+
+    Nothing is slow to end: who is not seen within a while is asserted by the caller.
+    """
+    script = [
+        OTHER.replace("-l udp", "-l -A --immediate-mode > dump"),
+        *begins,
+        *(f"until grep -q '{text}' dump || ((SECONDS > 12)); do sleep 0.1; done" for text in seen),
+        "sleep 1",  # for what must not come
+        "kill $(jobs -p)",
+        "cat dump",
+    ]
+    return alone("bash", "-c", "\n".join(["cd $(mktemp -d -p /dev/shm)", *script]))
+
+
+ODOMETRY = "nav_msgs::msg::dds_::Odometry_"
+
+
+@pytest.mark.parametrize("way", ["client", "variable", "profile"])
+def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
+    way: str, tmp_path: Path
+) -> None:
+    """A tool reads one of two topics: a super client is told of the other one as well."""
+    ready()
+    assert lab.version("fast_dds").startswith("2.9.1")
+    begin = next(line for line in of("fast_dds_server.sh").text.splitlines() if "-i 0" in line)
+    client = of("fast_dds_client.sh").text
+    lines = {
+        "client": client,
+        "variable": of("fast_dds_super_client.sh").text,
+        "profile": "unset ROS_DISCOVERY_SERVER; export FASTRTPS_DEFAULT_PROFILES_FILE="
+        f"{placed('fast_dds_super_client.xml', tmp_path)}",
+    }
+    told, wanted = f"w rt/hidden {ODOMETRY},w rt/shown {ODOMETRY}", f"r rt/shown {ODOMETRY}"
+    found = spread(
+        [
+            f"{begin} >/dev/null &",
+            "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
+            client,
+            f"date +%s | {BIN}/fast_dds 20 1 1 '{told}' unique udp >/dev/null &",
+            lines[way],
+            f"date +%s | inside {BIN}/fast_dds 20 2 1 '{wanted}' unique udp >/dev/null &",
+        ],
+        # The port of user traffic (RTPS 2.5, 9.6.2): the writer has found the tool's reader.
+        [r"> 192.168.1.22.7411:"],
+    )
+    assert "> 192.168.1.22.7411:" in found
+    assert "rt/shown" in found
+    assert ("rt/hidden" in found) == (way == "profile")
+
+
+@pytest.mark.parametrize("way", ["as shipped", "without the variable", "as pasted"])
+def test_static_endpoints_match_and_nobody_announces_them(way: str, tmp_path: Path) -> None:
+    """By file and variable, as the paste says; and not without RMW_FASTRTPS_USE_QOS_FROM_XML."""
+    ready()
+    placed("fast_dds_static_endpoints.xml", tmp_path)
+    robot = placed("fast_dds_static.xml", tmp_path)
+    laptop = tmp_path / "laptop.xml"
+    text = robot.read_text().replace("data_writer", "data_reader")
+    laptop.write_text(text.replace("<userDefinedID>1", "<userDefinedID>2"))
+    begins = []
+    if way == "as pasted":
+        assert "RMW_FASTRTPS_USE_QOS_FROM_XML=1" in of("fast_dds_static.xml").load
+        begins.append("export RMW_FASTRTPS_USE_QOS_FROM_XML=1")
+    for inside, name, file, role in (("", "robot1", robot, "w"), ("inside", "laptop", laptop, "r")):
+        if way != "as shipped":
+            begins.append(f"export FASTRTPS_DEFAULT_PROFILES_FILE={file}")
+        begins.append(f"export ROS_SECURITY_ENCLAVE_OVERRIDE=/{name}")
+        told = f"{role} rt/robot1/odom {ODOMETRY}"
+        begins.append(f"date +%s | {inside} {BIN}/fast_dds 20 1 1 '{told}' unique udp >/dev/null &")
+    # Each knows the other as a participant; the port of user traffic is that of a matched reader.
+    matched = "> 192.168.1.22.7411:"
+    known = ["> 192.168.1.22.7410:", "> 192.168.1.10.7410:"]
+    found = spread(begins, known if way == "without the variable" else [*known, matched])
+    assert all(text in found for text in known)
+    assert (matched in found) == (way != "without the variable")
+    assert ("rt/robot1/odom" in found) == (way == "as shipped")
+
+
+def announced(seconds: float, program: list[str], env: dict[str, str]) -> int:
+    """Return how many announcements to the group a lone process sends at first."""
+    words = " ".join([*program, f"{seconds:g}", "1", "1", "2", "unique"])
+    script = [
+        # Fast DDS sends one from each address.
+        "for last in 11 21; do ip address delete 192.168.1.$last/24 dev eth0; done",
+        "tcpdump -n -i eth0 -l --immediate-mode dst host 239.255.0.1 2>/dev/null &",
+        "until ss -H --packet | grep -q .; do sleep 0.05; done",
+        f"date +%s | {words} {'udp' if 'fast_dds' in words else 'default'} >/dev/null",
+        "kill $(jobs -p)",
+    ]
+    return alone("bash", "-c", "\n".join(script), env=env).count("> 239.255.0.1.7400:")
+
+
+@pytest.mark.parametrize(
+    ("product", "variable", "program", "seconds"),
+    [
+        ("Fast DDS", "FASTRTPS_DEFAULT_PROFILES_FILE", lab.FAST_DDS, 8),
+        ("Cyclone DDS", "CYCLONEDDS_URI", lab.CYCLONE_DDS, 11),
+    ],
+)
+def test_calmer_announcements_are_as_many_as_the_planner_counts(
+    product: str, variable: str, program: list[str], seconds: float, tmp_path: Path
+) -> None:
+    ready()
+    table = PROTOCOLS[product]
+    changes = [change for change in table_changes(table) if isinstance(change, Change)]
+    (calm,) = (change.table for change in changes if change.kind == "announcements")
+    assert calm is not None
+    path = placed(f"{product.lower().replace(' ', '_')}_announcements.xml", tmp_path)
+    pasted = {variable: f"file://{path}" if product == "Cyclone DDS" else str(path)}
+    with ThreadPoolExecutor(2) as two:
+        sent = [*two.map(lambda env: announced(seconds, program, env), ({}, pasted))]
+    counted = []
+    for one in (table, calm):
+        (schedule,) = (m.schedule for m in one.messages if m.name == "SPDP")
+        early = [time for time in schedule.starts if time < seconds]
+        counted.append(len(early) + int((seconds - early[-1]) // schedule.period))
+    # On a busy machine the last ones may be late.
+    assert counted[0] - 1 <= sent[0] <= counted[0]
+    assert sent[1] == counted[1] < sent[0]
 
 
 #: A process of Zenoh's that says how many there are, once all that it was told of are there.
@@ -461,6 +588,72 @@ def test_peers_find_each_other_several_on_a_host(file: str, tmp_path: Path) -> N
     ]
     out.touch()
     alone("bash", "-c", "\n".join(script))
+
+
+#: A router of Zenoh's.
+ROUTING = """
+import sys, time, zenoh
+session = zenoh.open(zenoh.Config.from_file(sys.argv[1]))
+time.sleep(60)
+"""
+
+#: Pastes for Zenoh: a file for the routers and how many hosts have one, a file for the sessions.
+#: Then how many links between two hosts of two sessions each, and whether anybody scouts: who is
+#: found by Scouts or gossip may be connected to by both sides; one connection is closed again then.
+ZENOH_WAYS = {
+    "peers that scout": ("", 0, "zenoh_session.json5", range(4, 9), True),
+    "listed peers": ("", 0, "zenoh_peers.json5", range(4, 9), False),
+    "router": ("zenoh_router.json5", 1, "zenoh_client.json5", range(2, 3), False),
+    "router on each host": (
+        *("zenoh_router_of_host.json5", 2, "zenoh_session_of_host.json5", range(1, 2)),
+        False,
+    ),
+}
+
+
+@pytest.mark.parametrize("way", ZENOH_WAYS)
+def test_what_is_pasted_for_zenoh_makes_as_many_links_as_the_planner_says(
+    way: str, tmp_path: Path
+) -> None:
+    """Two sessions on each of two hosts: a link for each two, for each client, for the routers."""
+    ready()
+    router, routers, session, links, scouts = ZENOH_WAYS[way]
+
+    def configured(file: str, host: int) -> Path:
+        # As the comments say: only hosts of lower addresses are listed.
+        lower = re.sub(
+            r'"tcp/192\.168\.1\.(\d+):7447",?',
+            lambda found: found[0] if int(found[1]) < host else "",
+            of(file).text,
+        )
+        path = tmp_path / f"{host}_{file}"
+        path.write_text(lower)
+        return path
+
+    program, routing, out = (tmp_path / name for name in ("meeting.py", "routing.py", "out"))
+    program.write_text(MEETING)
+    routing.write_text(ROUTING)
+    out.touch()
+    script = [OTHER.replace("-l udp", f"-l --immediate-mode 'udp or tcp' > {tmp_path}/dump")]
+    hosts = {21: "", 22: "inside"}
+    for host, inside in [*hosts.items()][:routers]:
+        script.append(f"{inside} {lab.PYTHON} {routing} {configured(router, host)} &")
+        script.append(f"until {inside} ss -Hltn 'sport = 7447' | grep -q .; do sleep 0.1; done")
+    script += [
+        f"{inside} {lab.PYTHON} {program} {configured(session, host)} 4 >>{out} 2>&1 &"
+        for host, inside in [*hosts.items()] * 2
+    ]
+    script += [
+        f"until [ $(grep -c 'met 4' {out}) = 4 ]; do sleep 0.1; done",
+        "kill $(jobs -p)",
+        f"cat {tmp_path}/dump",
+    ]
+    said = alone("bash", "-c", "\n".join(script))
+    # Those with octets: the others were refused.
+    sent = re.findall(r"IP (\S+) > (\S+): Flags .* length (\d+)", said)
+    linked = {frozenset(ends) for *ends, length in sent if int(length)}
+    assert len(linked) in links
+    assert ("> 224.0.0.224.7446" in said) == scouts
 
 
 #: What a shell's lines may set and start, each looked up in the source that the table names.

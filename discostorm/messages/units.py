@@ -172,16 +172,13 @@ class Unit:
         """
         if wireless == "any" and all(group.wired for group in fleet.groups):
             return 0
+        receivers = _receivers(self.to, fleet, wireless == "receiver")
         total: Count = 0
         for index, group in enumerate(fleet.groups):
             if wireless == "holder" and group.wired:
                 continue
             own = _holders(self.what, fleet, index, away=self.to == "server")
-            if wireless == "receiver":
-                own = own * _wireless_receivers(self.to, fleet, index)
-            else:
-                own = own * _receivers(self.to, fleet, index)
-            total = total + own * _each(self.what, fleet, index)
+            total = total + own * receivers[index] * _each(self.what, fleet, index)
         return total if self.factor is None else total * _factor(self.factor, fleet)
 
     def senders(self, hosts: Hosts) -> NDArray[Any]:
@@ -262,27 +259,18 @@ def _each(what: What, fleet: Fleet, index: int) -> Count:
     return 1
 
 
-def _receivers(to: To, fleet: Fleet, index: int) -> Count:
-    """Return how many of these a process or host of a group sends to."""
-    if to == "other process":
-        return fleet.processes() - 1
-    if to == "remote process":
-        return fleet.remote_of[index]
-    if to == "other host":
-        return fleet.hosts() - 1
-    return 1
-
-
-def _wireless_receivers(to: To, fleet: Fleet, index: int) -> Count:
-    """Return the same of those that are not wired."""
+def _receivers(to: To, fleet: Fleet, wireless: bool) -> list[Count]:
+    """Return how many of these, perhaps of the wireless ones, one of each group sends to."""
+    hears = [not (wireless and group.wired) for group in fleet.groups]
+    if to == "all":
+        return [1] * len(hears)
     if to == "server":
-        return int(not fleet.groups[0].wired)
-    hosts: Count = 0
-    for place, group in enumerate(fleet.groups):
-        if not group.wired:
-            away = group.hosts - int(place == index and to != "other process")
-            hosts = hosts + away * (1 if to == "other host" else group.processes)
-    return hosts - int(to == "other process" and not fleet.groups[index].wired)
+        return [int(hears[0])] * len(hears)
+    if to == "remote process":
+        return fleet.wireless_remote_of if wireless else fleet.remote_of
+    many = fleet.processes_of if to == "other process" else [g.hosts for g in fleet.groups]
+    total = sum(number for number, hear in zip(many, hears, strict=True) if hear)
+    return [total - int(hear) for hear in hears]
 
 
 def _factor(factor: Factor, fleet: Fleet) -> Count:

@@ -239,6 +239,10 @@ NUMBERS: dict[str, Callable[[], dict[str, float]]] = {
         "unicast_nav2": swarms.share(DDS, "unicast", 3, 1, 678),
     },
     "multicast-airtime-spdp": lambda: {"multicast": swarms.share(DDS, "multicast", 7, 2, 10)},
+    "multicast-is-unreliable": lambda: {
+        "standard": found.multicast_lost_on_a_disc(DDS, 7, "standard"),
+        "ns3": found.multicast_lost_on_a_disc(DDS, 7, "ns-3"),
+    },
     "deterministic": lambda: {
         "matching": captured.matching_ratio("Fast DDS"),
         "scatter": captured.run_scatter("Fast DDS"),

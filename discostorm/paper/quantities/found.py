@@ -133,6 +133,14 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
     return float(row["on_air"]) * sum(receptions.values()) / receptions[True]
 
 
+def multicast_lost_on_a_disc(protocol: Protocol, hosts: float, receivers: str) -> float:
+    """Return the same part of hosts at unlike distances, by whose receivers hear them."""
+    (row,) = _simulated(
+        "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers
+    )
+    return float(row["multicast_lost"])
+
+
 def runs_converged(hosts: float) -> float:
     """Return the part of the simulated runs in which everybody knew everybody in two minutes.
 
