@@ -3,7 +3,6 @@
 import argparse
 import re
 import subprocess
-import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -40,9 +39,10 @@ def missing(log: str) -> list[str]:
     return sorted(set(MISSING.findall(log)))
 
 
-def words(pdf: Path) -> list[str]:
+def words(pdf: Path, *options: str) -> list[str]:
     """Return the text of each page."""
-    done = subprocess.run(["pdftotext", str(pdf), "-"], capture_output=True, text=True, check=True)
+    command = ["pdftotext", *options, str(pdf), "-"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
     return done.stdout.split("\f")[:-1]
 
 
@@ -117,16 +117,19 @@ def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None
 
 
 def alone(reader: PdfReader, texts: list[str]) -> list[str]:
-    """Return the headings, and the labels of solutions, with which a page ends."""
+    """Return the headings, and the labels of solutions, with which a page ends.
+
+    The texts are those of ``words(pdf, "-layout")``, whose lines come in the order of the page.
+    """
     titles = {(page, "".join(title.split())) for page, title in headings(reader, reader.outline)}
     pages = [list(filter(None, map(str.strip, text.splitlines()))) for text in texts]
     ((head, _),) = Counter(lines[0] for lines in pages if lines).most_common(1)
     found = []
     for number, lines in enumerate(pages):
-        # Below the text is the page's number; where there is a head, the section's name, too.
-        body = lines[1:-2] if lines[:1] == [head] else lines[:-1]
+        # The last line is the page's number, the section's name beside it.
+        body = lines[1:-1] if lines[:1] == [head] else lines[:-1]
         last = "".join(body[-1].split()) if body else ""
-        # A heading is "3.5 Words"; the section's name, which may be read early, is "3.5. Words".
+        # A heading is "3.5 Words".
         is_title = {(number, last), (number, re.sub(r"^[\d.]*\d", "", last))} & titles
         if (is_title and len(body) > 1) or re.fullmatch(r"Solution\d+", last):
             found.append(f"page {number + 1} of the file ends with {body[-1]!r}")
@@ -144,9 +147,7 @@ def main() -> None:
     log = pdf.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
     texts = words(pdf)
     wrong = overfull(log) + missing(log) + gaps(reader, filled(pdf))
-    # Text moves between pages with every edit: what only looks poor is told, and stops nothing.
-    for poor in scant(reader, texts) + alone(reader, texts):
-        print(f"discostorm: {pdf}: {poor}", file=sys.stderr)
+    wrong += scant(reader, texts) + alone(reader, words(pdf, "-layout"))
     if arguments.pages and len(reader.pages) > arguments.pages:
         wrong.append(f"{len(reader.pages)} pages; at most {arguments.pages} are wanted")
     if wrong:

@@ -79,7 +79,7 @@ def test_nothing_runs_off_a_page_and_none_is_all_but_empty(pdf: PdfReader, text:
     assert not check_pdf.missing(log)
     assert not check_pdf.gaps(pdf, check_pdf.filled(PDF))
     assert not check_pdf.scant(pdf, text)
-    assert not check_pdf.alone(pdf, text)
+    assert not check_pdf.alone(pdf, check_pdf.words(PDF, "-layout"))
 
 
 def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
@@ -110,9 +110,10 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
     few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
     assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
     *_, (page, title) = check_pdf.headings(pdf, pdf.outline[-3:])
+    text = check_pdf.words(PDF, "-layout")
     running = text[-2].strip().splitlines()[0]
     for last in (f"7.2 {title}", "Solution 2"):
-        ends = f"{running}\n\nwords\n\n{last}\n\n7. A section\n\n9\n"
+        ends = f"{running}\n\nwords\n\n{last}\n\n7. A section      9\n"
         worse = [*text[:page], ends, *text[page + 1 :]]
         assert check_pdf.alone(pdf, worse) == [f"page {page + 1} of the file ends with {last!r}"]
 

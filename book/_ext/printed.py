@@ -32,17 +32,17 @@ _TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
 _SOLUTION = "Show the solution"
-#: Sections that the contents need not name; short pages that begin where the one before ends.
+#: Sections that the contents need not name.
 _IN_EVERY_CHAPTER = ("Exercises", "The answer")
-_RUN_ON = ("book/how_to_cite", "book/status")
 #: Percent of a figure's size on the screen, in which its letters are no larger than the text's.
 _SCALE = 88
 #: Points that a line of code takes, and the frame around it; lines of it that stay together.
 _CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
 #: What stands between blocks and is not seen.
 _UNSEEN = (nodes.Invisible, nodes.raw)
-#: Points that a heading takes, and a chapter's last section that begins where it ends.
-_HEADING, _ENDING = 45.0, 310.0
+#: Points that a heading takes, those with the lines that are to follow it, and those of a chapter's
+#: last section that begins where it ends.
+_HEADING, _BEGINNING, _ENDING = 45.0, 90.0, 310.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
@@ -252,6 +252,17 @@ def _keep(block: nodes.Element, room: float) -> None:
     block.parent.insert(block.parent.index(block), begin)
 
 
+def _keep_headings(chapter: nodes.section) -> None:
+    """Begin each section where there is room for its heading and a few lines.
+
+    A figure that comes first may move, so that LaTeX would leave the heading alone.
+    """
+    for section in list(chapter.findall(nodes.section)):
+        if section is not chapter:
+            begin = _latex(rf"\roomfor{{{_BEGINNING:.0f}pt}}" + "\n")
+            section.parent.insert(section.parent.index(section), begin)
+
+
 def _announces(paragraph: nodes.paragraph) -> bool:
     """Return whether a paragraph is nothing without what follows: a label, or words and a colon."""
     is_label = len(paragraph) == 1 and isinstance(paragraph[0], nodes.strong)
@@ -371,8 +382,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _shorten_the_contents(chapter)
         section = next(chapter.findall(nodes.section))
         section.insert(1, _link(app, chapter_name))
-        if chapter_name in _RUN_ON:
-            chapter.insert(0, _latex(r"\runon" + "\n"))
+        _keep_headings(section)
         if chapter_name == CHEAT_SHEET:
             section.insert(1, _latex(r"\begingroup\small" + "\n"))
             section += _latex(r"\endgroup" + "\n")
@@ -388,7 +398,11 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         depth = 2 if number else -1
         part = rf"\part{{{caption}}}" if caption else ""
         landing += _latex(rf"\setcounter{{secnumdepth}}{{{depth}}}{part}")
-        landing += [chapters[chapter] for _, chapter in contents["entries"]]
+        entries = [chapters[chapter] for _, chapter in contents["entries"]]
+        # Behind the page that names a part a chapter begins on its own.
+        for chapter in entries[bool(caption) :]:
+            chapter.insert(0, _latex(r"\runon" + "\n"))
+        landing += entries
     if exercises:
         landing += solutions
 
