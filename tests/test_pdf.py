@@ -172,6 +172,21 @@ def test_a_table_breaks_where_two_rows_are_left_and_begins_with_its_announcement
     assert [len(entry) for entry in made.findall(nodes.entry)][-1] == 0
 
 
+def test_a_long_text_is_printed_once_and_a_figure_leaves_no_heading_alone() -> None:
+    long, short = "\n".join("abcdefghijklmnop"), "one line"
+    blocks = [nodes.literal_block(text, text) for text in (long, short, long, short)]
+    tree = nodes.section("", nodes.title("", "A heading"), nodes.figure("", nodes.image()), *blocks)
+    section = nodes.section("", tree)
+    printed._say_once(tree)
+    assert [block.astext() for block in tree.findall(nodes.literal_block)] == [long, short, short]
+    label = re.search(r"\\label\{([\w-]+)\}", tree.astext())
+    assert label
+    assert rf"As on page \pageref{{{label[1]}}}." in tree.astext()
+    # What comes first after the heading is drawn, so that the text below it takes the heading along.
+    printed._keep(blocks[0], 50)
+    assert section[0].astext().startswith(r"\settlefigures\roomfor{95pt}")
+
+
 def test_a_wide_table_has_its_narrow_columns_in_pairs() -> None:
     sentence = "words " * 100
     made = table(("no.", "where", "verdict", "by", "says"), ("1", "Sec. I", "yes", "us", sentence))

@@ -65,6 +65,8 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> list[nodes.container]:
             solutions.append(cell)
             label = f"solution-{chapter['docname'].replace('/', '-')}"
             cell.replace_self(_latex(rf"\emph{{Solution on page \pageref{{{label}}}.}}" + "\n\n"))
+        elif "tag_facts" in cell["classes"] and not _is_announced(cell):
+            cell.parent.remove(cell)  # what the text below states
         elif cell.get("hide_mode") in {"input", "all"}:
             source = cell.children[0]
             if isinstance(source, nodes.Element) and source.get("nb_element") == "cell_code_source":
@@ -237,7 +239,7 @@ def _keep(block: nodes.Element, room: float) -> None:
     while True:
         around = block.parent
         ahead = around[: around.index(block)]
-        before = next((n for n in reversed(ahead) if not isinstance(n, _UNSEEN)), None)
+        before = next((n for n in reversed(ahead) if not _is_elsewhere(n)), None)
         if before is None and isinstance(around, nodes.container):
             block = around
         elif isinstance(before, nodes.title) and isinstance(around.parent, nodes.section):
@@ -252,6 +254,13 @@ def _keep(block: nodes.Element, room: float) -> None:
     block.parent.insert(block.parent.index(block), begin)
 
 
+def _is_elsewhere(node: nodes.Node) -> bool:
+    """Return whether there is nothing to see where a node stands: figures may move."""
+    if isinstance(node, nodes.Text | nodes.image):
+        return False
+    return isinstance(node, (*_UNSEEN, nodes.figure)) or all(map(_is_elsewhere, node.children))
+
+
 def _keep_headings(chapter: nodes.section) -> None:
     """Begin each section where there is room for its heading and a few lines.
 
@@ -263,6 +272,13 @@ def _keep_headings(chapter: nodes.section) -> None:
             section.parent.insert(section.parent.index(section), begin)
 
 
+def _is_announced(cell: nodes.Element) -> bool:
+    """Return whether the paragraph before a cell ends with a colon."""
+    ahead = cell.parent[: cell.parent.index(cell)]
+    before = next((node for node in reversed(ahead) if not _is_elsewhere(node)), None)
+    return isinstance(before, nodes.paragraph) and _announces(before)
+
+
 def _announces(paragraph: nodes.paragraph) -> bool:
     """Return whether a paragraph is nothing without what follows: a label, or words and a colon."""
     is_label = len(paragraph) == 1 and isinstance(paragraph[0], nodes.strong)
@@ -272,6 +288,21 @@ def _announces(paragraph: nodes.paragraph) -> bool:
 def _natural_height(paragraph: nodes.paragraph) -> float:
     measure = _MEASURE - (0 if isinstance(paragraph.parent, nodes.section) else 50)
     return 12 * math.ceil(_LETTER * 10 * len(paragraph.astext()) / measure) + 6
+
+
+def _say_once(tree: nodes.document) -> None:
+    """Print a long text, such as a configuration, where it comes first, and refer to it later."""
+    first: dict[str, str] = {}
+    for block in list(tree.findall(nodes.literal_block)):
+        text = block.astext().strip()
+        if text.count("\n") < _CODE_LINES:
+            continue
+        if label := first.get(text):
+            block.replace_self(_latex(rf"As on page \pageref{{{label}}}." + "\n\n"))
+        else:
+            first[text] = f"text-{len(first)}"
+            begin = _latex(rf"\phantomsection\label{{{first[text]}}}" + "\n")
+            block.parent.insert(block.parent.index(block), begin)
 
 
 def _describe_and_scale(figure: nodes.figure) -> None:
@@ -365,6 +396,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         if (found := _leave_out_what_is_folded(chapter))
     }
     solutions = _solutions(app, exercises)
+    _say_once(tree)
     sheet = list(chapters[CHEAT_SHEET].findall(nodes.table)) if chapters else []
     for part in (tree, solutions):
         for figure in part.findall(nodes.figure):
