@@ -182,7 +182,7 @@ def test_a_long_text_is_printed_once_and_a_figure_leaves_no_heading_alone() -> N
     label = re.search(r"\\label\{([\w-]+)\}", tree.astext())
     assert label
     assert rf"As on page \pageref{{{label[1]}}}." in tree.astext()
-    # What comes first after the heading is drawn, so that the text below it takes the heading along.
+    # A figure comes first after the heading and may move: the text below takes the heading along.
     printed._keep(blocks[0], 50)
     assert section[0].astext().startswith(r"\settlefigures\roomfor{95pt}")
 
