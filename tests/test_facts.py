@@ -5,6 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from myst_nb.core.read import read_myst_markdown_notebook
+from nbclient import NotebookClient
 
 from discostorm.book.facts import (
     KEY,
@@ -24,6 +26,24 @@ GUARDED = [path for path in NOTEBOOKS if is_guarded(read(path))]
 
 def test_there_are_guarded_chapters() -> None:
     assert "01_who_tells_whom.ipynb" in [path.name for path in GUARDED]
+
+
+def executed(page: Path) -> list[dict[str, Any]]:
+    """Run the code of a Markdown page and return its cells."""
+    notebook = read_myst_markdown_notebook(page.read_text(encoding="utf-8"))
+    NotebookClient(
+        notebook, kernel_name="python3", resources={"metadata": {"path": page.parent}}
+    ).execute()
+    return [dict(cell) for cell in notebook.cells]
+
+
+@pytest.mark.parametrize("name", ["index"])
+def test_text_and_facts_of_a_page_agree(name: str) -> None:
+    cells = executed(ROOT / "book" / f"{name}.md")
+    assert disagreements(cells) == []
+    (first,) = (cell for cell in cells if "**About 7 with DDS" in cell["source"])
+    first["source"] = first["source"].replace("7.16", "7.61")
+    assert "7.61" in disagreements(cells)[0]
 
 
 @pytest.mark.parametrize("path", GUARDED, ids=lambda path: path.stem)

@@ -159,7 +159,7 @@ def known() -> dict[tuple[frozenset[str], str], ladder.Rung]:
 
 def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
     told = tab.locator(".ladder-told")
-    expect(told).to_contain_text("as the paper counts")
+    expect(told).to_contain_text("by the paper model")
     for switch in ladder.SWITCHES:
         tab.get_by_label(switch.name, exact=True).check()
         boxes = tab.locator("#ladder input:checked")
@@ -171,7 +171,7 @@ def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
         expect(marker).to_have_text(re.compile(rf"^{known()[on, 'DDS'].shown}\s*DDS"))
     while tab.locator("#ladder input:checked").count():  # one may take others with it
         tab.locator("#ladder input:checked").first.uncheck()
-    expect(told).to_contain_text("as the paper counts")
+    expect(told).to_contain_text("by the paper model")
 
 
 def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:

@@ -90,51 +90,47 @@ class Rung:
 
 TIMING = Switch(
     "timing",
-    "The standard's exact timing",
-    "waiting, preambles and whole symbols as IEEE 802.11n has them, instead of the paper's rates "
-    "and overheads",
+    "Exact 802.11n timing",
+    "whole symbols, preambles and waits of IEEE 802.11n instead of the paper's rate and overhead",
 )
 AGGREGATION = Switch(
     "aggregation",
-    f"{MPDUS} frames in every exchange",
-    "aggregation at its best: every queue holds that many frames for one receiver",
+    f"Full aggregation, {MPDUS} frames per A-MPDU",
+    "the best case: every queue always holds that many frames for one receiver",
     needs=("timing",),
 )
 PERIODS = Switch(
     "periods",
-    "The products' periods and leases",
-    "what products repeat is repeated, and the start may take as long as a silent peer counts as "
-    "alive, instead of one second",
+    "The products' timers; startup may take a lease",
+    "periodic traffic is counted too, and startup may take one lease instead of one second",
 )
 AS_BUILT = Switch(
     "as built",
-    "What the products really send",
-    "the messages of Fast DDS and of Zenoh peers, counted in captures, instead of the paper's",
+    "The products' real messages",
+    "the messages that we captured from Fast DDS and from Zenoh peers, instead of the paper's",
     kind="measured",
     needs=("periods",),
 )
 
 CONTENTION = Switch(
     "contention",
-    "Hosts that contend for the channel",
-    "hosts and access point wait, collide and try again, frame by frame; their queues hold any "
-    "number of frames, and all is carried within a second",
+    "Hosts contend for the channel",
+    "robots and access point back off, collide and retry, frame by frame; no queue overflows",
     kind="simulated",
     needs=("timing",),
 )
 QUEUES = Switch(
     "queues",
-    "Queues that overflow, and repair",
-    "queues hold 500 frames, none for longer than half a second; the middleware repairs what is "
-    "lost, and all know each other before a lease of its product has passed",
+    "Queues overflow, middleware recovers",
+    "queues hold 500 frames, each for at most half a second; the middleware retransmits what they "
+    "lose, and startup may take one lease",
     kind="simulated",
     needs=("contention",),
 )
 STAGGERED = Switch(
     "staggered",
-    "Starts in turn",
-    "one host after the other in an agreed order, each when the airtime of the bursts before it "
-    "has passed, instead of all at once",
+    "Robots start in turn",
+    "one robot after another, each once the airtime of the bursts before it has passed",
     kind="simulated",
     needs=("queues",),
 )

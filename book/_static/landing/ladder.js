@@ -74,12 +74,12 @@
       times.size > 1
         ? shown.map(({ within, protocol }) => `${within} s with ${protocol}`).join(" and ")
         : `${[...times]} s`;
-    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", as the paper counts"}. The start may take ${time}.${changed}`;
+    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", by the paper model"}. Startup may take ${time}.${changed}`;
   }
 
   list.addEventListener("change", ({ target }) => {
     const wanted = [...inputs].filter(([, input]) => input.checked).map(([key]) => key);
-    // The nearest combination that somebody computed or simulated.
+    // The nearest combination that was computed or simulated.
     const [found] = known
       .filter((on) => on.includes(target.value) === target.checked)
       .sort((a, b) => distance(a, wanted) - distance(b, wanted));
