@@ -42,6 +42,7 @@ NUMBER_WORDS = {
 _APART = re.compile(
     r"""
     ^```.*?^```            # code and directives
+    | ^:{4,}\{.*$          # and what they are given
     | ^\$\$.*?^\$\$ .*?$   # formulas
     | `[^`\n]*`            # code, roles
     | \$[^$\n]+\$
