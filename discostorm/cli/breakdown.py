@@ -38,7 +38,7 @@ CASTS = {"unicast": "uni", "multicast": "multi"}
     default=1.0,
     show_default=True,
     metavar="S",
-    help="Count what is sent in the first so many seconds; the paper's is one.",
+    help="Count the messages of the first S seconds; the paper counts one second.",
 )
 @output_options
 def breakdown(
@@ -48,7 +48,7 @@ def breakdown(
     window: float,
     output: Output,
 ) -> None:
-    """Show what each message of the discovery costs, up to the access point and down.
+    """Show the cost of each message type, on the uplink and on the downlink.
 
     {matching}
 
@@ -99,7 +99,9 @@ def breakdown(
     )
     print_channel(wifi, output)
     if output.for_people:
-        click.echo(f"Counted: what is sent in the first {window:g} s, {payload:,.0f} B of payload.")
+        click.echo(
+            f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
+        )
         members.tell_alone()
 
 

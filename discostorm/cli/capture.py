@@ -43,37 +43,39 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 
 @click.command()
 @click.argument("file", **A_FILE)
-@protocol_option_of(
-    "--against", None, "Instead of the paper's tables of what is found, the one to hold it against"
+@protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
+@click.option(
+    "--fleet",
+    **A_FILE,
+    help="Fleet file (TOML) to compare with; default: the fleet in the capture.",
 )
-@click.option("--fleet", **A_FILE, help="Fleet file (TOML); the fleet found if left out.")
 @robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
 @click.option(
     "--wired",
     metavar="ADDRESS",
     multiple=True,
-    help="A host that is wired to the access point; may be given again, none for no host. If left "
-    "out, hosts with nothing but Discovery Servers and Zenoh routers.",
+    help="Host that is wired to the access point, or 'none'. Repeat the option for several. "
+    "Default: hosts that run nothing but Discovery Servers and Zenoh routers.",
 )
 @click.option(
     "--window",
     type=float,
     metavar="S",
-    help="Hold the first so many seconds against the tables, from their first message on, as "
-    "`breakdown --window` counts; all if left out.",
+    help="Compare the first S seconds from the first discovery message on, as `breakdown --window` "
+    "counts; default: the whole capture.",
 )
 @click.option(
     "--write-fleet",
     "written",
     **A_FILE,
-    help="Write the fleet that was found, with wired hosts, as a fleet file (TOML).",
+    help="Write the captured fleet, with wired hosts, as a fleet file (TOML).",
 )
 @click.option(
     "--picture",
     **A_FILE,
     callback=_drawable,
-    help="Draw it, too: a file .svg, .pdf or .png.",
+    help="Draw the capture into a .svg, .pdf or .png file.",
 )
 @output_options
 def capture(
@@ -88,13 +90,15 @@ def capture(
     picture: str | None,
     output: Output,
 ) -> None:
-    """Tell from a capture whether discovery is healthy, and count its messages.
+    """Diagnose discovery in a capture, and compare its messages with a model.
 
-    First comes the answer: whether discovery is healthy, complete and over, if not why, and what to
-    do; then a table by host, and the messages against the model. FILE is pcap or pcapng, also as
-    .gz or .xz, or - for standard input, which is read to its end. Per unit is what was captured for
-    each process, pair of processes or endpoint of the fleet that the capture itself tells of;
-    airtime is that on the paper's channel, of a host that is wired on one hop alone. Record with:
+    The answer comes first: whether discovery is healthy, complete and over. If it is not, the
+    command says why and what to do. Then come a table of hosts and a table of messages.
+
+    FILE is pcap or pcapng, plain or as .gz or .xz, or - for standard input, which is read to its
+    end. "per unit" divides the captured messages by the processes, pairs of processes or endpoints
+    in the capture. Airtime is that of the paper's channel; messages of wired hosts take one hop.
+    Record with:
 
     \b
       {record_file}

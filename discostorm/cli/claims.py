@@ -18,11 +18,11 @@ VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv")]
 @click.option(
     "--verdict",
     type=click.Choice(VERDICTS),
-    help="Only claims with this verdict.",
+    help="Show only claims with this verdict.",
 )
 @output_options
 def claims(verdict: str | None, output: Output) -> None:
-    """List the paper's claims, what we computed, and what became of them.
+    """List the paper's claims with our results and verdicts.
 
     \b
     Examples:

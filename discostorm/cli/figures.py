@@ -18,7 +18,7 @@ from discostorm.cli.output import BadInput, Output, bad_input, print_rows, visib
     required=True,
     metavar="DIR",
     shell_complete=completes("dir"),
-    help="Folder to write to, made if missing.",
+    help="Output folder, created if missing.",
 )
 @output_options
 def figures(out: str, output: Output) -> None:

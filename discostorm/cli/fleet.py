@@ -20,32 +20,32 @@ from discostorm.cli.output import BadInput, Output, as_text, bad_input, print_ro
     "file",
     **A_FILE,
     required=True,
-    help="Text that ROS 2 printed, or - for standard input.",
+    help="File with the output of ROS 2 commands, or - for standard input.",
 )
 @click.option(
     "--hosts",
     type=float,
     metavar="N",
-    help="The nodes are those of one robot; there are N of them.",
+    help="Robots of this kind; the text then describes one of them.",
 )
 @click.option(
     "--processes",
     type=float,
     metavar="N",
-    help="Processes on each robot.  [default: one for each node, the most there can be]",
+    help="Processes on each robot.  [default: one for each node, the maximum]",
 )
 @output_options
 def fleet(file: str, hosts: float | None, processes: float | None, output: Output) -> None:
-    """Make a fleet file of what ROS 2 says of its nodes and topics.
+    """Write a fleet file from the output of ROS 2 commands.
 
-    It reads the text of `ros2 node list`, `ros2 node info` and `ros2 topic list -v`, one after
-    the other in one file. Begin with:
+    One file may hold the text of `ros2 node list`, `ros2 node info` and `ros2 topic list -v`, one
+    after the other. Begin with:
 
     \b
       (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
 
-    The file that it prints says what ROS 2 does not tell, and which formats were never tried on a
-    live system.
+    Comments in the fleet file name what ROS 2 does not tell, and the formats that were never tried
+    on a live system.
 
     \b
     Examples:

@@ -16,9 +16,9 @@ from discostorm.cli.output import Output
 from discostorm.fleet import HostGroup
 
 _MATCHING = (
-    "Measured models depend on which endpoints match. The processes of a fleet file share ROS 2's "
-    "own topics unless the file says `shared`, and so do those of --robot; hosts given by "
-    "--processes and --endpoints share nothing."
+    "Measured models depend on the endpoints that match. The processes of a fleet file and of "
+    "--robot share ROS 2's own topics, unless the file says `shared`. Hosts given by --processes "
+    "and --endpoints share no topic."
 )
 
 
@@ -181,18 +181,18 @@ def compared(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fl
 
 
 file_options = (
-    click.option("--fleet", **A_FILE, help="Fleet file; the same as FLEET."),
+    click.option("--fleet", **A_FILE, help="Fleet file, the same as FLEET."),
     click.argument("file", **A_FILE | {"metavar": "[FLEET]"}, required=False),
 )
 robot_option = click.option(
     "--robot",
     metavar="NAME",
-    help="Ready-made robot instead of processes and endpoints, as turtlebot4; `discostorm robots` "
-    "lists them.",
+    help="Ready-made robot, such as turtlebot4, in place of processes and endpoints; "
+    "`discostorm robots` lists them.",
 )
 count_options = (
     click.option("--processes", type=float, metavar="N", help="Processes on each host."),
-    click.option("--endpoints", type=float, metavar="N", help="Endpoints of each process."),
+    click.option("--endpoints", type=float, metavar="N", help="Endpoints in each process."),
     robot_option,
 )
 

@@ -16,17 +16,17 @@ from discostorm import _names
 
 #: The commands, each in the module of its name, which is loaded when it is needed.
 COMMANDS = {
-    "breakdown": "What each message costs.",
-    "capture": "What a capture holds, against the model.",
-    "claims": "The paper's claims and their verdicts.",
+    "breakdown": "Show the cost of each message type.",
+    "capture": "Diagnose a capture, and compare it with a model.",
+    "claims": "List the paper's claims with their verdicts.",
     "figures": "Write the paper's figures and their data.",
-    "fleet": "A fleet file from what ROS 2 says of its nodes.",
-    "plan": "Advice for a fleet: what would help most.",
-    "robots": "The ready-made robots that --robot takes.",
-    "saturation": "Hosts at which the channel is full.",
-    "simulate": "The start of a fleet on the air, frame by frame.",
-    "utilization": "Airtime of discovery in one second.",
-    "watch": "Discovery as it happens, with what is wrong.",
+    "fleet": "Write a fleet file from the output of ROS 2 commands.",
+    "plan": "Rank the changes that help a fleet.",
+    "robots": "List the ready-made robots.",
+    "saturation": "Compute how many hosts fill the channel.",
+    "simulate": "Simulate the startup of a fleet, frame by frame.",
+    "utilization": "Compute the airtime that discovery needs in one second.",
+    "watch": "Watch live discovery, with a diagnosis.",
 }
 
 
@@ -97,15 +97,14 @@ def _refuse_repeated(command: click.Command, ctx: click.Context, args: list[str]
 @click.group(
     cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"]},
-    epilog="Exit codes: 0 it worked, 1 the output could not be written or was stopped, "
-    "2 wrong usage or input.",
+    epilog="Exit codes: 0 success, 1 output not written or stopped, 2 wrong usage or input.",
 )
 @click.version_option(ds.__version__, message="%(prog)s %(version)s")
 def main() -> None:
-    """How much Wi-Fi airtime the discovery of ROS 2 robots takes, and what helps.
+    """Compute the Wi-Fi airtime that ROS 2 discovery needs, and what reduces it.
 
-    Utilization is airtime per second: at 1, or 100%, the channel does nothing else; at 2
-    discovery asks for two seconds of airtime in one, and does not fit.
+    Utilization is airtime per second. At 1, or 100%, the channel carries nothing else. At 2,
+    discovery needs two seconds of airtime in one second, so it does not fit.
 
     \b
     Examples:
@@ -113,6 +112,6 @@ def main() -> None:
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 --protocol all
       discostorm plan fleet.toml
 
-    Something is wrong already? The book's page "What is wrong with my robots?"
-    (book/what_is_wrong) starts from what you see.
+    Is something wrong already? Start from your symptom, on the book's page "What is wrong with my
+    robots?" (book/what_is_wrong).
     """

@@ -169,17 +169,17 @@ def _wifi_options(make: Callable[..., Wifi], *options: str) -> Callable[[Any], A
             show_default=True,
             metavar="NAME",
             callback=listing(("paper", *ds.WIFI)),
-            help="The channel: paper, or a radio such as '802.11ac 80 MHz' or "
-            "'802.11n 20 MHz 2x2, A-MPDU 64'; 'list' lists some.",
+            help="Channel: 'paper', or a radio such as '802.11ac 80 MHz' or "
+            "'802.11n 20 MHz 2x2, A-MPDU 64'. 'list' shows more.",
         ),
         *(
             click.option(
                 f"--{option.replace('_', '-')}",
                 type=float,
                 metavar=LINK_OPTIONS[option][2],
-                help="Instead of the channel's."
+                help="Multicast rate; default: that of the channel."
                 if option == "multicast_rate"
-                else "Instead of the paper's.",
+                else f"{option.replace('_', ' ').capitalize()}; default: that of the paper.",
             )
             for option in options
         ),
@@ -248,7 +248,7 @@ def protocol_option_of(flag: str, default: str | None, told: str) -> Callable[[A
         default=default,
         show_default=True,
         callback=_protocol_name,
-        help=f"{told}, as fastdds or rmw_cyclonedds_cpp; 'list' lists all names.",
+        help=f"{told}, such as fastdds or rmw_cyclonedds_cpp; 'list' lists the names.",
     )
 
 
@@ -260,6 +260,6 @@ protocol_option = click.option(
     default=(DEFAULT,),
     show_default=True,
     callback=_protocols,
-    help="Middleware, as fastdds or rmw_zenoh_cpp. Give it again for more, 'all' for every one, "
-    "'paper' for the paper's DDS and Zenoh; 'list' lists all names.",
+    help="Middleware, such as fastdds or rmw_zenoh_cpp. Repeat the option to compare several. "
+    "'all' compares all, 'paper' the paper's DDS and Zenoh; 'list' lists the names.",
 )

@@ -35,23 +35,22 @@ from discostorm.wifi import Wifi
     "--nodes",
     callback=numbers,
     metavar="N[,N...]",
-    help="Nodes with parameter services in each process; with commas, one number for each "
-    "group.  [default: those of the file, else 1 where the endpoints are enough]",
+    help="Nodes with parameter services in each process; commas separate the groups.  "
+    "[default: those of the file, else 1 if the endpoints suffice]",
 )
 @click.option(
     "--shared",
     type=float,
     metavar="N",
-    help="Endpoints of each process that match one in every other, whatever its namespace; 0 "
-    "without ROS 2.  [default: what ROS 2 shares: 2, and 2 more for each node; where nobody says "
-    "how many nodes, as many as ready-made robots have for so many endpoints]",
+    help="Endpoints of each process that match one in every other process despite namespaces; 0 "
+    "without ROS 2.  [default: those of ROS 2, 2 and 2 more for each node; without the number of "
+    "nodes, as many as ready-made robots of that size have]",
 )
 @click.option(
     "--paste",
     type=int,
     metavar="N",
-    help="Print the configuration of the Nth change of the advice instead, with the lines that "
-    "load it.",
+    help="Print the configuration of change N, with the lines that load it.",
 )
 @wifi_options
 @output_options
@@ -64,23 +63,23 @@ def plan(
     wifi: Wifi,
     output: Output,
 ) -> None:
-    """Tell what dominates the discovery of a fleet, and what would help most.
+    """Show what dominates the discovery of a fleet, and rank the changes that help.
 
-    The fleet is hosts of a ready-made robot, hosts that you count, or FLEET: a TOML file, or -
-    for standard input, with a table for each group of like hosts:
+    Describe the fleet by a ready-made robot, by your own counts, or by FLEET: a TOML file, or - for
+    standard input, with a table for each group of identical hosts:
 
     \b
       [[groups]]
       name = "robots"
       hosts = 10
-      processes = 1       # of each host
-      endpoints = 678     # of each process
-      nodes = 13          # with parameter services; may be left out
-      shared = 28         # match in every other process; may be left out
+      processes = 1       # on each host
+      endpoints = 678     # in each process
+      nodes = 13          # with parameter services; optional
+      shared = 28         # match in every other process; optional
 
-    The answer comes first: after how long all robots know each other, or how long the channel is
-    busy until then. A radio from 802.11n on aggregates, so that both are ranges: from full A-MPDUs
-    to one frame in each exchange. Changes are numbered; --paste N prints what to configure.
+    The answer comes first: the discovery time, or else the drain time of the channel. Radios from
+    802.11n on aggregate, so both are ranges from full A-MPDUs to one message per frame. Changes are
+    numbered; --paste N prints the configuration of one.
 
     \b
     Examples:

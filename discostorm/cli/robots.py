@@ -13,7 +13,7 @@ from discostorm.data import read_data
 @click.command()
 @output_options
 def robots(output: Output) -> None:
-    """List the ready-made robots, of which --robot takes the name.
+    """List the ready-made robots for --robot.
 
     Endpoints are the mean over a robot's processes. The numbers are printed in the paper, counted
     in source code, or estimated; CSV and JSON have the source of each part.

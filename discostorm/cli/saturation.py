@@ -91,7 +91,9 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
 @packed(
     "kinds",
     _kinds,
-    click.option("--hosts", type=float, metavar="N", help="Hosts you have: do they fit?"),
+    click.option(
+        "--hosts", type=float, metavar="N", help="Hosts of your fleet, to see whether they fit."
+    ),
     *count_options,
     *file_options,
     click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
@@ -113,11 +115,10 @@ def saturation(
     wifi: Wifi,
     output: Output,
 ) -> None:
-    """Tell how many like hosts there are when discovery fills the channel.
+    """Compute how many identical hosts fill the channel with discovery.
 
-    Of a fleet file, FLEET, each group is asked for in turn: how many of its hosts there are
-    then, beside the other groups as they are. Of hosts that you give with --hosts it tells
-    whether they fit.
+    With a fleet file, FLEET, the command varies one group at a time and keeps the others. With
+    --hosts, it says whether that many hosts fit.
 
     {matching}
 

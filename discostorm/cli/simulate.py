@@ -71,7 +71,7 @@ class Runs:
     click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
     click.option("--seed", type=int, default=0, show_default=True, help="Random seed."),
     click.option(
-        "--loss", type=float, default=0.0, show_default=True, help="Frame errors of a link, 0 to 1."
+        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to 1."
     ),
     click.option(
         "--window",
@@ -79,7 +79,7 @@ class Runs:
         default=0.0,
         show_default=True,
         metavar="s",
-        help="Hosts start at random within this time.",
+        help="Time within which the hosts start, at random.",
     ),
     click.option(
         "--until",
@@ -87,12 +87,12 @@ class Runs:
         default=120.0,
         show_default=True,
         metavar="s",
-        help="When to give up after the last start, with recovery.",
+        help="Simulated time after the last start, with recovery.",
     ),
     click.option(
-        "--unlimited", is_flag=True, help="Queues without limits, not 500 frames and 0.5 s."
+        "--unlimited", is_flag=True, help="Unlimited queues instead of 500 frames and 0.5 s."
     ),
-    click.option("--no-recovery", is_flag=True, help="Nothing answers and nothing is repaired."),
+    click.option("--no-recovery", is_flag=True, help="Let no message answer, and recover no loss."),
 )
 @radio_options
 @output_options

@@ -32,7 +32,7 @@ from discostorm.wifi.radio import both_ends
 def utilization(
     members: list[Members], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
-    """Compute the airtime of discovery in one second, of robots or of a fleet file.
+    """Compute the airtime that the discovery of a fleet needs in one second.
 
     {matching}
 

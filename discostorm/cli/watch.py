@@ -37,10 +37,12 @@ SAYS = 0.3
 
 
 @click.command()
-@click.option("-i", "--interface", metavar="NAME", help="Where to capture, such as wlan0.")
+@click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
 @click.argument("pipe", required=False, metavar="[-]")
 @wifi_options
-@click.option("--seconds", type=float, metavar="S", help="Stop after so long.  [default: Ctrl-C]")
+@click.option(
+    "--seconds", type=float, metavar="S", help="Stop after S seconds.  [default: on Ctrl-C]"
+)
 @click.option(
     "--prometheus",
     "port",
@@ -49,7 +51,7 @@ SAYS = 0.3
     help="Serve metrics at http://localhost:PORT/metrics.",
 )
 @click.option(
-    "--text-file", **A_FILE, help="Write metrics there, for the node exporter (a file .prom)."
+    "--text-file", **A_FILE, help="Write metrics to this .prom file, for the node exporter."
 )
 def watch(
     interface: str | None,
@@ -59,11 +61,12 @@ def watch(
     port: int | None,
     text_file: str | None,
 ) -> None:
-    """Watch discovery as it happens: rates, airtime, hosts and what is wrong.
+    """Watch live discovery: rates, airtime, hosts and findings.
 
-    Needs tcpdump or dumpcap and the right to capture; or pipe what one of them writes on another
-    machine, with - instead of an interface. A table is shown anew each second; findings when two
-    diagnoses in a row make them. The newest 8 MiB of packets are kept, so that it may run for days.
+    The command needs tcpdump or dumpcap, and permission to capture. To watch another machine, pipe
+    its capture in and give - instead of an interface. The table is renewed every second. A finding
+    is shown once two diagnoses in a row agree on it. The command keeps the newest 8 MiB of packets,
+    so it can run for days.
 
     \b
     Examples:
