@@ -394,7 +394,7 @@ def test_every_claim_leads_somewhere_in_the_book():
 
 
 def test_the_chapter_explains_every_verdict_and_the_page_colors_its_sign() -> None:
-    (chapter,) = (ROOT / "notebooks").glob("*_claims.ipynb")
+    (chapter,) = (ROOT / "notebooks").glob("*_ledger.ipynb")
     cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
     prose = " ".join(" ".join("".join(cell["source"]).split()) for cell in cells)
     style = (ROOT / "book/_static/chapters.css").read_text(encoding="utf-8")

@@ -38,7 +38,7 @@ AS_IT_CAME = """() => {
 def opened(browser: Browser, book: Path) -> Iterator[Page]:
     """Return the chapter, which takes seconds to come."""
     with browser.new_page(viewport=DESKTOP) as tab:
-        (page,) = (book / "notebooks").glob("*_claims.html")
+        (page,) = (book / "notebooks").glob("*_ledger.html")
         tab.goto(page.as_uri())
         tab.evaluate(REST)
         yield tab
