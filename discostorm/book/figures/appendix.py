@@ -1,4 +1,4 @@
-"""Figures of the appendix: how sure the numbers are."""
+"""Figures of the appendix: what a frame costs, and how sure the numbers are."""
 
 from collections.abc import Sequence
 
@@ -6,11 +6,14 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
-from discostorm import uncertainty
+from discostorm import lambdify, uncertainty
 from discostorm.figures import WIDTH, color_of, style
 from discostorm.messages import Protocol
+from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
+from discostorm.wifi import PAPER, Wifi, uplink_airtime
 
 #: What all parameters at their best or worst ends are called.
 TOGETHER = "all together"
@@ -99,3 +102,69 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     axis.set_ylim(-0.6, len(rows) - 0.4)
     axis.grid(axis="y", visible=False)
     axis.tick_params(axis="y", length=0)
+
+
+def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
+    """Return the airtime [µs] of unicast frames by the paper's line and by the standard's steps.
+
+    Rows without a message are the curves, those with one the frames of the protocols.
+    """
+    frames = [
+        (message.name, message.frame_bytes) for each in protocols for message in each.messages
+    ]
+    lengths = np.arange(40, 521)
+    names = [*[""] * len(lengths), *[name for name, _ in frames]]
+    octets = np.array([*lengths, *[int(size) for _, size in frames]])
+    return pd.DataFrame(
+        {
+            "message": names,
+            "frame_B": octets,
+            "paper_us": _airtime_us(octets, PAPER),
+            "standard_us": _airtime_us(octets, wifi),
+        }
+    )
+
+
+def _airtime_us(octets: NDArray[np.int_], wifi: Wifi) -> NDArray[np.float64]:
+    size = payload_symbol("frame")
+    values = wifi.values()
+    airtime = lambdify([size, *values], uplink_airtime(size, wifi.model))
+    return np.asarray(1e6 * airtime(octets, *values.values()), dtype=float)
+
+
+def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
+    """Draw the airtime of a unicast frame against its length, with the frames of the protocols."""
+    data = frame_steps_data(protocols, wifi)
+    curves, dots = data[data["message"] == ""], data[data["message"] != ""]
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.6))
+        axis = figure.subplots()
+        end = curves.iloc[-1]
+        axis.plot(curves["frame_B"], curves["paper_us"], "--", color="0.45")
+        axis.plot(curves["frame_B"], curves["standard_us"], color="black", drawstyle="steps-post")
+        axis.text(528, end["paper_us"], "paper", va="center", fontsize=9)
+        axis.text(528, end["standard_us"], "standard", va="center", fontsize=9)
+        for protocol in protocols:
+            own = dots[dots["message"].isin([message.name for message in protocol.messages])]
+            axis.plot(
+                own["frame_B"],
+                own["standard_us"],
+                "o",
+                color=color_of(protocol),
+                markeredgecolor="black",
+                label=f"frames of {protocol.name}",
+                zorder=3,
+            )
+        for height, own in dots.groupby("standard_us"):
+            names, last = ", ".join(own["message"]), own["frame_B"].max()
+            if len(own) > 2:  # too long to stand above its step
+                look = {"arrowstyle": "-", "color": "0.45"}
+                axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=look)
+            else:
+                axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
+        axis.set(xlim=(40, 600), ylim=(180, 225))
+        axis.set_xlabel("frame length [B]")
+        axis.set_ylabel("airtime of a unicast frame [µs]")
+        axis.set_title("Whole symbols always cost more than the paper's line", loc="left")
+        axis.legend(loc="upper left")
+    return figure
