@@ -169,7 +169,7 @@ window.addEventListener("DOMContentLoaded", () => {
     word.value = asked.get("word") ?? "";
     press();
     filter();
-    if (row) row.scrollIntoView({ block: "center" });
+    if (row) row.scrollIntoView();
     else bar.scrollIntoView();
   };
   window.addEventListener("hashchange", read);
