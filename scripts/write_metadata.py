@@ -110,7 +110,7 @@ def codemeta(given: Sources) -> str:
 def _urls(given: Sources) -> dict[str, str]:
     every = {
         "Homepage": given.base,
-        "Documentation": given.base and f"{given.base}notebooks/19_command_line.html",
+        "Documentation": given.base and f"{given.base}notebooks/21_command_line.html",
         "Source": given.source,
         "DOI": given.doi and f"https://doi.org/{given.doi}",
     }

@@ -237,7 +237,7 @@ def visit(visitor: Visitor, page: str, by: str) -> Visit:
 every_page = pytest.mark.parametrize("page", [*PAGES, "search"])
 both_ways = pytest.mark.parametrize("by", ["http", "file"])
 #: Of those that come by http, too, one of each kind: all are the same files with the same scripts.
-KINDS = ("book/index", "book/calculator", "notebooks/03_hosts", "notebooks/17_claims", "search")
+KINDS = ("book/index", "book/calculator", "notebooks/03_hosts", "notebooks/16_ledger", "search")
 EACH = [*((page, "file") for page in [*PAGES, "search"]), *((page, "http") for page in KINDS)]
 each_visit = pytest.mark.parametrize(("page", "by"), EACH)
 each_chapter = pytest.mark.parametrize(

@@ -394,13 +394,56 @@ def test_every_claim_leads_somewhere_in_the_book():
 
 
 def test_the_chapter_explains_every_verdict_and_the_page_colors_its_sign() -> None:
-    (chapter,) = (ROOT / "notebooks").glob("*_claims.ipynb")
+    (chapter,) = (ROOT / "notebooks").glob("*_ledger.ipynb")
     cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
     prose = " ".join(" ".join("".join(cell["source"]).split()) for cell in cells)
     style = (ROOT / "book/_static/chapters.css").read_text(encoding="utf-8")
     for row in claims.VERDICTS.values():
         assert f"*{row['verdict']}*" in prose
         assert f'[data-verdict="{row["sign"]}"]' in style
+
+
+def test_the_parts_of_the_ledger_have_the_rows_that_it_says() -> None:
+    (chapter,) = (ROOT / "notebooks").glob("*_ledger.ipynb")
+    cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
+    text = "\n".join("".join(cell["source"]) for cell in cells)
+    said = re.findall(r"\(claims-(\w+)\)=\n\[.+\]\(#claims-\1\): rows (\d+) to (\d+)", text)
+    rows: dict[str, list[int]] = {}
+    for claim in claims.claims():
+        rows.setdefault(claim.section, []).append(claim.id)
+    assert [(name, int(a), int(b)) for name, a, b in said] == [
+        (name, ids[0], ids[-1]) for name, ids in rows.items()
+    ]
+    for name, a, b in said:
+        assert rows[name] == list(range(int(a), int(b) + 1))
+
+
+#: Paragraphs of the paper's sections, list items apart, and sentences of its abstract.
+PARAGRAPHS = {
+    **{"I": 5, "II-A": 3, "II-B": 2, "III-A": 4, "III-B": 7, "III-C": 6},
+    **{"IV-A": 4, "IV-B": 4, "IV-C": 6, "V": 3, "Abstract": 6},
+}
+
+
+def test_every_row_says_in_which_paragraph_its_sentence_stands() -> None:
+    numbers = {f"({n})": "III-B" for n in range(1, 6)} | {f"({n})": "III-C" for n in range(6, 11)}
+    numbers |= {"(11)": "IV-B", "(12)": "IV-B", "Table I": "II-B", "Table II": "IV-A"}
+    numbers |= {f"Fig. {n}": "IV-C" for n in (2, 3, 4)}
+    for claim in claims.claims():
+        found = []
+        for place in claim.place.split("; "):
+            section, _, paragraph = place.removeprefix("Sec. ").partition(", ")
+            found.append(section)
+            if paragraph != "item Host":
+                last = re.findall(r"\d+", paragraph)[-1]
+                assert 1 <= int(last) <= PARAGRAPHS[section], claim.key
+        if claim.where.startswith(("Eq.", "Table", "Fig.")):
+            assert found == [numbers[claim.where.removeprefix("Eq. ")]], claim.key
+            assert claim.found_at == f"{claim.where}; {claim.place}"
+        else:
+            said = [part.removeprefix("Sec. ") for part in claim.where.split(", ")]
+            assert found == said, claim.key
+            assert claim.found_at == claim.place
 
 
 def test_a_soft_word_has_one_threshold_throughout() -> None:

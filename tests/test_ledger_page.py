@@ -18,27 +18,27 @@ COLUMN = f"""(index) => [...document.querySelectorAll("{ROWS}")]
     .filter((row) => row.checkVisibility()).map((row) => row.cells[index].textContent.trim())"""
 
 #: Takes back what a reader did: filters, order, folds and where one has scrolled to.
-AS_IT_CAME = """() => {
-    const bar = document.querySelector(".ledger-filters");
-    bar.querySelectorAll("[aria-pressed=true]").forEach((button) => button.click());
-    bar.reset();
-    bar.querySelector("select").dispatchEvent(new Event("change"));
-    const head = document.querySelector(".tag_ledger thead th");
-    if (document.querySelector(".tag_ledger th[aria-sort]")) {
-        head.removeAttribute("aria-sort");
-        head.querySelector("button").click();
-    }
+AS_IT_CAME = """async () => {
+    document.querySelector(".ledger-filters").reset();
+    await new Promise((resolve) => setTimeout(resolve, 50));
     document.querySelectorAll("details").forEach((details) => { details.open = false; });
     history.replaceState(null, "", location.pathname);
     scrollTo(0, 0);
 }"""
+
+#: What a reader sees first, first.
+SEVERITY = ("fails", "weaker holds", "no test", "holds")
+
+
+def by_severity() -> list[claims.Claim]:
+    return sorted(claims.claims(), key=lambda claim: SEVERITY.index(claim.outcome()))
 
 
 @pytest.fixture(scope="module")
 def opened(browser: Browser, book: Path) -> Iterator[Page]:
     """Return the chapter, which takes seconds to come."""
     with browser.new_page(viewport=DESKTOP) as tab:
-        (page,) = (book / "notebooks").glob("*_claims.html")
+        (page,) = (book / "notebooks").glob("*_ledger.html")
         tab.goto(page.as_uri())
         tab.evaluate(REST)
         yield tab
@@ -46,11 +46,11 @@ def opened(browser: Browser, book: Path) -> Iterator[Page]:
 
 @pytest.fixture
 def ledger(opened: Page) -> Page:
-    """Return the chapter as it came: all claims in their order, no formal test open."""
+    """Return the chapter as it came: all claims, the severest first, no formal test open."""
     opened.set_viewport_size(DESKTOP)
     opened.evaluate(AS_IT_CAME)
     numbers = [int(number) for number in opened.evaluate(COLUMN, 0)]
-    assert numbers == [claim.id for claim in claims.claims()]
+    assert numbers == [claim.id for claim in by_severity()]
     return opened
 
 
@@ -61,18 +61,51 @@ def test_filters_leave_what_fits_all_of_them(ledger: Page) -> None:
     ledger.get_by_role("button", name=word).click()
     qualified = [claim for claim in everything if claim.verdict() == word]
     assert [int(number) for number in ledger.evaluate(COLUMN, 0)] == [c.id for c in qualified]
-    ledger.get_by_label(re.compile("^where")).select_option("Fig. 3")
-    here = [claim for claim in qualified if claim.where.split(",")[0] == "Fig. 3"]
+    ledger.get_by_label(re.compile("^in the paper")).select_option("Fig. 3")
+    here = [claim for claim in qualified if claim.where == "Fig. 3"]
     assert [int(number) for number in ledger.evaluate(COLUMN, 0)] == [c.id for c in here]
     assert 0 < len(here) < len(qualified)
-    assert ledger.locator("output").inner_text() == f"{len(here)} of {len(everything)} claims"
+    assert ledger.locator("output").inner_text() == f"{len(here)} of {len(everything)} rows"
     ledger.get_by_label("word").fill("no such word")
     assert ledger.evaluate(COLUMN, 0) == []
     ledger.get_by_role("button", name=word).click()
-    ledger.get_by_label(re.compile("^where")).select_option("")
+    ledger.get_by_label(re.compile("^in the paper")).select_option("")
     ledger.get_by_label("word").fill("s_rel")  # a symbol of the paper, which is typeset
     (keepalive,) = (claim for claim in everything if claim.key == "frame-keepalive")
     assert ledger.evaluate(COLUMN, 0) == [str(keepalive.id)]
+
+
+def test_the_address_keeps_the_filter_and_a_link_to_a_part_shows_its_rows(
+    ledger: Page, browser: Browser, book: Path
+) -> None:
+    word = claims.VERDICTS["weaker holds"]["verdict"]
+    ledger.get_by_role("button", name=word).click()
+    ledger.get_by_label(re.compile("^in the paper")).select_option("Fig. 2")
+    ledger.get_by_label("word").fill("marginal")
+    (page,) = (book / "notebooks").glob("*_ledger.html")
+    assert str(ledger.evaluate("location.hash")) == "#verdict=qualified&where=Fig.+2&word=marginal"
+    shown = ledger.evaluate(COLUMN, 0)
+    assert len(shown) == 1
+    with browser.new_page(viewport=DESKTOP) as tab:
+        tab.goto(page.as_uri() + str(ledger.evaluate("location.hash")))
+        assert tab.evaluate(COLUMN, 0) == shown
+        assert tab.get_by_role("button", name=word).get_attribute("aria-pressed") == "true"
+        tab.evaluate("location.hash = '#claims-hosts'")
+        tab.wait_for_function(f"document.querySelectorAll('{ROWS}:not([hidden])').length > 1")
+        part = [claim.id for claim in by_severity() if claim.section == "hosts"]
+        assert [int(number) for number in tab.evaluate(COLUMN, 0)] == part
+        # A row that the filter hides is shown to whoever follows a link to it.
+        tab.evaluate("location.hash = '#claim-1'")
+        tab.locator("#claim-1").wait_for(state="visible")
+
+
+def test_the_ledger_needs_no_sideways_scroll(ledger: Page) -> None:
+    ledger.set_viewport_size({"width": 1024, "height": 768})
+    ledger.evaluate(REST)
+    assert ledger.evaluate("document.documentElement.scrollWidth") <= 1024
+    table = ledger.locator(".tag_ledger table").bounding_box()
+    assert table is not None
+    assert table["x"] + table["width"] <= 1024
 
 
 def test_enter_sorts_once_and_equals_keep_their_order(ledger: Page) -> None:
@@ -112,6 +145,7 @@ def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
     assert all(box and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
     # Cards have no heads to sort them by: a select does it, by keyboard, too, and says how.
     ledger.get_by_label("sort by").focus()
+    ledger.keyboard.press("r")
     ledger.keyboard.press("v")
     sorted_by_select = ledger.evaluate(COLUMN, 0)
     assert ledger.locator("th[aria-sort=ascending]").inner_text() == "verdict"
@@ -129,9 +163,9 @@ def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
 
 
 def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:
-    assert not ledger.locator("#claim-17").is_visible()
+    assert not ledger.locator("#test-17").is_visible()
     ledger.locator(f"{ROWS} td a", has_text="17").first.click()
-    ledger.locator("#claim-17").wait_for(state="visible")
+    ledger.locator("#test-17").wait_for(state="visible")
 
 
 def test_every_claim_says_in_which_cell_it_is_decided(ledger: Page) -> None:

@@ -1,7 +1,8 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
 ``data/paper/claims.csv`` says of each claim, by a key, where the paper makes it, in our words,
-and which outcome of its tests we state; its remark has places for what was computed. The tests
+and which outcome of its tests we state; its remark has places for what was computed.
+``data/paper/places.csv`` says in which paragraph the paper makes it. The tests
 are in `predicates`, by the same key: verdicts are computed from them. What an outcome is called
 stands in ``data/paper/verdicts.csv``. A figure of the paper has the weakest verdict of the claims
 about it, which ``data/paper/figures.csv`` lists.
@@ -58,6 +59,8 @@ class Claim:
         The qualification, how it is contradicted, or why it cannot be checked.
     link : str
         Label in the book where the quantity is derived.
+    place : str
+        Paragraph of the paper, or sentence of its abstract, that says it.
     """
 
     id: int
@@ -70,6 +73,13 @@ class Claim:
     weaker_test: Test | None
     remark: str
     link: str
+    place: str
+
+    @property
+    def found_at(self) -> str:
+        """Where a reader finds the sentence: equation, table or figure, section and paragraph."""
+        numbered = self.where.startswith(("Eq.", "Fig.", "Table"))
+        return f"{self.where}; {self.place}" if numbered else self.place
 
     @property
     def tests(self) -> list[Test]:
@@ -195,6 +205,7 @@ def figures() -> dict[str, Figure]:
 @cache
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
+    places = {row["key"]: row["place"] for row in read_data("paper/places.csv")}
     return tuple(
         Claim(
             number,
@@ -207,6 +218,7 @@ def claims() -> tuple[Claim, ...]:
             WEAKER.get(row["key"]),
             _remark(row["key"], row["remark"]),
             row["link"],
+            places[row["key"]],
         )
         for number, row in enumerate(read_data("paper/claims.csv"), start=1)
     )
@@ -231,7 +243,7 @@ def ledger() -> "pd.DataFrame":
     -------
     pandas.DataFrame
         Indexed by id, with columns where, section, statement, reading, quantity, paper, ours,
-        verdict, provenance, remark and link.
+        verdict, provenance, remark, link and place.
     """
     import pandas as pd
 
@@ -253,6 +265,7 @@ def row(claim: Claim) -> dict[str, Any]:
         "provenance": claim.provenance,
         "remark": claim.remark,
         "link": claim.link,
+        "place": claim.place,
     }
 
 
