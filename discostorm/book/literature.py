@@ -1,7 +1,9 @@
 """What others published of discovery traffic, beside the model and what the lab staged of it."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -127,7 +129,7 @@ def rounded(value: float, digits: int = 3) -> str:
     return "\N{EN DASH}" if np.isnan(value) else f"{float(f'{value:.{digits}g}'):,.0f}"
 
 
-def _with_range(row: dict[str, float], middle: str) -> str:
+def _with_range(row: Mapping[Any, Any], middle: str) -> str:
     least, most = (rounded(row[name]) for name in ("least", "most"))
     around = "" if least == most else f" ({least}\N{EN DASH}{most})"
     return f"{rounded(row[middle])}{around}"
@@ -153,15 +155,16 @@ def compared() -> pd.DataFrame:
 
 def stagings() -> pd.DataFrame:
     """Return what the lab counted of each staging, as a page shows it."""
-    packets = staged().xs("packets", level="kind")
+    every = staged().reset_index()
+    rows = every[every["kind"] == "packets"].to_dict("records")
     return pd.DataFrame(
         {
-            "staged": STAGED[str(name)],
+            "staged": STAGED[row["staging"]],
             "software": _SOFTWARE[row["product"]],
             "processes": row["processes"],
             "packets (min\N{EN DASH}max)": _with_range(row, "count"),
             "bytes": rounded(row["bytes"]),
             "last endpoint known [s]": row["last_s"],
         }
-        for name, row in packets.to_dict("index").items()
+        for row in rows
     )

@@ -92,7 +92,7 @@ def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
         and ``max_B`` [B].
     """
     return pd.DataFrame(
-        {"product": name, "message": message.name} | _sent(name, message) | _sizes(name, message)
+        {"product": name, "message": message.name, **_sent(name, message), **_sizes(name, message)}
         for name in names
         for message in paper_of(name).messages
     )
@@ -318,4 +318,4 @@ def later(name: str, phase: str) -> float:
         if float(np.asarray(point.fleet.processes())) >= 4 and np.median(sent):
             both.append([values / np.median(values) for values in (point.ready, sent)])
     ranks = np.concatenate(both, axis=1).argsort().argsort()
-    return float(np.corrcoef(ranks)[0, 1])
+    return float(np.asarray(np.corrcoef(ranks))[0, 1])

@@ -55,9 +55,10 @@ def startup(name: str) -> Figure:
             axis.grid(axis="y", visible=False)
         panels[0].set_yticks(rows.index, rows["kind"])
         ratio = (rows["measured"] / rows["paper"]).dropna()
-        most = ratio.idxmax()
+        first = int(ratio.argmax())
+        kind = rows["kind"][rows["paper"].notna()].iloc[first]
         figure.suptitle(
-            f"{name}: {rows['kind'][most]} is sent {ratio[most]:.0f} times as often as counted",
+            f"{name}: {kind} is sent {ratio.iloc[first]:.0f} times as often as counted",
             weight="bold",
             size=10,
         )
@@ -209,14 +210,14 @@ def saturation() -> Figure:
         for axis, column in zip(panels, ("small robots", "Nav2 robots"), strict=True):
             most = data[column].max()
             sides = dict(zip(papers[column].sort_values().index, ("right", "left"), strict=True))
-            for name, side in sides.items():
-                hosts, color = papers[column][name], COLORS[name]
+            for paper, side in sides.items():
+                hosts, color = papers[column][paper], COLORS[str(paper)]
                 axis.axvline(hosts, color=color, lw=1.2, ls="--", zorder=0)
                 axis.text(
-                    hosts, -0.85, f" {name} {hosts:.1f} ", ha=side, va="center", color=color, size=8
+                    hosts, -0.85, f" {paper} {hosts:.1f} ", ha=side, va="center", color=color, size=8
                 )
-            for place, (name, hosts) in enumerate(models[column].items()):
-                axis.plot(hosts, place, "o", color=COLORS[str(name)], ms=7)
+            for place, (model, hosts) in enumerate(models[column].items()):
+                axis.plot(hosts, place, "o", color=COLORS[str(model)], ms=7)
                 axis.text(
                     hosts + 0.05 * most, place, f"{hosts:.1f}", va="center", size=9,
                     bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
