@@ -24,7 +24,7 @@ _BEFORE, _AFTER = "0.93", "#D9EFE6"
 def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
     """Return the messages of captures up to a time after their first packet [s]: a row each.
 
-    With the name of the ``capture``, the ``time_s``, ``host`` and ``kind``, and ``complete_s``, when
+    With the ``capture``, ``time_s``, ``host`` and ``kind``, and ``complete_s``: when
     that host knew all others [s].
     """
     found = []
@@ -65,14 +65,14 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
                 )
                 for kinds, offset, color in _ROWS.values():
                     times = rows["time_s"][rows["kind"].isin(kinds)]
-                    axis.plot(
-                        times, [place + offset] * len(times), "|", color=color, ms=7, mew=1.6
-                    )
-                axis.text(0.995 * until, place, f"{complete:.2f} s", ha="right", va="center", size=9)
+                    axis.plot(times, [place + offset] * len(times), "|", color=color, ms=7, mew=1.6)
+                said = f"{complete:.2f} s"
+                axis.text(0.995 * until, place, said, ha="right", va="center", size=9)
                 names[place] = str(host)
                 place += 1
             place += 0.35
-        axis.set(xlim=(0, until), ylim=(place - 0.6, -0.5), xlabel="time since the first packet [s]")
+        axis.set(xlim=(0, until), ylim=(place - 0.6, -0.5))
+        axis.set_xlabel("time since the first packet [s]")
         axis.set_yticks(list(names), list(names.values()))
         axis.grid(axis="y", visible=False)
         axis.tick_params(axis="y", length=0)
@@ -83,7 +83,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
         shown.append(Patch(color=_AFTER, label="knows all others"))
         figure.legend(handles=shown, loc="outside lower center", ncols=4)
         last = data.groupby("capture", sort=False)["complete_s"].max()
-        first, *_, slowest = last
+        first, slowest = last.iloc[0], last.iloc[-1]
         figure.suptitle(
             f"Lost frames delay discovery from {first:.1f} s to {slowest:.1f} s",
             weight="bold",

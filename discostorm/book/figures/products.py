@@ -147,7 +147,7 @@ def airtime(swarms: dict[str, tuple[int, int, int]]) -> Figure:
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
             data = products.airtime(*sizes)
             _stack(axis, data)
-            axis.set_title(f"{swarm}: {_against_paper(data)}", loc="left")
+            axis.set_title(f"{swarm}: {_against_paper(data)}", loc="left", size=9)
             axis.axvline(1, color="black", lw=1)
             axis.set_xlim(0, 2.75)
             axis.set_ylim(len(data) - 0.5, -0.95)
@@ -192,7 +192,7 @@ def _against_paper(data: pd.DataFrame) -> str:
     total = data.sum(axis=1)
     more = {total[name] > total[products.paper_of(name).name] for name in products.SHIPPED}
     need = {(True,): "more", (False,): "less"}.get(tuple(more), "more or less")
-    return f"the products need {need} than the paper counts"
+    return f"{need} than the paper counts"
 
 
 def saturation() -> Figure:
@@ -213,9 +213,8 @@ def saturation() -> Figure:
             for paper, side in sides.items():
                 hosts, color = papers[column][paper], COLORS[str(paper)]
                 axis.axvline(hosts, color=color, lw=1.2, ls="--", zorder=0)
-                axis.text(
-                    hosts, -0.85, f" {paper} {hosts:.1f} ", ha=side, va="center", color=color, size=8
-                )
+                said = f" {paper} {hosts:.1f} "
+                axis.text(hosts, -0.85, said, ha=side, va="center", color=color, size=8)
             for place, (model, hosts) in enumerate(models[column].items()):
                 axis.plot(hosts, place, "o", color=COLORS[str(model)], ms=7)
                 axis.text(
