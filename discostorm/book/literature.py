@@ -1,7 +1,9 @@
 """What others published of discovery traffic, beside the model and what the lab staged of it."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -14,6 +16,24 @@ from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 #: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with
 #: its timestamps.
 AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
+
+#: What each staging of ``lab/published.csv`` is called on a page.
+STAGED = {
+    "ros-few": "few, simple discovery",
+    "ros-few-server": "few, Discovery Server",
+    "ros-few-udp": "few, simple discovery, UDP only",
+    "ros-server": "many, Discovery Server",
+    "ros-server-spaced": "many, Discovery Server, spaced",
+    "ros-simple": "many, simple discovery",
+    "ros-simple-spaced": "many, simple discovery, spaced",
+    "turtlebot-cyclone_dds": "TurtleBot and laptop",
+    "turtlebot-fast_dds": "TurtleBot and laptop",
+    "turtlebot-zenoh": "the same, one session each",
+    "turtlebot-zenoh-generalized": "the same, generalized",
+    "turtlebot-zenoh-generalized-warm": "the same, generalized, warm",
+    "turtlebot-zenoh-warm": "the same, warm",
+}
+_SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
 
 @cache
@@ -95,4 +115,56 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
         * (message.payload.nominal + AROUND[message.transport] if row["quantity"] == "bytes" else 1)
         for message in protocol.messages
         if message.phase in counted
+    )
+
+
+def rounded(value: float, digits: int = 3) -> str:
+    """Return a count as a reader wants it: with three digits that matter, a dash for none.
+
+    Examples
+    --------
+    >>> rounded(48844.0), rounded(float("nan"))
+    ('48,800', '\N{EN DASH}')
+    """
+    return "\N{EN DASH}" if np.isnan(value) else f"{float(f'{value:.{digits}g}'):,.0f}"
+
+
+def _with_range(row: Mapping[Any, Any], middle: str) -> str:
+    least, most = (rounded(row[name]) for name in ("least", "most"))
+    around = "" if least == most else f" ({least}\N{EN DASH}{most})"
+    return f"{rounded(row[middle])}{around}"
+
+
+def compared() -> pd.DataFrame:
+    """Return each published number beside paper, measured model and lab, as a page shows it."""
+    every = published()
+    rows = every[every["number"].notna()].to_dict("records")
+    return pd.DataFrame(
+        {
+            "what": f"{row['who']}, {row['published'][:4]}: "
+            + row["product"].replace(" (version not said)", ""),
+            "unit": row["quantity"],
+            "published": rounded(row["number"], 6),
+            "paper": rounded(row["paper"]),
+            "measured model": rounded(row["as_built"]),
+            "lab (min\N{EN DASH}max)": _with_range(row, "measured"),
+        }
+        for row in rows
+    )
+
+
+def stagings() -> pd.DataFrame:
+    """Return what the lab counted of each staging, as a page shows it."""
+    every = staged().reset_index()
+    rows = every[every["kind"] == "packets"].to_dict("records")
+    return pd.DataFrame(
+        {
+            "staged": STAGED[row["staging"]],
+            "software": _SOFTWARE[row["product"]],
+            "processes": row["processes"],
+            "packets (min\N{EN DASH}max)": _with_range(row, "count"),
+            "bytes": rounded(row["bytes"]),
+            "last endpoint known [s]": row["last_s"],
+        }
+        for row in rows
     )

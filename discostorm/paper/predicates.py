@@ -26,7 +26,7 @@ ROUTERS = "Zenoh router per host"
 ONE_HUB = "Zenoh router per host, one hub"
 #: How long the steady state was captured [s].
 STEADY = measured.WINDOWS["steady"][1] - measured.WINDOWS["steady"][0]
-#: How far a count of captures may be off, as chapter 21 has it.
+#: How far a count of captures may be off, as chapter 10 has it.
 WITHIN = 0.1
 
 
