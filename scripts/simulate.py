@@ -563,9 +563,7 @@ def waiting(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
         found = ds.simulate(fleet, ds.DDS, Setting("DDS", count).wifi, recovery=False, seed=SEED)
         for time, at_hosts, at_access_point in found.queues[0]:
             row: dict[str, object] = {"protocol": "DDS", "hosts": count, "time_s": rounded(time)}
-            rows.append(
-                row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)}
-            )
+            rows.append(row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)})
     return rows
 
 

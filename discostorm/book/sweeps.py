@@ -1,4 +1,4 @@
-"""Stored sweeps for the chapters: what was simulated, what ns-3 found beside it, and both together."""
+"""Stored sweeps for the chapters: what was simulated, and what ns-3 found beside it."""
 
 from collections.abc import Mapping, Sequence
 
@@ -53,7 +53,9 @@ def drains() -> pd.DataFrame:
     cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
     ns3 = _frames(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
-    rows = rows.merge(ns3[[*keys, "drain_time_s", "runs"]], on=keys, suffixes=("", "_ns3"), how="left")
+    rows = rows.merge(
+        ns3[[*keys, "drain_time_s", "runs"]], on=keys, suffixes=("", "_ns3"), how="left"
+    )
     rows = rows.rename(columns={"drain_time_s_ns3": "ns3_s"})
     rows["ratio"] = rows["drain_time_s"] / rows["formula_s"]
     rows["ratio_ns3"] = rows["ns3_s"] / rows["formula_s"]
@@ -103,9 +105,7 @@ def rounded_up(value: float, step: float) -> float:
     return float(np.ceil(value / step - 1e-9) * step)
 
 
-def bianchi(
-    stations: Sequence[int], wifi: Wifi, success: float, collision: float
-) -> list[float]:
+def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
     """Return frames a second that arrive by Bianchi's chain of stations that always have some.
 
     Parameters

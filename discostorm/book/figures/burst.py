@@ -91,7 +91,7 @@ def drain(rows: pd.DataFrame) -> Figure:
                 fontsize=9,
             )
         axis.plot([], [], "o", color="0.3", ms=4, mfc="w", label="ns-3")
-        axis.axhline(1, color="0.3", lw=1)
+        axis.plot([1, 30], [1, 1], color="0.3", lw=1)
         axis.text(2, 1.01, "as long as the formula says", fontsize=9, color="0.3", va="bottom")
         axis.set(
             xlabel="hosts",
@@ -180,10 +180,6 @@ def causes(rows: pd.DataFrame) -> Figure:
             axis.set_title("one message per frame" if mpdus == 1 else "aggregated", loc="left")
         panels[0].set_ylabel("receptions lost [%]")
         panels[0].yaxis.set_major_formatter("{x:.0%}")
-        figure.legend(
-            *panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2
-        )
+        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
         _headline(figure, "The access point loses first, then the hosts' own queues")
     return figure
-
-
