@@ -133,3 +133,24 @@ def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: floa
         lasts = idle * slot + good * success + (1 - idle - good) * collision
         found.append(float(good / lasts))
     return found
+
+
+def staggered(**wanted: object) -> pd.DataFrame:
+    """Return rows of the sweep of starts, by default of 802.11n without aggregation."""
+    rows = load("staggered")
+    wanted = {"radio": "n", "mpdus": 1} | wanted
+    return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
+
+
+def sooner(row: pd.Series, other: pd.Series) -> bool:
+    """Return whether one converges sooner by more than the runs scatter."""
+    return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
+
+
+def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
+    """Return how many times as long one takes, and the least and the most that it may be."""
+    return (
+        float(slow["convergence_time_s"] / fast["convergence_time_s"]),
+        float(slow["convergence_time_s_low"] / fast["convergence_time_s_high"]),
+        float(slow["convergence_time_s_high"] / fast["convergence_time_s_low"]),
+    )
