@@ -36,8 +36,10 @@ def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> p
     """
     channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
     seconds = [
-        utilization(PROTOCOLS[row.protocol], row.hosts, *SWARM, channels[row.mpdus])
-        for row in rows.itertuples()
+        utilization(PROTOCOLS[str(protocol)], int(hosts), *SWARM, channels[int(mpdus)])
+        for protocol, hosts, mpdus in zip(
+            rows["protocol"], rows["hosts"], rows["mpdus"], strict=True
+        )
     ]
     return pd.Series(seconds, rows.index, dtype=float)
 

@@ -1,5 +1,7 @@
 """Figures of the burst on the air: frames, drain times, queues."""
 
+from itertools import product
+
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -18,7 +20,7 @@ _CAUSES = {
 
 
 def _headline(figure: Figure, text: str) -> None:
-    figure.suptitle(text, x=0.02, ha="left", fontsize=10.5, fontweight="bold")
+    figure.suptitle(text, x=0.02, ha="left", fontsize=10, fontweight="bold")
 
 
 def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
@@ -60,7 +62,7 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
         axis.set_xlim(0, until * 1e3)
         axis.grid(axis="y", visible=False)
         axis.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, borderaxespad=0.2)
-        _headline(figure, "All robots collide first; then the channel is shared frame by frame")
+        _headline(figure, "All robots collide first; then their frames take turns")
     return figure
 
 
@@ -75,7 +77,8 @@ def drain(rows: pd.DataFrame) -> Figure:
     with style():
         figure = Figure(figsize=(WIDTH, 3.8))
         axis = figure.subplots()
-        for (protocol, mpdus), part in rows.groupby(["protocol", "mpdus"]):
+        for protocol, mpdus in product(("DDS", "Zenoh"), (1, 64)):
+            part = rows[(rows["protocol"] == protocol) & (rows["mpdus"] == mpdus)]
             color, line = COLORS[protocol], "-" if mpdus == 1 else "--"
             axis.plot(part["hosts"], part["ratio"], line, color=color)
             axis.plot(part["hosts"], part["ratio_ns3"], "o", color=color, ms=4, mfc="w")
@@ -97,11 +100,11 @@ def drain(rows: pd.DataFrame) -> Figure:
             xlabel="hosts",
             ylabel="drain time / formula",
             ylim=(0.8, 1.65),
-            xlim=(1, 40),
+            xlim=(1, 42),
             xticks=range(5, 31, 5),
         )
         axis.legend(loc="upper right")
-        _headline(figure, "Without aggregation the formula is nearly right, with it optimistic")
+        _headline(figure, "The formula is close without aggregation, optimistic with it")
     return figure
 
 
@@ -123,16 +126,16 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
         figure = Figure(figsize=(WIDTH, 3.2))
         axis = figure.subplots()
         looks = (
-            ("at_hosts", f"at the {hosts} robots", _SERIES["blue"], 0.16),
-            ("at_access_point", "at the access point", _SERIES["vermilion"], 0.51),
+            ("at_hosts", f"at the {hosts} robots", _SERIES["blue"], 0.16, (8, 8)),
+            ("at_access_point", "at the access point", _SERIES["vermilion"], 0.19, (0, -14)),
         )
-        for column, name, color, where in looks:
+        for column, name, color, where, offset in looks:
             axis.plot(own["time_s"], own[column], color=color)
             at = own[own["time_s"] >= where].iloc[0]
             axis.annotate(
                 name,
                 (at["time_s"], at[column]),
-                xytext=(8, 8),
+                xytext=offset,
                 textcoords="offset points",
                 color=color,
                 fontsize=9,
@@ -150,7 +153,7 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
         )
         axis.set(xlabel="time after startup [s]", ylabel="frames waiting", xlim=(0, None))
         axis.set_ylim(0, None)
-        _headline(figure, "The access point's queue is full long before the robots' are empty")
+        _headline(figure, "The access point cannot empty its queue fast enough")
     return figure
 
 

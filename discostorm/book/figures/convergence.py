@@ -19,7 +19,7 @@ _SOME = "#F4D9D6"
 
 
 def _headline(figure: Figure, text: str) -> None:
-    figure.suptitle(text, x=0.02, ha="left", fontsize=10.5, fontweight="bold")
+    figure.suptitle(text, x=0.02, ha="left", fontsize=10, fontweight="bold")
 
 
 def _seconds(value: float) -> str:
@@ -69,7 +69,7 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
             loc="outside lower center",
             ncols=3,
         )
-        _headline(figure, "Seconds for ten robots; for a few more discovery never completes")
+        _headline(figure, "Ten robots take seconds; a few more never finish")
     return figure
 
 
@@ -85,9 +85,7 @@ def _cell(axis: Axes, column: int, line: int, row: pd.Series, norm: LogNorm) -> 
         shade, text, color = _STATE["bad"], "never", "white"
     axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
     size = 7.5 if text == "never" else 8.5
-    axis.text(
-        column + 0.5, line + 0.52, text, ha="center", va="center", color=color, fontsize=size
-    )
+    axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", color=color, fontsize=size)
 
 
 def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
@@ -106,8 +104,8 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             of_one = random[random["protocol"] == protocol]
-            for (hosts, rows), color in zip(of_one.groupby("hosts"), colors, strict=True):
-                rows = rows.sort_values("window_s")
+            for hosts, color in zip(sorted(set(of_one["hosts"])), colors, strict=True):
+                rows = of_one[of_one["hosts"] == hosts].sort_values("window_s")
                 axis.plot(rows["window_s"], rows["convergence_time_s"], "-o", color=color, ms=3)
                 axis.fill_between(
                     rows["window_s"],
@@ -176,7 +174,7 @@ def changes(shown: pd.DataFrame) -> Figure:
                     fontsize=8.5,
                 )
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
-        axis.set_xlim(0, 1.1 * shown.max(axis=None))
+        axis.set_xlim(0, 1.1 * shown.to_numpy().max())
         axis.invert_yaxis()
         axis.grid(axis="y", visible=False)
         _headline(figure, "Starting in turn helps Zenoh most; aggregation helps DDS")
