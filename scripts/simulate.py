@@ -470,6 +470,7 @@ def main() -> None:
     if only in (None, "queues"):
         write("hosts", [row | SOURCE for row in by_host()])
         write("heard", [row | SOURCE for row in heard()])
+        write("waiting", [row | SOURCE for row in waiting()])
     if only in (None, "fits"):
         write("ladder", ladder([asdict(one) | result(one) for one in wanted["fits"]]))
 
@@ -551,6 +552,18 @@ def by_host() -> list[dict[str, object]]:
             row = {"fleet": name, "host": number + 1, "kind": group.name}
             row |= {"processes": int(group.processes), "endpoints": int(group.endpoints)}
             rows.append(row | spread("lost", found.lost_by_host[:, number]))
+    return rows
+
+
+def waiting(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
+    """Return how many frames wait at all hosts and at the access point over time, in one burst."""
+    rows: list[dict[str, object]] = []
+    for count in hosts:
+        fleet = ds.Fleet.swarm(count, 2, 10)
+        found = ds.simulate(fleet, ds.DDS, Setting("DDS", count).wifi, recovery=False, seed=SEED)
+        for time, at_hosts, at_access_point in found.queues[0]:
+            row: dict[str, object] = {"protocol": "DDS", "hosts": count, "time_s": rounded(time)}
+            rows.append(row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)})
     return rows
 
 

@@ -390,7 +390,7 @@ def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str
     ("query", "found"),
     [
         ("how many robots", "book/index.html#how-many-robots-fit"),
-        ("staggered start", "25_staggered_start.html"),
+        ("staggered start", "12_convergence.html"),
         ("discovery server", "26_servers.html"),
         ("wifi multicast", "08_any_wifi.html#multicast-rates-and-bands"),
         ("zenoh router", "26_servers.html"),

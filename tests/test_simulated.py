@@ -64,7 +64,11 @@ def test_a_part_comes_out_the_same_again(name: str) -> None:
 
 
 def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
-    for name, rows in (("events", simulate.events()), ("hosts", simulate.by_host())):
+    for name, rows in (
+        ("events", simulate.events()),
+        ("hosts", simulate.by_host()),
+        ("waiting", simulate.waiting()),
+    ):
         assert [text(row | simulate.SOURCE) for row in rows] == read_data(f"simulated/{name}.csv")
 
 

@@ -1,0 +1,181 @@
+"""Figures of convergence: who completes discovery, and what starting in turn changes."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+
+from discostorm.figures import COLORS, WIDTH, style
+from discostorm.palette import lights
+
+_SERIES = lights("series")
+_STATE = lights("state")
+_SECONDS = LinearSegmentedColormap.from_list("seconds", ["#E3F0F8", "#A9C9E3", "#0072B2"])
+_SOME = "#F4D9D6"
+
+
+def _headline(figure: Figure, text: str) -> None:
+    figure.suptitle(text, x=0.02, ha="left", fontsize=10, fontweight="bold")
+
+
+def _seconds(value: float) -> str:
+    if value < 0.095:
+        return "<0.1"
+    return f"{value:.1f}" if value < 9.95 else f"{value:.0f}"
+
+
+def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
+    """Draw the median time to convergence as a grid of robots and middleware.
+
+    Parameters
+    ----------
+    rows : pandas.DataFrame
+        The sweep ``convergence``.
+    names : mapping
+        What each protocol is called, in order from above.
+    losses : sequence of float
+        Frame error rates, a panel each.
+    """
+    hosts = sorted(rows["hosts"].unique())
+    norm = LogNorm(0.1, 120)
+    with style():
+        figure = Figure(figsize=(WIDTH, 0.9 + len(losses) * (0.45 + 0.245 * len(names))))
+        panels = figure.subplots(len(losses), 1, squeeze=False)[:, 0]
+        for axis, loss in zip(panels, losses, strict=True):
+            part = rows[rows["loss"] == loss].set_index(["protocol", "hosts"])
+            for line, protocol in enumerate(names):
+                for column, count in enumerate(hosts):
+                    _cell(axis, column, line, part.loc[(protocol, count)], norm)
+            axis.set(xlim=(0, len(hosts)), ylim=(len(names), 0))
+            axis.set_xticks(np.arange(len(hosts)) + 0.5, [str(count) for count in hosts])
+            axis.set_yticks(np.arange(len(names)) + 0.5, list(names.values()))
+            axis.tick_params(length=0)
+            axis.grid(visible=False)
+            axis.spines[:].set_visible(False)
+            axis.set_title(
+                f"{loss:.0%} frame errors" if loss else "no frame errors", loc="left", fontsize=9.5
+            )
+        panels[-1].set_xlabel("robots")
+        figure.legend(
+            handles=[
+                Patch(facecolor=_SECONDS(norm(10)), label="median [s]"),
+                Patch(facecolor=_SOME, label="runs of ten that finished"),
+                Patch(facecolor=_STATE["bad"], label="no run finished"),
+            ],
+            loc="outside lower center",
+            ncols=3,
+        )
+        _headline(figure, "Ten robots take seconds; a few more never finish")
+    return figure
+
+
+def _cell(axis: Axes, column: int, line: int, row: pd.Series, norm: LogNorm) -> None:
+    """Draw the result of one setting."""
+    seconds, converged = row["convergence_time_s"], int(row["converged"])
+    if np.isfinite(seconds):
+        shade, text = _SECONDS(norm(seconds)), _seconds(seconds)
+        color = "white" if norm(seconds) > 0.8 else "black"
+    elif converged:
+        shade, text, color = _SOME, f"{converged}/10", "black"
+    else:
+        shade, text, color = _STATE["bad"], "never", "white"
+    axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
+    size = 7.5 if text == "never" else 8.5
+    axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", color=color, fontsize=size)
+
+
+def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
+    """Draw the time to convergence against the window from which robots draw their starts.
+
+    Parameters
+    ----------
+    random : pandas.DataFrame
+        Rows of the sweep ``staggered`` with random starts.
+    rule : pandas.DataFrame
+        Rows with the rule's window, in ``rule_s``.
+    """
+    colors = [_SERIES[name] for name in ("orange", "blue", "green", "purple")]
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.6))
+        panels = figure.subplots(1, 2, sharey=True)
+        for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
+            of_one = random[random["protocol"] == protocol]
+            for hosts, color in zip(sorted(set(of_one["hosts"])), colors, strict=True):
+                rows = of_one[of_one["hosts"] == hosts].sort_values("window_s")
+                axis.plot(rows["window_s"], rows["convergence_time_s"], "-o", color=color, ms=3)
+                axis.fill_between(
+                    rows["window_s"],
+                    rows["convergence_time_s_low"],
+                    rows["convergence_time_s_high"],
+                    color=color,
+                    alpha=0.25,
+                    lw=0,
+                )
+                star = rule[(rule["protocol"] == protocol) & (rule["hosts"] == hosts)]
+                axis.plot(
+                    star["rule_s"],
+                    star["convergence_time_s"],
+                    "*",
+                    color=color,
+                    ms=11,
+                    mec="black",
+                    mew=0.6,
+                )
+                axis.annotate(
+                    f"{hosts} robots",
+                    (0.5, rows["convergence_time_s"].iloc[0]),
+                    xytext=(0, 7 if hosts > 5 else -14),
+                    textcoords="offset points",
+                    color=color,
+                    fontsize=9,
+                )
+            ticks = [0.5, 1, 2, 5, 10, 20, 45]
+            axis.set(xscale="log", yscale="log", xlabel="window of the starts [s]")
+            axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+            axis.set_yticks([1, 2, 5, 10, 20, 50], ["1", "2", "5", "10", "20", "50"])
+            axis.minorticks_off()
+            axis.set_title(protocol, loc="left")
+        panels[0].set_ylabel("time until converged [s]")
+        panels[1].plot([], [], "*", color="0.6", ms=11, mec="black", label="the rule of thumb")
+        panels[1].legend(loc="lower right")
+        _headline(figure, "The rule's window lies where too short and too long hurt little")
+    return figure
+
+
+def changes(shown: pd.DataFrame) -> Figure:
+    """Draw what each change does to the time to convergence: dots with their intervals.
+
+    Parameters
+    ----------
+    shown : pandas.DataFrame
+        Indexed by the change; columns named by protocol, and with ``_low`` and ``_high``.
+    """
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.5))
+        axis = figure.subplots()
+        places = np.arange(len(shown))
+        for shift, protocol in ((-0.19, "DDS"), (0.19, "Zenoh")):
+            color = COLORS[protocol]
+            low, high = shown[f"{protocol}_low"], shown[f"{protocol}_high"]
+            axis.hlines(places + shift, low, high, color=color, lw=2, alpha=0.6)
+            axis.plot(shown[protocol], places + shift, "o", color=color, ms=6)
+            for place, value, end in zip(places + shift, shown[protocol], high, strict=True):
+                axis.annotate(
+                    f"{value:.0f}" + (f" {protocol}" if place < 0.5 else ""),
+                    (end, place),
+                    xytext=(6, 0),
+                    textcoords="offset points",
+                    va="center",
+                    color=color,
+                    fontsize=8.5,
+                )
+        axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
+        axis.set_xlim(0, 1.1 * shown.to_numpy().max())
+        axis.invert_yaxis()
+        axis.grid(axis="y", visible=False)
+        _headline(figure, "Starting in turn helps Zenoh most; aggregation helps DDS")
+    return figure
