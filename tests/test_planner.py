@@ -784,7 +784,9 @@ def test_no_number_has_two_names_in_json() -> None:
 def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
     plan = ds.plan(FIG3)
     data = plan.picture_data()
-    drawn = [found for found in plan.remedies if found.kind != "staggered start"]
+    best = {found.kind: found for found in reversed(plan.remedies)}
+    drawn = [found for kind, found in best.items() if kind != "staggered start"]
+    assert len(drawn) < len(plan.remedies) - 1
 
     def by(found: ds.Remedy) -> str:
         if found.kind in CHANNEL:

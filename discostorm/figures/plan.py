@@ -20,16 +20,16 @@ CHANGE = lights("change")
 #: What the legend calls them.
 _LEGEND = {"none": "today", "fits": "after the change: fits", "overloaded": "does not fit"}
 #: Letters of a name in a line, inches of a line, and height of a row in inches.
-_LETTERS, _ROW = 37, 0.27
+_LETTERS, _ROW = 37, 0.24
 
 
 def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "") -> Figure:
     """Draw what each change makes of a fleet as a dumbbell, in a group for each baseline.
 
-    A gray dot is the fleet before the change, by the same model and on the same kind of channel. A
-    blue dot is the fleet after it, dark if it fits. Dots are seconds of airtime, and a line marks the
-    window. In the steady state they are shares of the channel, and the line marks all of it. The
-    axis is logarithmic unless something needs no airtime.
+    A gray dot is the fleet before the change, by the same model and on the same kind of channel.
+    A blue dot is the fleet after it, dark if it fits. Dots are seconds of airtime, and a line marks
+    the window. In the steady state they are shares of the channel, and the line marks all of it.
+    The axis is logarithmic unless something needs no airtime.
 
     Parameters
     ----------

@@ -181,7 +181,7 @@ class Plan:
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
     def picture_data(self) -> pd.DataFrame:
-        """Return what `picture` draws: one row a change, with what it is compared with.
+        """Return what `picture` draws: one row a change, the best of each kind, and its baseline.
 
         Columns are baseline, change, protocol and utilization [1]. The first row of each baseline
         has no change: it is the fleet as it is, by this model and on this kind of channel.
@@ -190,8 +190,9 @@ class Plan:
 
         own = _by(self.protocol)
         rows = {(own, "", self.protocol.name): self.utilization}
+        best = {found.kind: found for found in reversed(self.remedies)}
         for found in self.remedies:
-            if found.kind == "staggered start":
+            if found.kind == "staggered start" or found is not best[found.kind]:
                 continue
             base, of = own, self.protocol.name
             was = found.was or _point(found.before)

@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from discostorm import measured
+from discostorm.data import read_data
 from discostorm.figures import WIDTH, style
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
@@ -52,12 +53,8 @@ def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
     robots : mapping
         One host of each robot, by what the figure calls it.
     """
-    wired = {table.wired for table in PROTOCOLS.values()}
-    shown = [
-        name
-        for name in (*MEASURED, *measured.arrangements())
-        if name in PROTOCOLS and PROTOCOLS[name] not in wired
-    ]
+    shipped = {row["instead_of"] for row in read_data("vendors/arrangement_risks.csv")}
+    shown = [name for name in PROTOCOLS if name in shipped or name in measured.arrangements()]
 
     def fit(name: str, robot: HostGroup) -> int:
         taken = utilization(PROTOCOLS[name], Fleet((replace(robot, hosts=_MANY),)))
@@ -66,7 +63,7 @@ def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
     data = pd.DataFrame(
         {"arrangement": name, "what else fails": breaks(name)}
         | {f"{robot} that fit": fit(name, one) for robot, one in robots.items()}
-        for name in dict.fromkeys(shown)
+        for name in shown
     )
     by = [f"{robot} that fit" for robot in robots]
     return data.sort_values(by, ascending=False, kind="stable").reset_index(drop=True)
@@ -83,7 +80,7 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
     data = arrangements_data(robots)
     colors = lights("series")
     with style():
-        figure = Figure(figsize=(WIDTH, 1.9 + 0.27 * len(data)))
+        figure = Figure(figsize=(WIDTH, 1.7 + 0.23 * len(data)))
         panels = figure.subplots(1, len(robots), sharey=True, squeeze=False)[0]
         for axis, robot in zip(panels, robots, strict=True):
             many = data[f"{robot} that fit"]
