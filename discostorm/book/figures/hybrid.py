@@ -90,23 +90,27 @@ def ladder() -> Figure:
         for column, color, across in zip(data, colors, (-7, 7), strict=False):
             axis.plot(data[column], places, "o-", color=color)
             for place, airtime in zip(places, data[column], strict=True):
+                said = words.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
                 axis.annotate(
-                    words.duration(airtime), (airtime, place), (across, 0),
+                    said, (airtime, place), (across, 0),
                     textcoords="offset points", va="center", fontsize=8.5,
                     ha="left" if across > 0 else "right",
                 )  # fmt: skip
             axis.annotate(
-                str(column).removesuffix(" [s]"), (data[column].iloc[0], 0), (0, 8),
-                textcoords="offset points", ha="center", color=color, fontweight="bold",
+                str(column).removesuffix(" [s]"), (data[column].iloc[0], 0), (across, 9),
+                textcoords="offset points", color=color, fontweight="bold",
+                ha="left" if across > 0 else "right",
             )  # fmt: skip
         axis.text(1, 1.0, "1 s", ha="center", va="bottom", transform=axis.get_xaxis_transform())
-        axis.set(xscale="log", xlim=(5e-4, 3e3), xlabel="airtime of the first second [s]")
+        axis.set(xscale="log", xlim=(1e-4, 6e3), xlabel="airtime of the first second [s]")
         axis.set_ylim(len(data) - 0.5, -0.8)
         axis.set_yticks(places, data.index)
         axis.tick_params(axis="y", length=0, labelsize=8.5)
+        axis.spines["left"].set_visible(False)
         axis.grid(visible=False, axis="y")
+        axis.set_xticks([10.0**power for power in range(-3, 3)])
         axis.xaxis.set_minor_locator(NullLocator())
-        axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+        axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,g}"))
         figure.suptitle(
             "Every step helps; dropping acknowledgments helps most",
             x=0.01, ha="left", fontsize=10, fontweight="bold",
