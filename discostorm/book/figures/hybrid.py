@@ -68,7 +68,10 @@ def steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, floa
         "… without acknowledgments": (PROTOCOLS["hybrid"], processes, endpoints),
         "… identical software by its hash": (PROTOCOLS["hybrid, alike"], processes, endpoints),
     }
-    return {name: float(utilization(table, hosts, *n)) for name, (table, *n) in tables.items()}
+    return {
+        name: float(utilization(table, hosts, each, of_each))
+        for name, (table, each, of_each) in tables.items()
+    }
 
 
 def ladder_data() -> pd.DataFrame:
