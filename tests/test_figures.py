@@ -290,12 +290,13 @@ def test_remedies_show_the_whole_channel_even_if_all_take_less() -> None:
 
 
 def test_a_dumbbell_joins_a_change_to_its_own_baseline() -> None:
-    (axis,) = figures.remedies(
+    figure = figures.remedies(
         changes(("one", "", 3.0), ("one", "a", 0.5), ("two", "", 7.0), ("two", "b", 2.0)),
         title="What is shown",
-    ).axes
+    )
+    (axis,) = figure.axes
     joined = [
-        tuple(map(float, line.get_xdata()))  # type: ignore[arg-type]
+        tuple(np.asarray(line.get_xdata()))
         for line in axis.lines
         if len(np.asarray(line.get_xdata())) == 2 and line.get_linewidth() == 2
     ]
@@ -306,7 +307,7 @@ def test_a_dumbbell_joins_a_change_to_its_own_baseline() -> None:
         if len(np.asarray(line.get_xdata())) == 1
     }
     assert ends == {3: "#777777", 0.5: "#0072B2", 7: "#777777", 2: "#A9C9E3"}
-    assert axis.figure.get_suptitle() == "What is shown"  # type: ignore[union-attr]
+    assert figure.get_suptitle() == "What is shown"
 
 
 @pytest.mark.parametrize("name", figures.FIGURES)
