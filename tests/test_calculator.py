@@ -233,7 +233,7 @@ def tab(opened: tuple[Page, list[str]]) -> Iterator[Page]:
     """Return the page as it starts; nothing may go wrong on it."""
     page, errors = opened
     page.set_viewport_size({"width": 1280, "height": 800})
-    page.get_by_role("button", name="Start again").click()
+    page.get_by_role("button", name="Reset").click()
     page.evaluate("document.activeElement.blur()")
     yield page
     assert not errors

@@ -39,7 +39,13 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
         "figures.bars(robots_compared, share=True)",
         lambda: figures.bars(robots_compared(), share=True),
     ),
-    ("18_planner", "plan.picture()", lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture()),
+    (
+        "13_what_to_change",
+        'plan.picture("Announcing less helps; another radio barely does")',
+        lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture(
+            "Announcing less helps; another radio barely does"
+        ),
+    ),
 ]
 FILES = {f"{name}.{kind}" for name in figures.FIGURES for kind in ("svg", "pdf", "png", "csv")}
 
@@ -271,9 +277,37 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
     assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]
 
 
+def changes(*rows: tuple[str, str, float]) -> pd.DataFrame:
+    return pd.DataFrame(rows, columns=["baseline", "change", "utilization"])
+
+
 def test_remedies_show_the_whole_channel_even_if_all_take_less() -> None:
-    bars = pd.DataFrame({"bar": ["now"], "protocol": ["DDS"], "utilization": [0.2]})
-    assert figures.remedies(bars).axes[0].get_xlim() == (0, 1.14)
+    for least in (0.1, 0.0):
+        (axis,) = figures.remedies(changes(("now", "", 0.2), ("now", "less", least))).axes
+        low, high = axis.get_xlim()
+        assert low <= least < 1 < high
+        assert axis.get_xscale() == ("log" if least else "linear")
+
+
+def test_a_dumbbell_joins_a_change_to_its_own_baseline() -> None:
+    figure = figures.remedies(
+        changes(("one", "", 3.0), ("one", "a", 0.5), ("two", "", 7.0), ("two", "b", 2.0)),
+        title="What is shown",
+    )
+    (axis,) = figure.axes
+    joined = [
+        tuple(np.asarray(line.get_xdata()))
+        for line in axis.lines
+        if len(np.asarray(line.get_xdata())) == 2 and line.get_linewidth() == 2
+    ]
+    assert joined == [(3, 0.5), (7, 2)]
+    ends = {
+        float(np.asarray(line.get_xdata())[0]): line.get_color()
+        for line in axis.lines
+        if len(np.asarray(line.get_xdata())) == 1
+    }
+    assert ends == {3: "#777777", 0.5: "#0072B2", 7: "#777777", 2: "#A9C9E3"}
+    assert figure.get_suptitle() == "What is shown"
 
 
 @pytest.mark.parametrize("name", figures.FIGURES)

@@ -494,7 +494,7 @@ def test_a_name_decides_nothing(name: str) -> None:
             for plan in plans
         )
         assert [text.replace("(mine)", name) for text in renamed] == usual
-        assert plans[1].picture_data()["bar"].is_unique
+        assert not plans[1].picture_data().duplicated(["baseline", "change"]).any()
 
 
 @pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if p.family])
@@ -781,41 +781,55 @@ def test_no_number_has_two_names_in_json() -> None:
             columns[values] = name
 
 
-def test_the_picture_has_a_bar_and_a_name_for_each_remedy() -> None:
+def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
     plan = ds.plan(FIG3)
-    figure = plan.picture()
-    (axis,) = figure.axes
-    widths = [patch.get_width() for patch in axis.patches]  # type: ignore[attr-defined]
-    by_standard = remedy(plan, "radio").before
-    drawn = [found for found in plan.remedies if found.kind != "staggered start"]
-    assert widths[0] == approx(plan.utilization)
-    assert any(width == approx(by_standard) for width in widths[1 : -len(drawn)])
-    assert widths[-len(drawn) :] == approx([r.utilization for r in drawn])
-    texts = [text.get_text() for text in axis.texts]
-    assert texts[0] == "as it is"
-    assert "as it is, by the standard's timing" in texts
+    data = plan.picture_data()
+    best = {found.kind: found for found in reversed(plan.remedies)}
+    drawn = [found for kind, found in best.items() if kind != "staggered start"]
+    assert len(drawn) < len(plan.remedies) - 1
 
     def by(found: ds.Remedy) -> str:
         if found.kind in CHANNEL:
-            return ", by the standard's timing"
+            return "DDS, standard timing"
         base = PRODUCT_OF.get(found.protocol.name)
-        return f", as {base} was measured" if base else ""
+        return f"{base}, measured model" if base else "DDS, paper model"
 
-    assert {r.what + by(r) for r in drawn} <= set(texts)
-    assert "[s]" in axis.get_xlabel()
+    def name(found: ds.Remedy) -> str:
+        kind = "at best" if found.best_case else "prototype" if found.kind == "hybrid" else ""
+        return f"{found.what} ({kind})" if kind else found.what
+
+    before, after = data[data["change"] == ""], data[data["change"] != ""]
+    # A baseline stands first in its group, and each group is together.
+    assert list(before.index) == [
+        data.index[data["baseline"] == base][0] for base in before["baseline"]
+    ]
+    assert before["baseline"].is_unique
+    assert data["baseline"].ne(data["baseline"].shift()).sum() == len(before)
+    as_it_is = before.set_index("baseline")["utilization"]
+    assert as_it_is["DDS, paper model"] == plan.utilization
+    assert as_it_is["DDS, standard timing"] == remedy(plan, "radio").before
+    told = {(row.baseline, row.change): row.utilization for row in after.itertuples()}
+    assert told == {(by(found), name(found)): found.utilization for found in drawn}
+    assert all(as_it_is[by(found)] == approx(found.before) for found in drawn)
+
+    figure = plan.picture("What helps")
+    (axis,) = figure.axes
+    assert figure.get_suptitle() == "What helps"
+    texts = [text.get_text() for text in axis.texts]
+    assert {f"{base}: {words.duration(was)} today" for base, was in as_it_is.items()} <= set(texts)
     assert {words.duration(found.utilization) for found in drawn} <= set(texts)
+    labels = {" ".join(label.get_text().split()) for label in axis.get_yticklabels()}
+    assert labels == {"", *map(name, drawn)}
+    assert "[s]" in axis.get_xlabel()
     (steady,) = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"], window=math.inf).picture().axes
     assert "[%]" in steady.get_xlabel()
-    on_preset = ds.plan(FIG3, wifi=RADIO)
-    bars = on_preset.picture_data().set_index("bar")["utilization"]
-    measured = {
-        f"as it is, as {base} was measured": ds.utilization(
-            ds.PROTOCOLS[base], plan.fleet, wifi=RADIO
-        )
+    on_preset = ds.plan(FIG3, wifi=RADIO).picture_data()
+    assert dict(on_preset[on_preset["change"] == ""].set_index("baseline")["utilization"]) == {
+        "DDS, paper model": ds.plan(FIG3, wifi=RADIO).utilization,
+    } | {
+        f"{base}, measured model": ds.utilization(ds.PROTOCOLS[base], plan.fleet, wifi=RADIO)
         for base in ("Fast DDS", "Cyclone DDS")
     }
-    as_it_is = {"as it is": on_preset.utilization} | measured
-    assert {bar: taken for bar, taken in bars.items() if "as it is" in str(bar)} == as_it_is
 
 
 def test_planning_on_with_what_a_remedy_holds() -> None:

@@ -84,7 +84,7 @@ def test_with_its_extras_every_module_works(tmp_path: Path, wheel: Path) -> None
 
 
 # The command line, captures, what the lab counted, and the prototype.
-@pytest.mark.parametrize("name", ["21_command_line", "20_captures", "21_as_built", "28_hybrid"])
+@pytest.mark.parametrize("name", ["21_command_line", "00_captures", "10_products", "15_hybrid"])
 def test_a_downloaded_chapter_needs_the_extra_alone(tmp_path: Path, wheel: Path, name: str) -> None:
     fill(tmp_path, wheel, "book")
     copy = tmp_path / "downloads" / f"{name}.ipynb"

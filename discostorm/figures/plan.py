@@ -1,11 +1,14 @@
 """What a plan would change."""
 
 import math
+from textwrap import wrap
 
-import numpy as np
 import pandas as pd
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, NullLocator
+from matplotlib.transforms import blended_transform_factory
 
 from discostorm import words
 from discostorm.figures.looks import WIDTH, style
@@ -14,71 +17,94 @@ from discostorm.palette import lights
 
 #: Colors of what is not changed, and of a change after which the fleet fits, or does not.
 CHANGE = lights("change")
+#: What the legend calls them.
+_LEGEND = {"none": "today", "fits": "after the change: fits", "overloaded": "does not fit"}
+#: Letters of a name in a line, inches of a line, and height of a row in inches.
+_LETTERS, _ROW = 37, 0.24
 
-#: From which utilization on `remedies` draws on a logarithmic axis [1].
-_FAR = 10.0
 
+def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "") -> Figure:
+    """Draw what each change makes of a fleet as a dumbbell, in a group for each baseline.
 
-def remedies(bars: pd.DataFrame, window: float = PAPER_WINDOW) -> Figure:
-    """Draw what takes the channel as bars from the top down, each below its name.
-
-    Bars are seconds of airtime, and a line is the time that they are charged to; in the steady
-    state they are parts of the channel, and the line is all of it.
-
-    Changes that fit are dark, others light, and what is not changed is gray. If something takes
-    more than ten times the channel, the axis is logarithmic, and bars begin at the line.
+    A gray dot is the fleet before the change, by the same model and on the same kind of channel.
+    A blue dot is the fleet after it, dark if it fits. Dots are seconds of airtime, and a line marks
+    the window. In the steady state they are shares of the channel, and the line marks all of it.
+    The axis is logarithmic unless something needs no airtime.
 
     Parameters
     ----------
-    bars : pandas.DataFrame
-        One row a bar, with columns bar (its name) and utilization [1]; the first, and those whose
-        names begin with its name, are what the others change.
+    changes : pandas.DataFrame
+        One row each, with columns baseline, change and utilization [1]. A row whose change is empty
+        is the baseline itself.
     window : float, optional
         The seconds that are averaged [s]; infinity for the steady state.
+    title : str, optional
+        What the figure shows.
 
     Returns
     -------
     matplotlib.figure.Figure
     """
+    groups = [rows for _, rows in changes.groupby("baseline", sort=False)]
+    rows = sum(len(group) for group in groups)
     with style():
-        figure = Figure(figsize=(WIDTH, 0.8 + 0.42 * len(bars)))
+        figure = Figure(figsize=(WIDTH, 1.3 + _ROW * rows))
         axis = figure.subplots()
-        taken = bars["utilization"].to_numpy()
-        far = bool(taken.max() > _FAR)
-        if far:
+        low, high = changes["utilization"].min(), changes["utilization"].max()
+        if low > 0:
             axis.set_xscale("log")
-            axis.set_xlim(min(0.5, taken.min()) / 3, 6 * taken.max())
+            axis.set_xlim(min(0.5, low) / 20, 20 * max(1.0, high))
         else:
-            axis.set_xlim(0, 1.14 * max(1.0, taken.max()))
-        start, steady = (1.0 if far else 0.0), math.isinf(window)
-        places = np.arange(len(bars))
-        unchanged = bars["bar"].str.startswith(bars["bar"].iloc[0])
-        fits = np.where(taken < 1, CHANGE["fits"], CHANGE["overloaded"])
-        colors = np.where(unchanged, CHANGE["none"], fits)
-        axis.barh(places, taken - start, left=start, height=0.4, color=colors)
-        # Not through the names, which stand between the bars.
-        axis.vlines(np.ones(len(bars)), places - 0.25, places + 0.25, color="black", linewidth=1.2)
-        white = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
-        left = axis.get_yaxis_transform()
-        for place, name, part in zip(places, bars["bar"], taken, strict=True):
-            axis.text(0.005, place - 0.42, name, va="center", fontsize=9, transform=left)
-            inward = far and part < 1
-            axis.annotate(
-                words.percent(part) if steady else words.duration(part * window),
-                (part, place), (-4 if inward else 4, 0),
-                textcoords="offset points", va="center", ha="right" if inward else "left",
-                fontsize=9, bbox=white,
-            )  # fmt: skip
-        axis.set_ylim(len(bars) - 0.6, -0.8)
-        axis.set_yticks([])
-        axis.set_ylabel("what is changed")
+            axis.set_xlim(0, 1.2 * max(1.0, high))
+        axis.axvline(1, color="black", linewidth=1)
+        names: list[str] = []
+        for group in groups:
+            _group(axis, group, len(names), window)
+            names += ["", *group["change"].iloc[1:]]
+        axis.set_ylim(rows - 0.4, -0.8)
+        axis.set_yticks(range(rows), ["\n".join(wrap(name, _LETTERS)) for name in names])
+        axis.tick_params(axis="y", length=0, labelsize=8.5)
+        axis.spines["left"].set_visible(False)
         axis.grid(visible=False, axis="y")
+        steady = math.isinf(window)
+        axis.xaxis.set_minor_locator(NullLocator())
         axis.xaxis.set_major_formatter(
             FuncFormatter(lambda x, _: words.percent(x) if steady else f"{x * window:,g}")
         )
-        axis.set_xlabel(
-            "utilization by discovery [%]; the line is the whole channel"
-            if steady
-            else f"airtime of discovery [s]; the line is at {window:,g} s"
-        )
+        axis.set_xlabel("share of the channel [%]" if steady else "airtime [s]")
+        line = "the whole channel" if steady else f"{window:,g} s"
+        axis.text(1, 1.0, line, ha="center", va="bottom", transform=axis.get_xaxis_transform())
+        figure.suptitle(title, x=0.01, ha="left", fontsize=10, fontweight="bold")
+        marks = [
+            Line2D([], [], marker="o", linestyle="", color=CHANGE[key], label=label)
+            for key, label in _LEGEND.items()
+        ]
+        figure.legend(handles=marks, loc="outside lower center", ncols=len(marks), columnspacing=1)
     return figure
+
+
+def _group(axis: Axes, group: pd.DataFrame, first: int, window: float) -> None:
+    """Draw one baseline and what is compared with it, from a row on."""
+    (before, *after) = group["utilization"]
+    left = blended_transform_factory(axis.figure.transSubfigure, axis.transData)
+    taken = _said(before, window)
+    axis.text(
+        0.01, first, f"{group['baseline'].iloc[0]}: {taken} today",
+        va="center", fontsize=9, fontweight="bold", transform=left,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2},
+    )  # fmt: skip
+    for row, part in enumerate(after, first + 1):
+        color = CHANGE["fits" if words.fits(part) else "overloaded"]
+        axis.plot([before, part], [row, row], color=CHANGE["overloaded"], linewidth=2, zorder=2)
+        axis.plot(before, row, "o", color=CHANGE["none"], zorder=3)
+        axis.plot(part, row, "o", color=color, zorder=4)
+        less = part <= before
+        axis.annotate(
+            _said(part, window), (part, row), (-6 if less else 6, 0), textcoords="offset points",
+            ha="right" if less else "left", va="center", fontsize=9, zorder=5,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+        )  # fmt: skip
+
+
+def _said(part: float, window: float) -> str:
+    return words.percent(part) if math.isinf(window) else words.duration(part * window)

@@ -181,40 +181,53 @@ class Plan:
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
     def picture_data(self) -> pd.DataFrame:
-        """Return what `picture` draws: one row a bar, with its protocol and utilization [1].
+        """Return what `picture` draws: one row a change, the best of each kind, and its baseline.
 
-        Where a remedy is compared with another table or channel than the plan's, the bar before
-        it is that of the fleet as it is by that.
+        Columns are baseline, change, protocol and utilization [1]. The first row of each baseline
+        has no change: it is the fleet as it is, by this model and on this kind of channel.
         """
         import pandas as pd
 
-        bars = [("as it is", self.protocol.name, self.utilization)]
-        shown: list[tuple[str, str, float]] = []
+        own = _by(self.protocol)
+        rows = {(own, "", self.protocol.name): self.utilization}
+        best = {found.kind: found for found in reversed(self.remedies)}
         for found in self.remedies:
-            if found.kind == "staggered start":
+            if found.kind == "staggered start" or found is not best[found.kind]:
                 continue
-            by, of = "", self.protocol.name
+            base, of = own, self.protocol.name
             was = found.was or _point(found.before)
             if found.wifi != self.wifi and not self.span.ranges:
-                by = ", by the standard's timing" if found.before != self.utilization else ""
+                if found.before != self.utilization:
+                    base = f"{self.protocol.name}, standard timing"
             elif was.single != (self.span if self.span.ranges else _point(self.utilization)).single:
                 of = str(software(found.protocol))
-                by = f", as {of} was measured"
+                base = f"{of}, measured model"
             if found.basis == "simulated" and self.span.simulated is None:
-                by += ", simulated"
+                base += ", simulated"
             elif found.basis not in ("", "simulated") and self.span.simulated is not None:
-                by += f", {found.basis}"
-            if by:
-                bars.append((f"as it is{by}", of, found.before))
-            shown.append((found.what + by, found.protocol.name, found.utilization))
-        bars = [*dict.fromkeys(bars), *shown]
-        return pd.DataFrame(bars, columns=["bar", "protocol", "utilization"])
+                base += f", {found.basis}"
+            rows.setdefault((base, "", of), found.before)
+            kind = "at best" if found.best_case else "research" in found.efforts and "prototype"
+            name = f"{found.what} ({kind})" if kind else found.what
+            rows[base, name, found.protocol.name] = found.utilization
+        frame = pd.DataFrame(
+            [(*key, value) for key, value in rows.items()],
+            columns=["baseline", "change", "protocol", "utilization"],
+        )
+        order = {base: place for place, base in enumerate(frame["baseline"].unique())}
+        return frame.sort_values("baseline", key=lambda of: of.map(order), kind="stable")
 
-    def picture(self) -> Figure:
-        """Draw what each remedy leads to, beside what there is and the whole channel."""
+    def picture(self, title: str = "") -> Figure:
+        """Draw what each change leads to, beside the fleet as it is by the same model.
+
+        Parameters
+        ----------
+        title : str, optional
+            What the figure shows.
+        """
         from discostorm import figures
 
-        return figures.remedies(self.picture_data(), self.window)
+        return figures.remedies(self.picture_data(), self.window, title)
 
     @property
     def best(self) -> Remedy | None:
@@ -414,6 +427,13 @@ class Plan:
                 brings += "; that may fit"
             yield f"{place:2}. {brings}."
             yield f"    {remedy.caution()}"
+
+
+def _by(protocol: Protocol) -> str:
+    """Return a table and its kind of model, as a baseline is called."""
+    kinds = {"paper": "paper model", "timed": "timed model", "measured": "measured model"}
+    kind = {**kinds, "arranged": "measured model", "proposal": "proposal"}.get(protocol.basis or "")
+    return f"{protocol.name}, {kind}" if kind else protocol.name
 
 
 def _point(value: float) -> Span:

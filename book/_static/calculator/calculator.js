@@ -546,7 +546,7 @@
       make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${capitalized(front.name)}`),
     );
     byId("reason").textContent = reason;
-    const fit = [["within a second", "second"], ["within the lease", "lease"], ["in the long run", "ever"]]
+    const fit = [["within one second", "second"], ["within the lease", "lease"], ["in the steady state", "ever"]]
       .map(([when, window]) => [when, front.fitting[window], front.full.fitting[window]])
       .filter(([, found]) => found && found.largest < Infinity)
       .map(([when, { full, largest }, best]) => {
