@@ -391,10 +391,10 @@ def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str
     [
         ("how many robots", "book/index.html#how-many-robots-fit"),
         ("staggered start", "25_staggered_start.html"),
-        ("discovery server", "26_servers.html"),
+        ("discovery server", "14_servers.html"),
         ("wifi multicast", "08_any_wifi.html#multicast-rates-and-bands"),
-        ("zenoh router", "26_servers.html"),
-        ("CycloneDDS peers", "26_servers.html"),
+        ("zenoh router", "14_servers.html"),
+        ("CycloneDDS peers", "14_servers.html"),
         ("lease", "07_what_100_percent_means.html"),
         ("saturation_hosts", "notebooks/"),
     ],
