@@ -311,7 +311,7 @@ def _draw_noticed(axis: Axes, data: pd.DataFrame) -> None:
         shift, color, _ = looks[row["event"]]
         place = names.index(row["arrangement"]) + shift
         axis.barh(place, row["noticed_s"], 0.34, color=colors[color])
-        short = f"{row['noticed_s']:.0f}" if row["noticed_s"] >= 0.5 else "at once"
+        short = f"{row['noticed_s']:.0f}" if row["noticed_s"] >= 0.5 else "0"
         axis.text(row["noticed_s"] + 0.8, place, f"{short}", va="center", fontsize=8)
         axis.vlines(row["lease_s"], place - 0.19, place + 0.19, color="black", lw=1.6, zorder=3)
     axis.set_yticks(range(len(names)), [_SHORT.get(name, name) for name in names], fontsize=8)
