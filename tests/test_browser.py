@@ -392,7 +392,7 @@ def test_the_front_door_opens(browser: Browser, book: Path, server: str, by: str
         ("how many robots", "book/index.html#how-many-robots-fit"),
         ("staggered start", "25_staggered_start.html"),
         ("discovery server", "14_servers.html"),
-        ("wifi multicast", "08_any_wifi.html#multicast-rates-and-bands"),
+        ("wifi multicast", "08_any_wifi.html#multicast-rate-and-band-change-little"),
         ("zenoh router", "14_servers.html"),
         ("CycloneDDS peers", "14_servers.html"),
         ("lease", "07_what_100_percent_means.html"),
