@@ -1,5 +1,7 @@
 """Figures of the chapter on radios other than the paper's."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
@@ -12,13 +14,13 @@ from discostorm.saturation import saturation, saturation_hosts
 from discostorm.wifi import PAPER, Radio, Wifi
 
 _SMALL = (2, 10)  # processes, and endpoints of each
-_FAMILIES = {
+_FAMILIES: dict[str, tuple[dict[str, Any], int, str]] = {
     "802.11a": ({"standard": "802.11a"}, 8, "o"),
     "802.11n, 20 MHz": ({"standard": "802.11n", "streams": 2}, 8, "s"),
     "802.11ac, 80 MHz": ({"standard": "802.11ac", "streams": 2, "width": 80e6}, 10, "^"),
     "802.11ax, 80 MHz": ({"standard": "802.11ax", "streams": 2, "width": 80e6}, 12, "D"),
 }
-_RADIOS = {
+_RADIOS: dict[str, tuple[dict[str, Any], str]] = {
     "802.11n, 20 MHz": ({"standard": "802.11n"}, "-o"),
     "802.11ac, 80 MHz": ({"standard": "802.11ac", "width": 80e6}, "--s"),
     "802.11ax, 80 MHz": ({"standard": "802.11ax", "width": 80e6}, ":D"),
@@ -114,9 +116,7 @@ def aggregation() -> Figure:
             column = f"{protocol.name}_hosts"
             for name, (_, look) in _RADIOS.items():
                 rows = data[data["radio"] == name]
-                axis.plot(
-                    rows["frames"], rows[column], look, color=COLORS[protocol.name], ms=4, label=name
-                )
+                axis.plot(rows["frames"], rows[column], look, color=COLORS[protocol.name], ms=4)
                 end = rows.iloc[-1]
                 axis.text(
                     76, end[column], f"{name.split(',')[0]}: {end[column]:.0f}", fontsize=8,
