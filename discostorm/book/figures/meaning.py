@@ -135,7 +135,7 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
             end = bound[bound["steady state"] < 1.35].iloc[-1]
             under = end["steady state"] < 1.3  # it ends at the right edge: there is room below
             below.text(
-                end["hosts"] + (0.5 if under else -0.6), end["steady state"] - 0.15 * under,
+                end["hosts"] + (0.5 if under else -0.6), end["steady state"] - 0.24 * under,
                 product.name, color=color, ha="right", va="top" if under else "center", fontsize=9,
             )  # fmt: skip
         for limit, text in _LIMITS.items():
