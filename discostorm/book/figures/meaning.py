@@ -52,7 +52,12 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
     """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
     data = start_data(products, fleets, swarm)
     with style():
-        figure = Figure(figsize=(WIDTH, 5.6))
+        figure = Figure(figsize=(WIDTH, 4.9))
+        figure.suptitle(
+            "7 robots drain in about a second, 30 outlast their leases",
+            fontsize=10,
+            weight="bold",
+        )
         panels = figure.subplots(2, 2, sharex=True, sharey=True)
         for axis, hosts in zip(panels.flat, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
@@ -76,7 +81,7 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
         for axis in panels[-1]:
             axis.set_xlabel("time after startup [s]")
         named = panels[0, 0].get_legend_handles_labels()
-        figure.legend(*named, loc="outside upper center", ncols=3)
+        figure.legend(*named, loc="outside lower center", ncols=3)
     return figure
 
 
@@ -110,18 +115,29 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
     data = drain_data(products, swarm)
     with style():
-        figure = Figure(figsize=(WIDTH, 6.2))
+        figure = Figure(figsize=(WIDTH, 5.0))
+        figure.suptitle(
+            "Leases end long before periodic traffic fills the channel",
+            fontsize=10,
+            weight="bold",
+        )
         above, below = figure.subplots(2, 1, sharex=True)
         for product, line in zip(products, _LINES, strict=True):
             rows = data[data["product"] == product.name]
             color = color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
             lasts = bound["at_most_s"].replace(np.inf, np.nan)
-            above.plot(bound["hosts"], lasts, line, color=color, label=product.name)
+            above.plot(bound["hosts"], lasts, line, color=color)
             above.plot(
                 exact["hosts"], exact["idle_after_s"], "o", color=color, fillstyle="none", ms=4
             )
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
+            end = bound[bound["steady state"] < 1.35].iloc[-1]
+            under = end["steady state"] < 1.3  # it ends at the right edge: there is room below
+            below.text(
+                end["hosts"] + (0.5 if under else -0.6), end["steady state"] - 0.24 * under,
+                product.name, color=color, ha="right", va="top" if under else "center", fontsize=9,
+            )  # fmt: skip
         for limit, text in _LIMITS.items():
             above.axhline(limit, color="gray", linewidth=0.8)
             above.text(55, limit, text, ha="right", va="bottom", fontsize=9)
@@ -130,7 +146,6 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
         above.yaxis.set_major_formatter(_PLAIN)
         below.set(ylim=(0, 1.5), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$")
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
-        above.legend(loc="lower right")
     return figure
 
 

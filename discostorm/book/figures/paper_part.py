@@ -48,8 +48,8 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
         For each host the number of endpoints of each of its processes.
     """
     with style():
-        figure = Figure(figsize=(4.2, 4.5 * len(protocols)))
-        for axis, protocol in zip(figure.subplots(len(protocols), 1), protocols, strict=True):
+        figure = Figure(figsize=(3.2 * len(protocols), 3.5))
+        for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             _squares(axis, protocol, _uplink(protocol, hosts))
     return figure
 
@@ -78,7 +78,7 @@ def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
                 column, row = receivers.index(message.receiver), senders.index(message.sender)
                 places.append((column + 0.22 + 0.28 * across, row + 0.22 + 0.28 * down))
                 placed[cell] += 1
-        axis.plot(*zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=7.5, mew=0)
+        axis.plot(*zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=5, mew=0)
     axis.set(
         xlim=(-0.02, len(receivers) + 0.02),
         ylim=(len(senders) + 0.02, -0.02),
@@ -101,6 +101,9 @@ def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
         loc="lower center",
         bbox_to_anchor=(0.5, 1.0),
         ncols=2,
+        fontsize=8,
+        handlelength=1,
+        columnspacing=1,
     )
 
 
