@@ -18,7 +18,7 @@ _ROWS = {
     "SEDP": (("SEDP",), 0.0, _COLORS["SEDP"]),
     "Heartbeat, ACKNACK": (("Heartbeat", "ACKNACK"), 0.24, "0.35"),
 }
-_BEFORE, _AFTER = "0.93", "#D9EFE6"
+_BEFORE, _AFTER = "0.93", (lights("state")["ok"], 0.18)
 
 
 def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
