@@ -7,7 +7,7 @@ import textwrap
 #: From this on, numbers are told with their power of ten [1 or s].
 HUGE = 1e6
 #: What is said of a fleet of one host.
-ALONE = "A single host has nobody to find: what it sends reaches no other host."
+ALONE = "A single host has no one to discover, and no other host receives its messages."
 #: What is said of the numbers of a radio that aggregates.
 AGGREGATES = (
     "This radio aggregates: the answer lies between one frame in each exchange and full A-MPDUs."
@@ -45,18 +45,18 @@ def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
     return f"{share:,.{decimals}%}"
 
 
-def charged(utilization: float, to: str, held: str) -> str:
-    """Return what is charged to a time: in percent, from ten times what it holds on as times.
+def charged(utilization: float, to: str, capacity: str) -> str:
+    """Return the load of a time: in percent, from ten times its capacity on as times.
 
     Examples
     --------
-    >>> charged(1.38, "of it", "it holds"), charged(28.44, "of it", "it holds")
-    ('138% of it', '28.4 times what it holds')
+    >>> charged(1.38, "of it", "its capacity"), charged(28.44, "of it", "its capacity")
+    ('138% of it', '28.4 times its capacity')
     """
     if utilization < 10:
         return f"{percent(utilization)} {to}"
     times = f"{utilization:.3g}" if utilization >= HUGE else f"{float(f'{utilization:.3g}'):,g}"
-    return f"{times} times what {held}"
+    return f"{times} times {capacity}"
 
 
 def part(share: float) -> str:
@@ -84,10 +84,10 @@ def duration(time: float) -> str:
     >>> duration(0.00123), duration(0.0456), duration(1.375), duration(28.44)
     ('1.23 ms', '45.6 ms', '1.38 s', '28.4 s')
     >>> duration(2907.1), duration(349_491), duration(0), duration(math.inf)
-    ('48 minutes', '4.0 days', 'no time', 'for ever')
+    ('48 minutes', '4.0 days', 'no time', 'indefinitely')
     """
     if time == 0 or time == math.inf:
-        return "for ever" if time else "no time"
+        return "indefinitely" if time else "no time"
     _, length, unit = next(row for row in reversed(TIMES) if abs(time) >= row[0])
     value = time / length
     if value >= HUGE:
@@ -107,7 +107,7 @@ def _between(low: str, high: str) -> str:
     return f"{number if unit and high.endswith(f' {unit}') else low} to {high}"
 
 
-def durations(low: float, high: float, never: str = "for ever") -> str:
+def durations(low: float, high: float, never: str = "indefinitely") -> str:
     """Return a range of times as people tell it.
 
     Examples

@@ -168,7 +168,7 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     shown = notebook.advice(plan)
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert re.sub(r"[*]", "", markdown).split() == plan.advice().split()
-    assert "**What would help most, alone:**\n\n1. " in markdown
+    assert "**Best single changes:**\n\n1. " in markdown
     # The table of arrangements keeps its columns.
     for found in plan.arrangements:
         assert f"\n    {found.name} " in markdown

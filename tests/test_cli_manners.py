@@ -22,7 +22,7 @@ from discostorm.wifi.radio import radio_named
 NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
 ROOT = Path(__file__).parents[1]
 SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
-LONE = "nobody to find"
+LONE = "no one to discover"
 
 
 def run(*words: str, **given: Any) -> Result:

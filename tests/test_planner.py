@@ -422,7 +422,7 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
     fleet = ds.Fleet((ds.HostGroup(12, 25, 30), ds.HostGroup(2, 3, 200)))
     plan = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
     assert plan.steady == ds.utilization(ds.PROTOCOLS["Fast DDS"], plan.fleet, window=math.inf) > 1
-    assert plan.advice().startswith("What is repeated does not fit: it takes ")
+    assert plan.advice().startswith("The periodic traffic alone needs ")
     assert not any("staggered start" in found.steps for found in plan.remedies)
     (reason,) = (r for r in plan.left_out if r.startswith("starting one after the other"))
     assert f"takes {words.percent(plan.steady)} of the channel by itself" in reason
@@ -433,7 +433,7 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
     ):
         fits = found.steady < 1
         assert (row["start_within_s"] is not None) == fits == math.isfinite(found.spread)
-        assert ("no start fits" in found.caution()) != fits
+        assert ("so it never fits" in found.caution()) != fits
     assert {found.steady < 1 for found in plan.remedies} == {True, False}
     # What fits is told as before.
     small = ds.plan(ds.Fleet.swarm(4, 2, 10), ds.PROTOCOLS["Fast DDS"])
@@ -632,7 +632,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     measured = name in MEASURED | ARRANGED
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
-    assert (f"The table of {name} is what was measured" in text) == measured
+    assert (f"The measured model of {name} rests on captures" in text) == measured
     if window == 20:
         assert f"takes {words_of_time(20 * plan.utilization)} of airtime" in text
 
@@ -681,13 +681,15 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
         "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n), one access"
         in flat
     )
-    assert "All charged to one second, that is 138% of it, so it does not fit." in flat
+    assert "Charged to one second, that is 138% of it, so it does not fit." in flat
     assert "nothing lost, no collisions and each unicast message in an exchange of its own" in flat
     assert "the standard's timing, by which this fleet takes 1.45 s as it is." in flat
     composed = remedy(ds.plan(FIG3, ds.DDS), "processes")
     assert composed.sentence() == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)"
     assert composed.now_fits
-    assert composed.caution().startswith("It takes work on the nodes. Mind: only what is built")
+    assert composed.caution().startswith(
+        "Effort: work on the nodes. Trade-offs: only what is built"
+    )
     assert "; that fits." in flat
     assert max(map(len, text.splitlines())) <= 79
     assert str(ds.plan(FIG3, ds.DDS)) == text
@@ -695,11 +697,11 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     assert "so it fits" in small
     assert " ms of airtime" in small
     assert "that fits" not in small
-    assert "The phase that takes most is SEDP:" in text
+    assert "Largest phase: SEDP," in text
     assert "The group" not in text
     groups = ds.plan(NAV2, ds.ZENOH).advice()
-    assert "- The group laptop takes part in 11% of it." in groups
-    assert "The message that takes most is Declare: nearly all." in groups
+    assert "- Group laptop: part of 11%." in groups
+    assert "Largest message type: Declare, nearly all." in groups
     sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
     assert any("changes less than 0.5%" in said for said in sentences)
     assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in said for said in sentences)
@@ -889,7 +891,7 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
     plan = ds.plan(ds.Fleet.swarm(1, 1, 0), ds.Protocol("own", (message,)), wifi)
     assert plan.utilization == 1
     assert plan.to_dict()["fits"] is False
-    assert "All charged to one second, that is 100% of it, so it does not fit." in plan.advice()
+    assert "Charged to one second, that is 100% of it, so it does not fit." in plan.advice()
     small = ds.plan(FIG3)
     composed = remedy(small, "processes")
     assert composed.utilization < 1
@@ -1067,7 +1069,7 @@ def test_every_measured_arrangement_of_every_product_is_a_change_that_can_be_had
         assert server.span is not None
         assert router.span.full < server.span.full
         # Nothing fits, so that what saves most comes first.
-        told = plan.told()["What would help most, alone:"]
+        told = plan.told()["Best single changes:"]
         first = offered["Zenoh router per host"]
         assert first in told
         assert first.efforts == ("switch", "servers")

@@ -206,7 +206,7 @@ def test_the_answer_comes_first_then_airtime_then_why() -> None:
     plan = ds.plan(fleet_of("Nav2 in one process", 8), FAST_DDS, AC)
     text = " ".join(plan.advice().split())
     assert text.startswith("Your robots know each other after ")
-    order = ["Your robots know", "keeps the channel busy", "of airtime", "What dominates"]
+    order = ["Your robots know", "keeps the channel busy", "of airtime", "Largest parts"]
     places = [text.index(part) for part in order]
     assert places == sorted(places)
     # A table that the simulator refuses with recovery.

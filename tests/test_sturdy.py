@@ -105,7 +105,7 @@ def test_advice_in_markdown_has_no_html_of_its_own() -> None:
         assert "&lt;img src=x onerror=alert(1)&gt; &amp; co" in text
         assert "<img" not in text
         assert "<b>" not in text
-    assert "*It takes*" in shown._repr_markdown_()
+    assert "*Effort:*" in shown._repr_markdown_()
 
 
 def test_a_plan_fits_the_terminal() -> None:

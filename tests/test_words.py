@@ -25,7 +25,7 @@ from discostorm import words
         (1e9, "32 years"),
         (1e12, "31,700 years"),
         (1e15, "3e+07 years"),
-        (float("inf"), "for ever"),
+        (float("inf"), "indefinitely"),
     ],
 )
 def test_times_in_words(seconds: float, said: str) -> None:

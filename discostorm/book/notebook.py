@@ -171,7 +171,7 @@ def _block(text: str) -> str:
     if _is_table(text):
         title, *rows = text.splitlines()
         return "\n".join([f"**{title}**", "", *(f"  {row}" for row in rows)])
-    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +It takes", " *It takes*", text))
+    items = re.split(r"\n *(?=- |\d+\. )", re.sub(r"\n +Effort:", " *Effort:*", text))
     head, *others = (" ".join(item.split()) for item in items)
     return "\n".join([f"**{head}**", "", *others] if others else [head])
 

@@ -170,10 +170,10 @@ class Remedy:
         mind = "; ".join(filter(None, (self.price, self.fails)))
         later = ""
         if not words.fits(self.steady):
-            later = f" What is repeated still takes {words.percent(self.steady)}: no start fits."
+            later = f" Periodic traffic still needs {words.percent(self.steady)}, so it never fits."
         elif self.kind == "combination" and self.verdict == "does not fit":
-            later = f" It still does not fit: start within {words.duration(self.spread)}."
-        return f"It takes {words.listed(efforts)}. Mind: {mind}.{later}"
+            later = f" Not at once: spread the starts over {words.duration(self.spread)}."
+        return f"Effort: {words.listed(efforts)}. Trade-offs: {mind}.{later}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold."""

@@ -252,11 +252,11 @@ class Plan:
         kept = [r for i, r in enumerate(useful) if r.kind not in {o.kind for o in useful[:i]}]
         split = [r for r in helps if not r.whole]
         found = {
-            "What would help most, alone:": tuple(kept[:_TOLD]),
-            "What might help, in the best case:": tuple(r for r in kept[_TOLD:] if r.best_case),
-            "Best together:": (self.best,) if self.best else (),
-            "One after the other:": tuple(r for r in self.remedies if r.kind == "staggered start"),
-            "What would help, but not all hosts would find each other any more:": tuple(split[:1]),
+            "Best single changes:": tuple(kept[:_TOLD]),
+            "Changes that help at best:": tuple(r for r in kept[_TOLD:] if r.best_case),
+            "Best combination:": (self.best,) if self.best else (),
+            "Staggered start:": tuple(r for r in self.remedies if r.kind == "staggered start"),
+            "Changes after which some hosts no longer discover each other:": tuple(split[:1]),
         }
         return {title: remedies for title, remedies in found.items() if remedies}
 
@@ -268,12 +268,12 @@ class Plan:
         """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
         lines = [*self._answer_in_words(), ""] if self.fleet.hosts() > 1 else []
-        lines += [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
+        lines += [*self._cost_in_words(), "", "Largest parts:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
             lines += ["", words.ALONE]
             return "\n".join(words.wrapped(line, width) for line in lines)
-        if "What would help most, alone:" not in told:
-            lines += ["", "Nothing that was tried helps."]
+        if "Best single changes:" not in told:
+            lines += ["", "No change that we tried helps."]
         place = 1
         for title, remedies in told.items():
             lines += ["", title, *self._ranked(remedies, place)]
@@ -282,14 +282,14 @@ class Plan:
         table = "\n".join(
             [
                 "",
-                words.wrapped("The same fleet with every measured arrangement:", width),
+                words.wrapped("The same fleet with each measured configuration:", width),
                 *table_in_words(self.arrangements, width),
             ]
         )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
         more = (
-            "`discostorm plan` with `--paste N` prints the configuration of number N. In the JSON: "
-            f"{words.many(rest, 'other')}, what was left out and what to paste."
+            "`discostorm plan --paste N` prints the configuration of change N. `--json` adds "
+            f"{words.many(rest, 'other')}, the reasons for those left out, and all configurations."
         )
         return "\n".join((wrapped, table, "", words.wrapped(more, width)))
 
@@ -301,8 +301,8 @@ class Plan:
         steady = self.steady_span
         if not words.fits(steady.full) and math.isfinite(self.window):
             yield (
-                f"What is repeated does not fit: it takes {words.percent(steady.full)} of the "
-                "channel by itself, so that no start fits, however slow it is."
+                f"The periodic traffic alone needs {words.percent(steady.full)} of the channel, so "
+                "the fleet never fits, however slowly it starts."
             )
             return
         low, high = self.startup.ends
@@ -314,22 +314,22 @@ class Plan:
             busy = "startup never ends"
         if self.known is None:
             yield (
-                f"Drain time: {busy}. Until then some of your robots do not know each other; lost "
-                "announcements make it longer."
+                f"Drain time: {busy}. Until then some robots do not see each other. Losses make it "
+                "longer."
             )
         else:
             yield f"{self.known.sentence()} {words.capitalized(busy)} (drain time)."
         if self.startup.ranges:
             middle = self.startup.simulated
-            simulated = "" if middle is None else f"; {words.duration(middle)} was simulated"
+            simulated = "" if middle is None else f"; the simulation gave {words.duration(middle)}"
             yield (
-                "The shorter time is with full A-MPDUs, the longer with one frame in each "
-                f"exchange{simulated}. How many frames share an exchange depends on how many wait."
+                "The shorter time assumes full A-MPDUs, the longer one message per frame"
+                f"{simulated}. The more frames wait, the fuller the A-MPDUs."
             )
         if not words.fits(steady.single) and math.isfinite(self.window):
             yield (
-                "What is repeated may not fit: with one frame in each exchange it takes "
-                f"{words.percent(steady.single)} of the channel by itself."
+                "The fleet may never fit: with one message per frame, its periodic traffic alone "
+                f"needs {words.percent(steady.single)} of the channel."
             )
 
     def _cost_in_words(self) -> Iterator[str]:
@@ -344,25 +344,25 @@ class Plan:
             self.verdict, "so it does not fit"
         )
         yield (
-            f"{self.protocol.name} discovery of {words.many(hosts, 'host')} with "
-            f"{words.many(self.fleet.processes(), 'process', 'es')} takes {takes}. "
-            f"Channel: {self.wifi.name}, {TOPOLOGY}."
+            f"Discovery of {words.many(hosts, 'host')} with "
+            f"{words.many(self.fleet.processes(), 'process', 'es')} needs {takes} with "
+            f"{self.protocol.name}. Channel: {self.wifi.name}, {TOPOLOGY}."
         )
         if math.isinf(self.window):
-            share = _charged(ends, "of the channel", "the channel has")
+            share = _charged(ends, "of the channel", "its capacity")
             yield f"That is {share} in the steady state, {fit}."
         elif self.window == PAPER_WINDOW:
-            share = _charged(ends, "of it", "it holds")
-            yield f"All charged to one second, that is {share}, {fit}."
+            share = _charged(ends, "of it", "its capacity")
+            yield f"Charged to one second, that is {share}, {fit}."
         else:
-            share = _charged(ends, "of them", "they hold")
-            yield f"All charged to the first {self.window:g} s, that is {share}, {fit}."
-        exchanges = "each unicast message in an exchange of its own"
+            share = _charged(ends, "of them", "their capacity")
+            yield f"Charged to the first {self.window:g} s, that is {share}, {fit}."
+        exchanges = "one message per frame"
         if self.span.ranges:
-            exchanges = "from 64 unicast messages in an exchange to one"
+            exchanges = "64 messages to one per A-MPDU"
         yield (
-            f"Counted with nothing lost, no collisions and {exchanges}. "
-            "Queues that overflow may make it many times longer: `discostorm simulate` tries it."
+            f"Assumes: no losses, no collisions, {exchanges}. Overflowing queues can make startup "
+            "many times longer; `discostorm simulate` shows it."
         )
         if self.protocol.captured is not None:
             endpoints = max(group.endpoints for group in self.fleet.groups)
@@ -370,12 +370,11 @@ class Plan:
             sizes = (hosts, self.fleet.processes(), endpoints)
             most = self.protocol.captured
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
-            extrapolated = ", so that this fleet is extrapolated" if beyond else ""
+            extrapolated = ", so this fleet is extrapolated" if beyond else ""
             yield (
-                f"The table of {self.protocol.name} is what was measured of the product in a lab, "
-                f"in swarms of up to {words.many(most[0], 'host')} and "
-                f"{words.many(most[1], 'process', 'es')} of up to "
-                f"{words.many(most[2], 'endpoint')} that began all at once{extrapolated}; here "
+                f"The measured model of {self.protocol.name} rests on captures of up to "
+                f"{words.many(most[0], 'host')} and {words.many(most[1], 'process', 'es')} of up "
+                f"to {words.many(most[2], 'endpoint')} that started together{extrapolated}. Here "
                 f"{words.percent(matched / (ENDPOINT.count(self.fleet) or 1))} of the "
                 "endpoints match in every process."
             )
@@ -384,36 +383,37 @@ class Plan:
             papers = [m.name for m in self.protocol.messages if m in of_paper]
             if papers:
                 yield (
-                    f"The table of {self.protocol.name} counts {words.listed(papers)} as the paper "
-                    "does; what the product packs together, adds or leaves out is not in it."
+                    f"{self.protocol.name} counts {words.listed(papers)} as the paper does. It "
+                    "leaves out the messages that the product packs together or adds."
                 )
             if math.isfinite(self.window):
                 yield (
-                    "Of what is sent more than once, all of the start is charged to this time, "
-                    "and what is repeated counts with its rate: an upper bound of the count."
+                    "The whole burst is charged to this time, and periodic traffic at its rate: an "
+                    "upper bound of the count."
                 )
         timed = [r.before for r in self.remedies if r.wifi != self.wifi]
         before = next((value for value in timed if value != self.utilization), None)
         if before is not None and not self.span.ranges:
             yield (
-                f"Changes of the channel are compared by the standard's timing, by which this "
-                f"fleet takes {words.airtime(before, self.window)} as it is."
+                "Changes of the radio are compared by standard timing, with which this fleet needs "
+                f"{words.airtime(before, self.window)} today."
             )
 
     def _shares_in_words(self) -> Iterator[str]:
         for kind in ("message", "phase"):
             largest = self.of_kind(kind)[0]
-            yield f"- The {kind} that takes most is {largest.name}: {words.part(largest.share)}."
+            what = "message type" if kind == "message" else kind
+            yield f"- Largest {what}: {largest.name}, {words.part(largest.share)}."
         groups = self.of_kind("group")
         if len(groups) > 1:
             for group in groups[:_GROUPS]:
-                yield f"- The group {group.name} takes part in {words.part(group.share)} of it."
+                yield f"- Group {group.name}: part of {words.part(group.share)}."
         if len(groups) > _GROUPS:
             rest, most = len(groups) - _GROUPS, words.part(groups[_GROUPS].share)
             if rest == 1:
-                yield f"- 1 further group takes part in at most {most}."
+                yield f"- 1 further group: part of at most {most}."
             else:
-                yield f"- {rest} further groups take part in at most {most} each."
+                yield f"- {rest} further groups: each part of at most {most}."
 
     @staticmethod
     def _ranked(remedies: Sequence[Remedy], first: int) -> Iterator[str]:
@@ -441,7 +441,7 @@ def _point(value: float) -> Span:
     return Span(value, None, value)
 
 
-def _charged(ends: tuple[float, float], to: str, held: str) -> str:
-    """Return the range of what is charged to a time, in words."""
-    low, high = (words.charged(end, to, held) for end in ends)
+def _charged(ends: tuple[float, float], to: str, capacity: str) -> str:
+    """Return the load of a time in words, from one end to the other."""
+    low, high = (words.charged(end, to, capacity) for end in ends)
     return low if low == high else f"{low} to {high}"

@@ -80,7 +80,7 @@
   const [, , , MINUTE, HOUR, DAY, YEAR] = MODEL.times.map(([, length]) => length);
   /** A time as people tell it: 0.45 s, 58 minutes, 3 years. */
   function duration(seconds) {
-    if (seconds === Infinity) return "for ever";
+    if (seconds === Infinity) return "indefinitely";
     if (seconds === 0) return "no time";
     const [, length, unit] = MODEL.times.findLast(([least]) => seconds >= least);
     const value = seconds / length;
@@ -94,7 +94,7 @@
     const [number, unit] = low.split(SPACE);
     return `${unit && high.endsWith(`${SPACE}${unit}`) ? number : low} to ${high}`;
   }
-  const durations = (low, high, never = "for ever") => between(...[low, high].map((end) => (end < Infinity ? duration(end) : never)));
+  const durations = (low, high, never = "indefinitely") => between(...[low, high].map((end) => (end < Infinity ? duration(end) : never)));
 
   const count = (value) => (value < 1e9 && Number.isInteger(value) ? whole.format(value) : number(value));
   const plural = (value, one, many = `${one}s`) => `${count(value)}${SPACE}${value === 1 ? one : many}`;
@@ -598,7 +598,7 @@
           best_case ? " at best" : "",
           by,
           ending(answer.front, then),
-          make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}It takes ${takes}. Mind: ${mind}.`),
+          make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}Effort: ${takes}. Trade-offs: ${mind}.`),
         );
         for (const { where, version, text } of paste) {
           const copy = make("button", { type: "button" }, "Copy");
