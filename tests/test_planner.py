@@ -683,13 +683,12 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     )
     assert "Charged to one second, that is 138% of it, so it does not fit." in flat
     assert "nothing lost, no collisions and each unicast message in an exchange of its own" in flat
-    assert "the standard's timing, by which this fleet takes 1.45 s as it is." in flat
+    assert "by standard timing, with which this fleet needs 1.45 s today." in flat
     composed = remedy(ds.plan(FIG3, ds.DDS), "processes")
     assert composed.sentence() == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)"
     assert composed.now_fits
-    assert composed.caution().startswith(
-        "Effort: work on the nodes. Trade-offs: only what is built"
-    )
+    mind = "Effort: work on the nodes. Trade-offs: only what is built"
+    assert composed.caution().startswith(mind)
     assert "; that fits." in flat
     assert max(map(len, text.splitlines())) <= 79
     assert str(ds.plan(FIG3, ds.DDS)) == text
