@@ -454,7 +454,7 @@ def test_all_fields_have_labels(tab: Page) -> None:
         expect(tab.get_by_label(name, exact=True)).to_be_visible()
     unlabelled = fields.evaluate_all("all => all.filter(e => !e.labels.length).length")
     assert unlabelled == 0
-    for group in ("Robots", "Beside them", "Software and air"):
+    for group in ("Robots", "Other computers", "Middleware and Wi-Fi"):
         expect(tab.get_by_role("group", name=group)).to_be_visible()
     expect(tab.get_by_role("img", name="Your robots are a point on each curve")).to_be_visible()
 
