@@ -519,7 +519,7 @@ def test_bad_input_is_refused_next_to_its_field(
 ) -> None:
     put(tab, {"wifi": "own" if name in OWN else "paper"})
     before, url = shown(tab), link(tab)
-    stale = tab.get_by_text("An entry is not valid.")
+    stale = tab.get_by_text("Fix the highlighted field.")
     expect(stale).to_be_hidden()
     field = tab.locator(f"#calc-{name}")
     good = field.input_value()
