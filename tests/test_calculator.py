@@ -454,7 +454,7 @@ def test_all_fields_have_labels(tab: Page) -> None:
         expect(tab.get_by_label(name, exact=True)).to_be_visible()
     unlabelled = fields.evaluate_all("all => all.filter(e => !e.labels.length).length")
     assert unlabelled == 0
-    for group in ("Robots", "Beside them", "Software and air"):
+    for group in ("Robots", "Other computers", "Middleware and Wi-Fi"):
         expect(tab.get_by_role("group", name=group)).to_be_visible()
     expect(tab.get_by_role("img", name="Your robots are a point on each curve")).to_be_visible()
 
@@ -519,7 +519,7 @@ def test_bad_input_is_refused_next_to_its_field(
 ) -> None:
     put(tab, {"wifi": "own" if name in OWN else "paper"})
     before, url = shown(tab), link(tab)
-    stale = tab.get_by_text("An entry is not valid.")
+    stale = tab.get_by_text("Fix the highlighted field.")
     expect(stale).to_be_hidden()
     field = tab.locator(f"#calc-{name}")
     good = field.input_value()
