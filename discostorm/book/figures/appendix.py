@@ -9,12 +9,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from discostorm import lambdify, uncertainty
-from discostorm.figures import WIDTH, color_of, style
+from discostorm.figures import color_of, style
 from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
 
+#: Inches: as wide as a phone shows without scrolling.
+NARROW = 4.45
 #: What all parameters at their best or worst ends are called.
 TOGETHER = "all together"
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
@@ -70,7 +72,7 @@ def tornado(
     """
     data = tornado_data(protocols, processes, endpoints)
     with style():
-        figure = Figure(figsize=(WIDTH, 2.6 * len(protocols)))
+        figure = Figure(figsize=(NARROW, 2.5 * len(protocols)))
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(shown + 1)
@@ -79,7 +81,7 @@ def tornado(
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")
         axis.set_xlabel("robots at which the channel is full")
         axis.set_xlim(data["fewest_hosts"].min() - 0.6, data["most_hosts"].max() + 0.6)
-        figure.suptitle("The unicast overhead alone moves the result by two robots")
+        figure.suptitle("One constant moves the result by two robots")
     return figure
 
 
@@ -137,7 +139,7 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     data = frame_steps_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.6))
+        figure = Figure(figsize=(NARROW, 3.4))
         axis = figure.subplots()
         end = curves.iloc[-1]
         axis.plot(curves["frame_B"], curves["paper_us"], "--", color="0.45")
@@ -162,9 +164,9 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
                 axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=look)
             else:
                 axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
-        axis.set(xlim=(40, 600), ylim=(180, 225))
+        axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set_xlabel("frame length [B]")
         axis.set_ylabel("airtime of a unicast frame [µs]")
-        axis.set_title("Whole symbols always cost more than the paper's line", loc="left")
+        axis.set_title("Whole symbols cost more than the paper's line", loc="left")
         axis.legend(loc="upper left")
     return figure
