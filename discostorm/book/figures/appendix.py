@@ -88,19 +88,20 @@ def tornado(
 def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     """Draw a bar a row from the fewest to the most hosts, with both numbers at its ends."""
     places = np.arange(len(rows))[::-1]
-    for place, row in zip(places, rows.itertuples(), strict=True):
-        together = row.parameter == TOGETHER
+    names = [str(name) for name in rows["parameter"]]
+    spans = rows[["fewest_hosts", "most_hosts"]].to_numpy(dtype=float)
+    for place, name, (fewest, most) in zip(places, names, spans, strict=True):
         axis.plot(
-            [row.fewest_hosts, row.most_hosts],
+            [fewest, most],
             [place, place],
-            color="0.35" if together else color,
+            color="0.35" if name == TOGETHER else color,
             linewidth=7,
             solid_capstyle="butt",
         )
-        for end, align, gap in ((row.fewest_hosts, "right", -0.06), (row.most_hosts, "left", 0.06)):
+        for end, align, gap in ((fewest, "right", -0.06), (most, "left", 0.06)):
             axis.text(end + gap, place, f"{end:.2f}", ha=align, va="center", fontsize=9)
     axis.axvline(rows["paper_hosts"].iloc[0], color="black", linewidth=1, zorder=3)
-    axis.set_yticks(places, rows["parameter"])
+    axis.set_yticks(places, names)
     axis.set_ylim(-0.6, len(rows) - 0.4)
     axis.grid(axis="y", visible=False)
     axis.tick_params(axis="y", length=0)
@@ -157,8 +158,9 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
                 label=f"frames of {protocol.name}",
                 zorder=3,
             )
-        for height, own in dots.groupby("standard_us"):
-            names, last = ", ".join(own["message"]), own["frame_B"].max()
+        for _, own in dots.groupby("standard_us"):
+            names, last = ", ".join(own["message"]), float(own["frame_B"].max())
+            height = float(own["standard_us"].iloc[0])
             if len(own) > 2:  # too long to stand above its step
                 look = {"arrowstyle": "-", "color": "0.45"}
                 axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=look)
