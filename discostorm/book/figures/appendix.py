@@ -9,12 +9,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from discostorm import lambdify, uncertainty
-from discostorm.figures import WIDTH, color_of, style
+from discostorm.figures import color_of, style
 from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
 
+#: Inches: as wide as a phone shows without scrolling.
+NARROW = 4.45
 #: What all parameters at their best or worst ends are called.
 TOGETHER = "all together"
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
@@ -70,7 +72,7 @@ def tornado(
     """
     data = tornado_data(protocols, processes, endpoints)
     with style():
-        figure = Figure(figsize=(WIDTH, 2.6 * len(protocols)))
+        figure = Figure(figsize=(NARROW, 2.5 * len(protocols)))
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(shown + 1)
@@ -79,26 +81,27 @@ def tornado(
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")
         axis.set_xlabel("robots at which the channel is full")
         axis.set_xlim(data["fewest_hosts"].min() - 0.6, data["most_hosts"].max() + 0.6)
-        figure.suptitle("The unicast overhead alone moves the result by two robots")
+        figure.suptitle("One constant moves the result by two robots")
     return figure
 
 
 def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     """Draw a bar a row from the fewest to the most hosts, with both numbers at its ends."""
     places = np.arange(len(rows))[::-1]
-    for place, row in zip(places, rows.itertuples(), strict=True):
-        together = row.parameter == TOGETHER
+    names = [str(name) for name in rows["parameter"]]
+    spans = rows[["fewest_hosts", "most_hosts"]].to_numpy(dtype=float)
+    for place, name, (fewest, most) in zip(places, names, spans, strict=True):
         axis.plot(
-            [row.fewest_hosts, row.most_hosts],
+            [fewest, most],
             [place, place],
-            color="0.35" if together else color,
+            color="0.35" if name == TOGETHER else color,
             linewidth=7,
             solid_capstyle="butt",
         )
-        for end, align, gap in ((row.fewest_hosts, "right", -0.06), (row.most_hosts, "left", 0.06)):
+        for end, align, gap in ((fewest, "right", -0.06), (most, "left", 0.06)):
             axis.text(end + gap, place, f"{end:.2f}", ha=align, va="center", fontsize=9)
     axis.axvline(rows["paper_hosts"].iloc[0], color="black", linewidth=1, zorder=3)
-    axis.set_yticks(places, rows["parameter"])
+    axis.set_yticks(places, names)
     axis.set_ylim(-0.6, len(rows) - 0.4)
     axis.grid(axis="y", visible=False)
     axis.tick_params(axis="y", length=0)
@@ -137,7 +140,7 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     data = frame_steps_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.6))
+        figure = Figure(figsize=(NARROW, 3.4))
         axis = figure.subplots()
         end = curves.iloc[-1]
         axis.plot(curves["frame_B"], curves["paper_us"], "--", color="0.45")
@@ -155,16 +158,17 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
                 label=f"frames of {protocol.name}",
                 zorder=3,
             )
-        for height, own in dots.groupby("standard_us"):
-            names, last = ", ".join(own["message"]), own["frame_B"].max()
+        for _, own in dots.groupby("standard_us"):
+            names, last = ", ".join(own["message"]), float(own["frame_B"].max())
+            height = float(own["standard_us"].iloc[0])
             if len(own) > 2:  # too long to stand above its step
                 look = {"arrowstyle": "-", "color": "0.45"}
                 axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=look)
             else:
                 axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
-        axis.set(xlim=(40, 600), ylim=(180, 225))
+        axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set_xlabel("frame length [B]")
         axis.set_ylabel("airtime of a unicast frame [µs]")
-        axis.set_title("Whole symbols always cost more than the paper's line", loc="left")
+        axis.set_title("Whole symbols cost more than the paper's line", loc="left")
         axis.legend(loc="upper left")
     return figure
