@@ -114,6 +114,7 @@ ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (De
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/deaths.py $(ARGS)
+	@$(BIN)/python lab/deaths.py --outages $(ARGS)
 
 published: build/lab/.ready ## stage the set-ups of which others published numbers (Debian, root; half an hour)
 	@$(BIN)/python lab/published.py $(ARGS)

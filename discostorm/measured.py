@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -163,14 +163,14 @@ def payloads(name: str, kind: str) -> list[float]:
     return found
 
 
-#: What tells the rows of ``data/measured/deaths.csv`` apart, but for the runs.
+#: What tells the rows of ``data/measured/deaths.csv`` and ``outages.csv`` apart, but for the runs.
 _OF_DEATHS = ("arrangement", "event", "phase", "who", "quantity")
 
 
 @cache
-def _seconds() -> dict[tuple[str, ...], list[dict[str, str]]]:
+def _seconds(table: str = "deaths") -> dict[tuple[str, ...], list[dict[str, str]]]:
     found: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
-    for row in read_data("measured/deaths.csv"):
+    for row in read_data(f"measured/{table}.csv"):
         found[tuple(row[name] for name in _OF_DEATHS)].append(row)
     return dict(found)
 
@@ -183,7 +183,8 @@ def death_times(
     Parameters
     ----------
     arrangement : str
-        Of ``data/measured/arrangements.csv``, such as "Zenoh router".
+        Of ``data/measured/arrangements.csv``, such as "Zenoh router"; of an outage, "Fast DDS
+        Discovery Server" or "Fast DDS Discovery Server, backup".
     event, phase, who, quantity : str
         What died, when it was looked at, whom it is about and what was measured, as
         ``data/measured/README.md`` has them.
@@ -199,15 +200,22 @@ def death_times(
         If that was not measured.
     """
     key = (arrangement, event, phase, who, quantity)
-    if key not in _seconds():
+    every = _seconds() | _seconds("outages")
+    if key not in every:
         for position, name in enumerate(_OF_DEATHS):
-            known = {other[position] for other in _seconds() if other[:position] == key[:position]}
+            known = {other[position] for other in every if other[:position] == key[:position]}
             _checks.choice(name, key[position], sorted(known))
-    return np.array([float(row["seconds"]) for row in _seconds()[key]])
+    return np.array([float(row["seconds"]) for row in every[key]])
 
 
-def deaths() -> pd.DataFrame:
+def deaths(table: Literal["deaths", "outages"] = "deaths") -> pd.DataFrame:
     """Return what the lab saw when servers, routers and robots died, all runs taken together.
+
+    Parameters
+    ----------
+    table : {"deaths", "outages"}, optional
+        The file of ``data/measured``: of outages, a Discovery Server was away for a while in which
+        a process began.
 
     Returns
     -------
@@ -223,8 +231,9 @@ def deaths() -> pd.DataFrame:
     """
     import pandas as pd
 
+    _checks.choice("table", table, ["deaths", "outages"])
     rows = []
-    for key, runs in _seconds().items():
+    for key, runs in _seconds(table).items():
         seconds = np.array([float(row["seconds"]) for row in runs])
         rows.append(
             dict(zip(_OF_DEATHS, key, strict=True))

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from death_log import all_well, read_log
-from stage import CLEAN, build_bridge, build_host, say
+from stage import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, say
 
 LEAD = 1.0  # s from the first program's start to the time 0 of the steps
 
@@ -58,7 +58,7 @@ def main() -> None:
         "end": lambda _: None,
     }
     with out.with_suffix(".stage.log").open("w") as told:
-        begin = time.monotonic() + LEAD
+        begin, before = time.monotonic() + LEAD, processor()
         for step in job["steps"]:
             time.sleep(max(0.0, begin + step["at"] - time.monotonic()))
             print(f"{time.monotonic():.3f} {step['do']} {step['what']}", file=told)
@@ -67,6 +67,9 @@ def main() -> None:
                     errors = out.with_suffix(f".{name}.err").read_text().strip()
                     raise SystemExit(f"{name} ended with {program.returncode}: {errors}")
             do[step["do"]](step["what"])
+    job["idle"] = idle_since(before)
+    if job["idle"] < IDLE:
+        raise SystemExit(f"the processor was idle for {job['idle']:.0%}: machine too busy")
     for name in filter(str.isdigit, running):
         if late := [event for event in read_log(out, name) if event.what == "late"]:
             raise SystemExit(f"{name} was late {len(late)} times: machine too busy")

@@ -56,6 +56,12 @@ def fast_server(number: int, host: int) -> Program:
     return (["fast-discovery-server", "-p", "11811", "-i", str(number), "-l", address(host)], {})
 
 
+def fast_server_with_backup(number: int, host: int) -> Program:
+    """Return a server that keeps what it knows in a file, where it is begun: its host's memory."""
+    command, env = fast_server(number, host)
+    return (["sh", "-c", f"cd /dev/shm && exec {' '.join(command)} -b"], env)
+
+
 def cyclone_dds(number: int) -> Program:
     return ([CYCLONE_DDS, str(number)], {})
 
@@ -113,6 +119,12 @@ class Arrangement:
 
 OF_ROBOT = ("robot killed", "robot cut off")
 OF_SERVER = ("server killed", "server cut off", "server restarts")
+#: A server is away for so long, and a process starts so long after it has gone [s].
+OUTAGES = {3: 1.0, 10: 3.0, 25: 3.0, 50: 3.0}
+#: A process that was there starts again while the server is away; else a new one comes.
+AGAIN = ", robot restarts"
+OF_OUTAGE = (*(f"outage of {seconds} s" for seconds in OUTAGES), f"outage of 10 s{AGAIN}")
+AFTER_OUTAGE = 60.0  # s for which all is watched once the server is back: three leases
 ARRANGEMENTS = {
     "Fast DDS": Arrangement(
         *("fast_dds", fast_dds(), {}, defaults("Fast DDS")["lease"]),
@@ -168,6 +180,18 @@ ARRANGEMENTS = {
 }
 
 
+#: What is away for a while: the same server without a file of its own and with it.
+OUTAGES_OF = {
+    "Fast DDS Discovery Server": ARRANGEMENTS["Fast DDS Discovery Server"],
+    "Fast DDS Discovery Server, backup": Arrangement(
+        *("fast_dds", fast_dds(FIRST), {FIRST: fast_server_with_backup(0, FIRST)}),
+        defaults("Fast DDS")["lease"],
+        "a server on a host of its own that keeps what it knows in a file (-b)",
+        OF_OUTAGE,
+    ),
+}
+
+
 def step(at: float, do: str, what: object = "", phase: str = "") -> dict[str, Any]:
     return {"at": at, "do": do, "what": what} | ({"phase": phase} if phase else {})
 
@@ -179,7 +203,7 @@ def script(name: str, event: str) -> dict[str, Any]:
     is well, 5 after the death. With routers on robots it is that of robot 1 that dies; there 7 is
     a second process from the start, and 8 comes after the death. 6 is robot 3's that starts again.
     """
-    it = ARRANGEMENTS[name]
+    it = (ARRANGEMENTS | OUTAGES_OF)[name]
     host = {number: number for number in ROBOTS} | {6: 3}
     groups = {"survivors": [1, 2, 3, 4], "early": [4], "newcomer": [5]}
     if set(it.servers) == set(ROBOTS) and event.startswith("server"):
@@ -189,7 +213,20 @@ def script(name: str, event: str) -> dict[str, Any]:
     steps = [step(0.0, "start", f"server{place}") for place in it.servers]
     steps += [step(1.0, "start", str(number)) for number in (1, 2, 3, 7) if number in host]
     steps += [step(10.0, "start", "4", "well")]
-    if event in OF_ROBOT:
+    if event in OF_OUTAGE:
+        seconds = int(event.split()[2])
+        begin, (server,) = 20.0, it.servers
+        if event.endswith(AGAIN):
+            groups = {"survivors": [1, 2, 4], "early": [4], "dead": [3], "newcomer": [6]}
+            steps += [step(begin + 0.5, "kill", "3")]
+        new = str(groups["newcomer"][0])
+        steps += [
+            step(begin, "kill", f"server{server}", "death"),
+            step(begin + OUTAGES[seconds], "start", new, "newcomer"),
+            step(begin + seconds, "start", f"server{server}", "return"),
+            step(begin + seconds + AFTER_OUTAGE, "end", phase="end"),
+        ]
+    elif event in OF_ROBOT:
         groups |= {"survivors": [1, 2, 4], "dead": [3], "returned": [3]}
         back = 35.0 + 1.5 * it.lease
         if event == "robot killed":
@@ -239,13 +276,17 @@ def runs_of(name: str, event: str) -> int:
     return MORE_RUNS.get((name, event), RUNS)
 
 
-def jobs(runs: int | None, only: list[str]) -> Iterator[dict[str, Any]]:
+def staged(outages: bool) -> list[tuple[str, str]]:
+    """Return the arrangements with what happens to each: of the deaths, or of the outages."""
+    if outages:
+        return [(name, event) for name in OUTAGES_OF for event in OF_OUTAGE]
+    return [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
+
+
+def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[dict[str, Any]]:
     """Yield all runs, the first of each staging before the second of any, the longest first."""
     stagings = [
-        script(name, event)
-        for name, it in ARRANGEMENTS.items()
-        for event in it.events
-        if not only or name in only
+        script(name, event) for name, event in staged(outages) if not only or name in only
     ]
     stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
     for number in range(1, (runs or max(RUNS, *MORE_RUNS.values())) + 1):
@@ -282,9 +323,9 @@ def finish(out: Path) -> str:
     return f"{heard} samples; " + ", ".join(f"{what} {text}" for what, text in found.items())
 
 
-def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path) -> None:
+def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: bool) -> None:
     """Write what was found in each run, a row for each quantity."""
-    order = [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
+    order = staged(outages)
     rows = []
     for job in sorted(
         todo, key=lambda job: (order.index((job["arrangement"], job["event"])), job["run"])
@@ -338,11 +379,13 @@ def main() -> int:
     parser.add_argument("--runs", type=int, help=f"runs of each staging, not {RUNS} or more")
     parser.add_argument("--only", action="append", default=[], metavar="ARRANGEMENT")
     parser.add_argument("--short", action="store_true", help="two stagings in 15 s, no table")
+    parser.add_argument("--outages", action="store_true", help="a server is away for a while")
     parser.add_argument("--out", type=Path, default=BUILD / "deaths", help="folder for the logs")
     parser.add_argument("--crowd", type=int, default=CROWD, help="hosts at a time")
     given = parser.parse_args()
-    if unknown := set(given.only) - set(ARRANGEMENTS):
-        parser.error(f"--only {min(unknown)}: not one of {', '.join(ARRANGEMENTS)}")
+    known = OUTAGES_OF if given.outages else ARRANGEMENTS
+    if unknown := set(given.only) - set(known):
+        parser.error(f"--only {min(unknown)}: not one of {', '.join(known)}")
     if given.runs is not None and given.runs < 1:
         parser.error(f"--runs must be at least 1; got {given.runs}")
     if not (BUILD / ".ready").exists():
@@ -350,7 +393,7 @@ def main() -> int:
         return 1
     out: Path = given.out / "short" if given.short else given.out
     out.mkdir(parents=True, exist_ok=True)
-    todo = list(short() if given.short else jobs(given.runs, given.only))
+    todo = list(short() if given.short else jobs(given.runs, given.only, given.outages))
     there = [job for job in todo if (out / job["name"]).with_suffix(".json").exists()]
     if given.short:
         there = []
@@ -364,8 +407,10 @@ def main() -> int:
         # What is not all of it does not belong into the package.
         whole = given.runs is None and not given.only
         folder = data_path("measured") if whole else out
-        write_runs(out, todo, folder / "deaths.csv")
-        write_arrangements(folder / "arrangements.csv")
+        table = "outages" if given.outages else "deaths"
+        write_runs(out, todo, folder / f"{table}.csv", given.outages)
+        if not given.outages:
+            write_arrangements(folder / "arrangements.csv")
     return 0
 
 

@@ -21,7 +21,9 @@ from typing import IO, Any
 LEAD = 0.5  # s from the word that all are ready to their start
 TAIL = 2.0  # s that tcpdump runs on, for what the kernel holds back
 SERVING = 1.0  # s that servers have before anybody else runs
-LATE = 0.25  # s after the agreed time; what begins later spoils a run that does not allow for it
+LATE = 0.2  # s after the agreed time; what begins later spoils a run that does not allow for it
+IDLE = 0.2  # share of the start-up window that the processor has to be idle
+BUSY = 12.0  # s of the start-up window
 PATIENCE = 30.0  # s beyond its time before a program is given up
 # Nothing of what configures middleware on the user's machine; the mark is of the tests.
 CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
@@ -123,10 +125,27 @@ def serve(
     return number, server
 
 
+def processor() -> tuple[int, int]:
+    """Return the time that no process of the lab wanted, and all time, of all processors so far.
+
+    What others run at the lowest priority counts as idle: it makes way at once.
+    """
+    with Path("/proc/stat").open() as file:
+        user, nice, system, idle, *others = map(int, file.readline().split()[1:8])
+    return idle + nice + others[0], user + nice + system + idle + sum(others)
+
+
+def idle_since(before: tuple[int, int]) -> float:
+    """Return the share of the time since then that no process of the lab wanted [1]."""
+    (idle, total), (idle_now, total_now) = before, processor()
+    return round((idle_now - idle) / max(total_now - total, 1), 3)
+
+
 def programs_of(job: dict[str, Any]) -> list[dict[str, Any]]:
     """Return host, process, endpoints, names and variant of each program, and when it begins [s].
 
-    A job may list its programs, each with what differs; else they are alike and begin at once.
+    A job may list its programs, each with what differs, also for how long it runs (`seconds`), and
+    whether it is one that starts `again`; else they are alike and begin at once.
     """
     alike = {"endpoints": job.get("endpoints"), "names": job["names"]}
     alike |= {"variant": job["variant"], "after": 0.0}
@@ -145,6 +164,7 @@ def main() -> None:
     program_name = Path(job["command"][-1]).name
     build_bridge()
     # What serves the others runs on one of the hosts, or on one of its own behind them.
+    hosts = max(hosts, *(one["host"] for one in programs_of(job)))
     numbers = sorted({*range(1, hosts + 1), *(number for number, _ in job["servers"])})
     built = {number: build_host(number) for number in numbers}
 
@@ -158,10 +178,12 @@ def main() -> None:
         host, process = one["host"], one["process"]
         command = [
             *("nsenter", f"--target={built[host]}", "--net", "--mount", *job["command"]),
-            *(str(job["seconds"] - one["after"]), str(host), str(process), str(one["endpoints"])),
+            str(one.get("seconds", job["seconds"] - one["after"])),
+            *(str(host), str(process), str(one["endpoints"])),
             *(one["names"], one["variant"]),
         ]
-        log = out.with_suffix(f".{host}.{process}.log").open("w+")
+        again = ".again" * one.get("again", False)
+        log = out.with_suffix(f".{host}.{process}{again}.log").open("w+")
         program = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,
@@ -181,6 +203,11 @@ def main() -> None:
         with contextlib.suppress(BrokenPipeError):
             program.stdin.write(f"{start + one['after']}\n")
             program.stdin.flush()
+    before = processor()
+    time.sleep(LEAD + min(BUSY, job["seconds"]))
+    idle = idle_since(before)
+    if idle < IDLE:
+        raise SystemExit(f"the processor was idle for {idle:.0%}: machine too busy")
     for (program, errors), one in zip(running, programs, strict=True):
         begin = start + one["after"]
         try:
@@ -202,7 +229,8 @@ def main() -> None:
             raise SystemExit(f"the server on host {number} ended with {server.returncode}")
     end_capture(out, dump)
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
-    job |= {"start": start, "times": times, "cpu_s": round(spent.ru_utime + spent.ru_stime, 3)}
+    job |= {"start": start, "times": times, "idle": idle}
+    job |= {"cpu_s": round(spent.ru_utime + spent.ru_stime, 3)}
     out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
     for path in out.parent.glob(f"{out.name}.*.log"):
         if not path.stat().st_size:

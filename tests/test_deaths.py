@@ -16,12 +16,14 @@ from test_lab import LAB, marked, ready, wait_until
 
 from discostorm import measured
 from discostorm.data import read_data
+from discostorm.planner.snippets import snippets
 
 # test_lab has put the lab on the path
 import death_log  # isort: skip
 import deaths as lab  # isort: skip
 
 ROWS = read_data("measured/deaths.csv")
+OUTAGES = read_data("measured/outages.csv")
 
 
 def step(at: float, do: str, what: str, phase: str = "") -> dict[str, Any]:
@@ -188,6 +190,39 @@ def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
     assert set(keys.values()) == {1}
 
 
+def test_every_outage_is_in_its_table_five_times() -> None:
+    runs = {(row["arrangement"], row["event"], row["run"]) for row in OUTAGES}
+    assert Counter(run[:2] for run in runs) == dict.fromkeys(lab.staged(outages=True), lab.RUNS)
+    table = measured.deaths("outages").set_index(["phase", "who", "quantity"])
+    assert int(table["runs"].sum()) == len(OUTAGES)
+    back = table.loc[("return", "newcomer", "found")]
+    # Each is away for as long as its name says, and is watched for longer than a lease after it.
+    assert {f"{since:.0f} s" for since in back["since_s"]} == {
+        " ".join(event.split(",")[0].split()[2:]) for event in back["event"]
+    }
+    assert (back["watched_s"] > 20).all()
+    # While it is away nobody new is found, and nobody loses another one.
+    assert (table.loc[("newcomer", "newcomer", "found"), "happened"] == 0).all()
+    assert (table.loc[("death", "survivors", "settled"), "most_s"] == 0).all()
+
+
+def outages(arrangement: str) -> dict[str, tuple[int, int]]:
+    """Return in how many of how many runs a process was found once the server was back."""
+    table = measured.deaths("outages")
+    table = table[(table["phase"] == "return") & (table["who"] == "newcomer")]
+    rows = table[table["arrangement"] == arrangement].itertuples()
+    return {row.event: (row.happened, row.runs) for row in rows}
+
+
+def test_a_short_outage_is_worse_than_a_long_one_and_a_backup_cures_it() -> None:
+    plain = outages("Fast DDS Discovery Server")
+    for seconds in lab.OUTAGES:
+        found, runs = plain[f"outage of {seconds} s"]
+        assert found == runs if seconds > 20 else found < runs / 2  # 20 s: the lease
+    with_backup = outages("Fast DDS Discovery Server, backup")
+    assert all(found == runs for found, runs in with_backup.values())
+
+
 def test_what_is_watched_is_watched_for_longer_than_the_lease() -> None:
     leases = {
         row["arrangement"]: float(row["lease_s"]) for row in read_data("measured/arrangements.csv")
@@ -269,8 +304,19 @@ def test_what_remedies_say_of_deaths_was_measured() -> None:
     fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
     table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
     again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
-    runs, found = table.loc[again, "runs"], table.loc[again, "happened"]
-    assert f"nor after {runs - found} of {runs} quick restarts" in fails["discovery server"]
+    assert table.loc[again, "happened"] < table.loc[again, "runs"]
+    assert "nor after short outages without -b" in fails["discovery server"]
+    short = {
+        name: [found for event, found in outages(name).items() if float(event.split()[2]) <= 10]
+        for name in lab.OUTAGES_OF
+    }
+    (lost, runs), (lost_with_it, runs_with_it) = (
+        (sum(many - found for found, many in of_it), sum(many for _, many in of_it))
+        for of_it in short.values()
+    )
+    (paste, *_) = (one for one in snippets("discovery server") if "backup" in one.file)
+    said = " ".join(paste.text.replace("\n#", " ").split())
+    assert f"undiscovered in {lost} of {runs} runs, with -b in {lost_with_it} of {runs_with_it}" in said
     for kind, name, who in (
         ("router", "Zenoh router", "survivors"),
         ("router on each host", "Zenoh router per host", "orphans"),

@@ -153,6 +153,7 @@ COUNTED = {
 #: What is no file of a product but runs here all the same.
 RUN = {
     "fast_dds_server.sh",
+    "fast_dds_server_backup.sh",
     "fast_dds_client.sh",
     "fast_dds_two_servers.sh",
     "fast_dds_client_of_two.sh",
@@ -368,6 +369,24 @@ def test_a_client_talks_to_its_servers_and_to_no_group(
     for host in hosts:
         assert f"> 192.168.1.{host}.11811:" in served
     assert re.search(r" 192\.168\.1\.10\.\d+ > 192\.168\.1\.22\.", served)
+
+
+def test_a_server_with_a_backup_knows_its_clients_from_a_file(tmp_path: Path) -> None:
+    """The pasted command writes the file where it starts, and a client stands in it."""
+    ready()
+    text = of("fast_dds_server_backup.sh").text
+    (begin,) = (line for line in text.splitlines() if line.startswith("cd "))
+    assert " -b" in begin
+    script = [
+        OTHER,
+        f"({begin.replace('/var/tmp', str(tmp_path))}) >/dev/null &",
+        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
+        of("fast_dds_client.sh").text,
+        f"date +%s | inside {BIN}/fast_dds 2 1 1 2 unique udp >/dev/null",
+        "kill $(jobs -p)",
+    ]
+    alone("bash", "-c", "\n".join(script))
+    assert any(b"lab_0101" in path.read_bytes() for path in tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("served", [False, True])
