@@ -316,7 +316,10 @@ def test_what_remedies_say_of_deaths_was_measured() -> None:
     )
     (paste, *_) = (one for one in snippets("discovery server") if "backup" in one.file)
     said = " ".join(paste.text.replace("\n#", " ").split())
-    assert f"undiscovered in {lost} of {runs} runs, with -b in {lost_with_it} of {runs_with_it}" in said
+    assert (
+        f"undiscovered in {lost} of {runs} runs, with -b in {lost_with_it} of {runs_with_it}"
+        in said
+    )
     for kind, name, who in (
         ("router", "Zenoh router", "survivors"),
         ("router on each host", "Zenoh router per host", "orphans"),

@@ -8,7 +8,14 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options, without_robot
+from discostorm.cli.fleets import (
+    Members,
+    error_band,
+    say_bands,
+    says_what_matches,
+    several_swarms_options,
+    without_robot,
+)
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Output,
@@ -58,6 +65,7 @@ def utilization(
                     | ({"utilization_full_ampdus": least} if aggregates else {})
                     | {"fits": words.fits(taken)}
                     | ({"may_fit": words.fits(least)} if aggregates else {})
+                    | ({} if output.for_people else error_band(chosen, one.fleet))
                 )
     print_rows(
         without_robot(rows, output),
@@ -70,3 +78,4 @@ def utilization(
         click.echo(f"\n{words.AGGREGATES}")
     if output.for_people and len(members) == 1:
         members[0].tell_alone()
+    say_bands(((table, one.fleet) for table in protocols for one in members), output)

@@ -11,6 +11,7 @@ from discostorm import _checks, words
 from discostorm._arguments import as_fleet
 from discostorm._renamed import renamed
 from discostorm.fleet import COUNTS, LEAST, Fleet
+from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
@@ -18,6 +19,7 @@ from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
 from discostorm.planner.radios import radio_changes
+from discostorm.planner.reboot import reboot
 from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
 from discostorm.planner.spans import burst_of, known_after, repeated, span_of, startup, together
@@ -139,6 +141,8 @@ def plan(
         steady_span=steady,
         startup=startup(base),
         known=known_after(protocol, fleet, full) if full != single else None,
+        reboot=reboot(base),
+        band=band(protocol.name, fleet, protocol.captured) if protocol.captured else None,
     )
 
 
