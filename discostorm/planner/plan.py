@@ -17,7 +17,7 @@ from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
-from discostorm.planner.known import inapplicable, known, simulated_stagger
+from discostorm.planner.known import inapplicable, known, known_as, simulated_stagger
 from discostorm.planner.radios import radio_changes
 from discostorm.planner.reboot import reboot
 from discostorm.planner.remedy import NOTHING, Remedy, is_doing
@@ -125,6 +125,7 @@ def plan(
     ]
     together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
     reasons = [reason for reason in found if isinstance(reason, str)]
+    of = known_as(protocol)
     return Plan(
         fleet=fleet,
         protocol=protocol,
@@ -142,7 +143,7 @@ def plan(
         startup=startup(base),
         known=known_after(protocol, fleet, full) if full != single else None,
         reboot=reboot(base),
-        band=band(protocol.name, fleet, protocol.captured) if protocol.captured else None,
+        band=band(of.name, fleet, of.captured) if of and of.captured else None,
     )
 
 

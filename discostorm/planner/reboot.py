@@ -7,6 +7,7 @@ from typing import Any
 
 from discostorm.data import read_data
 from discostorm.planner.changes import Setting
+from discostorm.planner.known import known_as
 from discostorm.planner.spans import burst_of
 
 
@@ -46,8 +47,9 @@ def reboot(base: Setting) -> Reboot | None:
     lease, and a host that joins, took `low` to `high` times what their own pairs take in it
     (``data/measured/restarts.csv``); a robot that reboots is one or the other.
     """
+    of = known_as(base.protocol)
     rows = [
-        row for row in read_data("measured/restarts.csv") if row["protocol"] == base.protocol.name
+        row for row in read_data("measured/restarts.csv") if of and row["protocol"] == of.name
     ]
     fleet = base.fleet
     everyone = float(fleet.processes())
