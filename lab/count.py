@@ -28,10 +28,9 @@ WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
     *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
+    "idle",
 )
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
-#: The share of the start-up window that no process of the lab wanted the processor.
-IDLE = (*RUNS, "idle")
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
@@ -161,8 +160,7 @@ def main() -> int:
     kind = "mitigation_" if arranged else ""
     kind = "shared_" if told["names"] == "shared" else kind
     kind = kind if given.kind is None else given.kind
-    columns = RUNS if given.kind is None else IDLE
-    write(given.out / f"{kind}runs.csv", columns, runs)
+    write(given.out / f"{kind}runs.csv", RUNS, runs)
     write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
     print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)
     return 0

@@ -300,6 +300,7 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
         "aggregation",
         "a router behind the access point",
         "a router on each host",
+        "a router on each host, linked with one behind the access point",
     ]
     assert "a router on each host: for Zenoh alone" in plan.left_out
 

@@ -141,7 +141,7 @@ def saturation(
             (protocol, _with(kind, row["hosts"] or 1.0))
             for row, (protocol, kind) in zip(rows, asked_of, strict=True)
         ]
-        if not output.for_people:
+        if not output.for_people and any(table.captured for table in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
                 row |= error_band(protocol, fleet)
     asked = kinds[0].asked is not None

@@ -54,6 +54,7 @@ def utilization(
     rows: list[dict[str, Any]] = []
     ends = both_ends(wifi)
     aggregates = ends[0] != ends[1]
+    banded = not output.for_people and any(table.captured for table in protocols)
     with bad_input(), working("computing"):
         for chosen in protocols:
             for one in members:
@@ -65,7 +66,7 @@ def utilization(
                     | ({"utilization_full_ampdus": least} if aggregates else {})
                     | {"fits": words.fits(taken)}
                     | ({"may_fit": words.fits(least)} if aggregates else {})
-                    | ({} if output.for_people else error_band(chosen, one.fleet))
+                    | (error_band(chosen, one.fleet) if banded else {})
                 )
     print_rows(
         without_robot(rows, output),

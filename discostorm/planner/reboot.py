@@ -48,9 +48,7 @@ def reboot(base: Setting) -> Reboot | None:
     (``data/measured/restarts.csv``); a robot that reboots is one or the other.
     """
     of = known_as(base.protocol)
-    rows = [
-        row for row in read_data("measured/restarts.csv") if of and row["protocol"] == of.name
-    ]
+    rows = [row for row in read_data("measured/restarts.csv") if of and row["protocol"] == of.name]
     fleet = base.fleet
     everyone = float(fleet.processes())
     own = sum(float(group.hosts) * float(group.processes) ** 2 for group in fleet.groups)
