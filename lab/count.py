@@ -28,6 +28,7 @@ WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
     *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
+    "idle",
 )
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
@@ -46,6 +47,11 @@ def natural(path: Path) -> list[int | str]:
 def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
     """Return the row of a run; nothing in it names the machine's folders."""
     seconds = f"{told['seconds']:g}"
+    after = [one["after"] for one in told.get("programs", [])] or [0.0] * len(told["times"])
+    late, made = (
+        max(one[what] - begun for one, begun in zip(told["times"], after, strict=True))
+        for what in ("begin", "endpoints")
+    )
     shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
     return {
         "run": run,
@@ -54,10 +60,11 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
         "seconds": seconds,
         "kernel": told["kernel"].partition("-")[0],
         "number": told["run"],
-        "late_s": f"{max(one['begin'] for one in told['times']) - told['start']:.4f}",
-        "made_s": f"{max(one['endpoints'] for one in told['times']) - told['start']:.4f}",
+        "late_s": f"{late - told['start']:.4f}",
+        "made_s": f"{made - told['start']:.4f}",
         "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
         "environment": " ".join(f"{key}={value}" for key, value in told["env"].items()),
+        "idle": told.get("idle", ""),
         "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
     }
 
@@ -93,9 +100,9 @@ def counted(
     time = messages["time"] + (found.start - told["start"])
     closed, octets = unreachable(capture)
     first = time[time >= 0].groupby(messages["sender"]).min().max()
-    if first > SILENT:
+    if first > SILENT and not told.get("programs"):
         raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
-    for window, (begin, end) in WINDOWS.items():
+    for window, (begin, end) in (WINDOWS | told.get("windows", {})).items():
         if told["seconds"] < end:
             continue
         inside = messages[(time >= begin) & (time < end)]
@@ -126,6 +133,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("captures", type=Path, help="folder that run.py filled")
     parser.add_argument("--out", type=Path, required=True, help="folder for the tables")
+    parser.add_argument("--kind", help="what the names of the tables begin with")
     given = parser.parse_args()
     captures = sorted(given.captures.glob("*.pcap.gz"), key=natural)
     if not captures:
@@ -151,6 +159,7 @@ def main() -> int:
     given.out.mkdir(parents=True, exist_ok=True)
     kind = "mitigation_" if arranged else ""
     kind = "shared_" if told["names"] == "shared" else kind
+    kind = kind if given.kind is None else given.kind
     write(given.out / f"{kind}runs.csv", RUNS, runs)
     write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
     print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)

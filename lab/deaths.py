@@ -215,16 +215,16 @@ def script(name: str, event: str) -> dict[str, Any]:
     steps += [step(10.0, "start", "4", "well")]
     if event in OF_OUTAGE:
         seconds = int(event.split()[2])
-        begin, (server,) = 20.0, it.servers
+        gone, (server,) = 20.0, it.servers
         if event.endswith(AGAIN):
             groups = {"survivors": [1, 2, 4], "early": [4], "dead": [3], "newcomer": [6]}
-            steps += [step(begin + 0.5, "kill", "3")]
-        new = str(groups["newcomer"][0])
+            steps += [step(gone + 0.5, "kill", "3")]
+        comes = str(groups["newcomer"][0])
         steps += [
-            step(begin, "kill", f"server{server}", "death"),
-            step(begin + OUTAGES[seconds], "start", new, "newcomer"),
-            step(begin + seconds, "start", f"server{server}", "return"),
-            step(begin + seconds + AFTER_OUTAGE, "end", phase="end"),
+            step(gone, "kill", f"server{server}", "death"),
+            step(gone + OUTAGES[seconds], "start", comes, "newcomer"),
+            step(gone + seconds, "start", f"server{server}", "return"),
+            step(gone + seconds + AFTER_OUTAGE, "end", phase="end"),
         ]
     elif event in OF_ROBOT:
         groups |= {"survivors": [1, 2, 4], "dead": [3], "returned": [3]}
@@ -285,9 +285,7 @@ def staged(outages: bool) -> list[tuple[str, str]]:
 
 def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[dict[str, Any]]:
     """Yield all runs, the first of each staging before the second of any, the longest first."""
-    stagings = [
-        script(name, event) for name, event in staged(outages) if not only or name in only
-    ]
+    stagings = [script(name, event) for name, event in staged(outages) if not only or name in only]
     stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
     for number in range(1, (runs or max(RUNS, *MORE_RUNS.values())) + 1):
         for job in stagings:

@@ -36,6 +36,11 @@ NAMES = {"as_built": products, "mitigations": arrangements}
 DIGITS = 4
 #: What is left of a kind without what is repeated must be this part of it to tell its size.
 LEAST_PART = 0.25
+#: Tables whose links are streams between routers: what is sent on them, and the bytes of a segment
+#: of TCP that is full, with the timestamps of Linux [B].
+STREAMS = ("Zenoh router per host", "Zenoh router per host, star")
+STREAMED = ("OAM", "Frame", "Declare", "Declare key expression")
+SEGMENT = 1448
 #: The same where the sizes of what else is of a kind are those of other points.
 LEAST_REST = 0.1
 
@@ -172,6 +177,37 @@ def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> lis
     return [known[index] for index in range(len(rows))]
 
 
+def streamed(
+    frame: Row, rows: list[tuple[Row, float, Sizes]], seen: list[Point]
+) -> dict[str, tuple[float, float, float]]:
+    """Return the parts of frames of what one hop of a link between routers carries, by message.
+
+    What waits is written into the stream together: it fills segments, and each batch, which a Frame
+    of transport begins, ends with one that is not full. So all fill full segments, and Frames have
+    the rest.
+    """
+    mine = [entry for entry in rows if entry[0].get("hops", "") == frame.get("hops", "")]
+    kinds = {row["kind"] for row, _, _ in mine if row["kind"] in STREAMED}
+    parts = []
+    for point in seen:
+        keys = {kind: ("startup", kind, "", "unicast", frame.get("hops", "")) for kind in kinds}
+        counted = {kind: point.median(key) for kind, key in keys.items()}
+        rest = sum(frames - octets / SEGMENT for _, frames, octets in counted.values())
+        parts.append(float(rest / counted["Frame"][0]))
+    full = {
+        row["message"]: (
+            size.payload[0] / SEGMENT,
+            size.payload[1] / SEGMENT,
+            size.payload[2] / SEGMENT,
+        )
+        for row, _, size in mine
+        if row["kind"] in kinds
+    }
+    own = (median(parts), min(parts), max(parts))
+    frames = {row["message"]: own for row, _, _ in mine if row["kind"] == "Frame"}
+    return full | frames
+
+
 def listed(
     own: list[Row], inside: list[Row], numbers: list[float], frames: Sizes, seen: list[Point]
 ) -> tuple[list[float], list[Sizes]]:
@@ -228,6 +264,7 @@ def fitted(family: str) -> Iterator[list[str]]:
         for row in read_data(f"vendors/{family}.csv"):
             if row["protocol"] == name:
                 kinds[kind_of(row)].append(row)
+        done: list[tuple[Row, float, Sizes]] = []
         for rows in kinds.values():
             least = max(int(row["fit_from"]) for row in rows)
             enough = [point for point in seen if point.fleet.processes() >= least]
@@ -238,9 +275,16 @@ def fitted(family: str) -> Iterator[list[str]]:
             if inside:
                 more, found = listed(own, inside, numbers, found[0], enough)
                 numbers += more
-            for row, number, size in zip(own + inside, numbers, found, strict=True):
-                values = (number, *size.payload, *size.frames)
-                yield [name, row["message"], *(f"{value:.{DIGITS}g}" for value in values)]
+            done += zip(own + inside, numbers, found, strict=True)
+        frames: dict[str, tuple[float, float, float]] = {}
+        if name in STREAMS:
+            for row, _, _ in done:
+                if row["kind"] == "Frame":
+                    frames |= streamed(row, done, seen)
+        for row, number, size in done:
+            part = frames.get(row["message"], size.frames)
+            values = (number, *size.payload, *part)
+            yield [name, row["message"], *(f"{value:.{DIGITS}g}" for value in values)]
 
 
 def missed(family: str) -> list[list[str]]:

@@ -78,6 +78,7 @@ ARRANGEMENTS: dict[
     ("zenoh_peer", "peers"): (ZENOH, {}, []),
     ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
+    ("zenoh", "star"): (ZENOH, {}, [(101, ZENOH_ROUTER), (0, [*ZENOH_ROUTER, "star"])]),
 }
 #: Who began it may have ended before the signal at its death was asked for.
 ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']

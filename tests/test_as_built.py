@@ -141,6 +141,8 @@ def test_units_by_hand() -> None:
         "unmatched endpoint and other host": 0,
         # Ten names that both processes of a host have, on three hosts, for two others each.
         "matched endpoint of a host and other host": 10 * 3 * 2,
+        "matched endpoint of a host": 10 * 3,
+        "ordered pair of hosts and third host": 6 * 1,
         # Three links have six ends; two hosts hear of each, and each tells the one that is left.
         "end of a link, host that hears of it and other that it tells": 6 * 2 * 1,
         "endpoint and other process": 10 * len(others),

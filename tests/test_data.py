@@ -24,6 +24,8 @@ SOURCES = {
     "measured/runs.csv": "sha256",
     "measured/mitigation_runs.csv": "sha256",
     "measured/shared_runs.csv": "sha256",
+    "measured/beyond_runs.csv": "sha256",
+    "measured/restart_runs.csv": "sha256",
 }
 #: Tables without such a column, by the README that says where all their rows are from.
 DESCRIBED = {
@@ -35,9 +37,15 @@ DESCRIBED = {
             "mitigation_counts",
             "mitigation_misses",
             "mitigations",
+            "outages",
             "published",
             "reasons",
             "shared_counts",
+        ),
+        *(
+            "bands",
+            "beyond_counts",
+            "restart_counts",
         ),
     ),
     "README.md": (

@@ -300,6 +300,7 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
         "aggregation",
         "a router behind the access point",
         "a router on each host",
+        "a router on each host, linked with one behind the access point",
     ]
     assert "a router on each host: for Zenoh alone" in plan.left_out
 
@@ -1173,11 +1174,16 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
             *key, happens = case.strip().split(", ")
             times = measured.death_times(rows[kind]["table"], *key)
             assert (times < np.inf).all() == (happens == "yes"), case
-    again = measured.death_times(
-        "Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found"
-    )
-    stuck = f"{np.isinf(again).sum()} of {again.size} quick restarts"
-    assert stuck in rows["discovery server"]["fails"]
+    for backup in ("", ", backup"):
+        short = np.concatenate(
+            [
+                measured.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
+                for event in ("outage of 3 s", "outage of 10 s", "outage of 10 s, robot restarts")
+                for found in [("return", "newcomer", "found")]
+            ]
+        )
+        assert np.isinf(short).any() == (not backup)
+    assert "nor after short outages without -b" in rows["discovery server"]["fails"]
     for kind in ("router", "router on each host"):
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
         back = np.median(measured.death_times(rows[kind]["table"], *key))

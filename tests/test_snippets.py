@@ -147,6 +147,7 @@ COUNTED = {
     "zenoh_client.json5": ("Zenoh router", "router"),
     "zenoh_router_of_host.json5": ("Zenoh router per host", "zenohd"),
     "zenoh_session_of_host.json5": ("Zenoh router per host", "router_per_host"),
+    "zenoh_router_of_star.json5": ("Zenoh router per host, star", "zenohd"),
     "zenoh_peers.json5": ("Zenoh peer, tokens", None),
     "zenoh_session.json5": ("Zenoh peer, tokens", None),
 }
@@ -175,6 +176,9 @@ EFFECTS = {
     "zenoh_session.json5": {"mode": '"peer"', "scouting/multicast/enabled": "true"}
     | {"connect/endpoints": "[]", "listen/endpoints": '["tcp/0.0.0.0:0"]'},
     "zenoh_router_of_host.json5": {"mode": '"router"', "scouting/multicast/enabled": "false"}
+    | SIXTY,
+    "zenoh_router_of_star.json5": {"mode": '"router"', "scouting/multicast/enabled": "false"}
+    | {"connect/endpoints": '["tcp/192.168.1.10:7447"]'}
     | SIXTY,
     "zenoh_session_of_host.json5": {"mode": '"peer"', "listen/endpoints": '["tcp/localhost:0"]'}
     | SIXTY,

@@ -1,16 +1,19 @@
 """Tables as built beside what the lab counted, message by message, and where they are off."""
 
 from collections.abc import Hashable, Iterable
-from typing import Any
+from functools import cache
+from typing import Any, cast as typed
 
 import numpy as np
 import pandas as pd
+import sympy as sp
 
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.measured import WINDOWS, Point, arrangements, points, products
-from discostorm.messages import HOPS, Message, Protocol, Schedule
+from discostorm.messages import HOPS, Message, Protocol, Schedule, Transport, header_bytes
 from discostorm.protocols import PROTOCOLS
+from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 
 
 def times(schedule: Schedule, window: str) -> float:
@@ -22,6 +25,49 @@ def times(schedule: Schedule, window: str) -> float:
 def expected(message: Message, fleet: Fleet, window: str) -> float:
     """Return how many of a message a fleet sends in a window [1]."""
     return float(message.load(fleet)) * times(message.schedule, window)
+
+
+def transport_of(kind: str, zenoh: bool) -> Transport:
+    """Return what carries a kind of message that was counted."""
+    return "TCP" if zenoh and kind not in ("Scout", "Hello", "Join") else "UDP"
+
+
+@cache
+def _charged(transport: Transport, cast: Cast, hop: str, wifi: Wifi) -> tuple[float, float]:
+    """Return what a frame takes with its headers, and each byte of payload [s]."""
+    length, headers = sp.Symbol("S"), header_bytes()[transport]
+    on = {
+        "up": uplink_airtime(length, wifi.model),
+        "down": downlink_airtime(length, cast, wifi.model),
+        "none": sp.Integer(0),
+    }
+    both = on["up"] + on["down"] if not hop else on[hop]
+    empty, one = (float(both.subs(wifi.values() | {length: headers + n})) for n in (0, 1))
+    return empty, one - empty
+
+
+def airtime_counted(point: Point, window: str, zenoh: bool, wifi: Wifi = PAPER) -> Any:
+    """Return the airtime of all that was counted in a window, a number a run [s].
+
+    Where airtime grows with the length of frames by as much each byte, as on the paper's channel,
+    the sums of frames and bytes are all it takes.
+    """
+    taken = np.zeros(len(point.ready))
+    for (when, kind, about, cast, hop), runs in point.runs.items():
+        if when == window and not about:
+            frame, byte = _charged(transport_of(kind, zenoh), typed(Cast, cast), hop, wifi)
+            taken += frame * runs[:, 1] + byte * runs[:, 2]
+    return taken
+
+
+def airtime_expected(protocol: Protocol, fleet: Fleet, window: str, wifi: Wifi = PAPER) -> float:
+    """Return the airtime of what a table says of a window, as `airtime_counted` takes it [s]."""
+    taken = 0.0
+    for message in protocol.messages:
+        frame, byte = _charged(message.transport, message.cast, _only_hop(message), wifi)
+        count = expected(message, fleet, window)
+        taken += count * (frame * message.frames + byte * message.payload.nominal)
+    return taken
 
 
 def held(protocol: Protocol, shared: bool = False) -> pd.DataFrame:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
@@ -14,12 +14,16 @@ from discostorm import _checks, _names, robots, words
 from discostorm.cli.options import A_FILE, numbers, packed
 from discostorm.cli.output import Output
 from discostorm.fleet import HostGroup
+from discostorm.measured import band
 
 _MATCHING = (
     "Measured models depend on the endpoints that match. The processes of a fleet file and of "
     "--robot share ROS 2's own topics, unless the file says `shared`. Hosts given by --processes "
     "and --endpoints share no topic."
 )
+
+#: So many tables get a sentence on how far they were off.
+_BANDS = 3
 
 
 @dataclass(frozen=True)
@@ -210,3 +214,28 @@ several_swarms_options = packed(
     *count_options,
     *file_options,
 )
+
+
+def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
+    """Return between which multiples of what a table says captures lay; see `measured.Band`."""
+    known = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
+    return {
+        "band_low": known.low if known else None,
+        "band_high": known.high if known else None,
+        "band_beyond": known.beyond if known else None,
+    }
+
+
+def say_bands(asked: Iterable[tuple[ds.Protocol, ds.Fleet]], output: Output) -> None:
+    """Say below a table how far measured tables were off where they were not fitted."""
+    if not output.for_people:
+        return
+    told = {
+        f"{table.name} was captured with up to {words.many(table.captured[0], 'host')}, "
+        f"{words.many(table.captured[1], 'process', 'es')} and "
+        f"{words.many(table.captured[2], 'endpoint')} of one. {known.sentence()}": None
+        for table, fleet in asked
+        if table.captured and (known := band(table.name, fleet, table.captured))
+    }
+    if 0 < len(told) <= _BANDS:
+        click.echo("\n" + "\n".join(words.wrapped(sentence) for sentence in told))

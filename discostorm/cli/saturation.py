@@ -12,9 +12,11 @@ import discostorm as ds
 from discostorm import words
 from discostorm.cli.fleets import (
     count_options,
+    error_band,
     file_options,
     read,
     ready_made,
+    say_bands,
     says_what_matches,
     who,
     without_robot,
@@ -30,6 +32,7 @@ from discostorm.cli.output import (
     working,
     yes,
 )
+from discostorm.measured import most_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
 
@@ -130,17 +133,25 @@ def saturation(
       discostorm saturation fleet.toml --protocol paper
     """
     with bad_input(), working("computing"):
+        asked_of = [(protocol, kind) for protocol in protocols for kind in kinds]
         rows = [
             {"protocol": protocol.name} | _both(kind, limit, protocol, *both_ends(wifi))
-            for protocol in protocols
-            for kind in kinds
+            for protocol, kind in asked_of
         ]
+        saturated = [
+            (protocol, _with(kind, row["hosts"] or 1.0))
+            for row, (protocol, kind) in zip(rows, asked_of, strict=True)
+        ]
+        if not output.for_people and any(table.captured for table in protocols):
+            for row, (protocol, fleet) in zip(rows, saturated, strict=True):
+                row |= error_band(protocol, fleet)
     asked = kinds[0].asked is not None
     if output.for_people:  # what was given is left out, or the lines would be too long
         rows = without_robot(rows, output)
         known = {"processes", "endpoints"} if kinds[0].columns.get("robot") or asked else set()
         without = known | ({"limit"} if asked or "group" in rows[0] else set())
         rows = [{name: row[name] for name in row if name not in without} for row in rows]
+        rows = [_shown(row) for row in rows]
     print_rows(
         rows,
         output,
@@ -164,6 +175,7 @@ def saturation(
     print_channel(single, output)
     if full != single and output.for_people:
         click.echo(f"\n{words.AGGREGATES}")
+    say_bands(saturated, output)
 
 
 def _both(
@@ -174,19 +186,14 @@ def _both(
     if full == single:
         return found
     best = _full(kind, limit, protocol, full)
+    found["more_than"] = found["more_than"] or best["more_than"]
     return found | {f"{name}_full_ampdus": best[name] for name in ("hosts", "fit")}
 
 
 def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
     """Return at how many hosts of a kind the channel is full; None if one is too many."""
-    group = kind.fleet.groups[kind.index]
-    one = replace(group, hosts=1)
-    groups = (*kind.fleet.groups[: kind.index], one, *kind.fleet.groups[kind.index + 1 :])
-    hosts = None
-    if (
-        ds.utilization(protocol, replace(kind.fleet, groups=groups), wifi=wifi) <= limit
-        or limit <= 0
-    ):
+    group, hosts = kind.fleet.groups[kind.index], None
+    if ds.utilization(protocol, _with(kind, 1.0), wifi=wifi) <= limit or limit <= 0:
         hosts = float(
             ds.saturation_hosts(
                 protocol, wifi=wifi, limit=limit, fleet=kind.fleet, group=kind.index
@@ -198,11 +205,38 @@ def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[s
         "limit": limit,
         "hosts": hosts,
         "fit": 0 if hosts is None else words.whole_below(hosts),
+        "more_than": _not_measured(protocol, group, hosts),
     }
     if kind.asked is None:
         return found
     return found | {"asked": kind.asked, "asked_fit": hosts is not None and kind.asked < hosts}
 
 
-def _hosts(value: float | None) -> str:
-    return "less than 1" if value is None else f"{value:.2f}"
+def _with(kind: Kind, hosts: float) -> ds.Fleet:
+    """Return the fleet with so many hosts of the kind."""
+    groups = list(kind.fleet.groups)
+    groups[kind.index] = replace(groups[kind.index], hosts=hosts)
+    return replace(kind.fleet, groups=tuple(groups))
+
+
+def _not_measured(protocol: ds.Protocol, group: ds.HostGroup, hosts: float | None) -> int | None:
+    """Return up to how many hosts a measured table is asked, if the answer is beyond; else None."""
+    if protocol.captured is None or hosts is None:
+        return None
+    most = most_hosts(protocol.captured, float(group.processes))
+    return most if hosts > most else None
+
+
+def _shown(row: dict[str, Any]) -> dict[str, Any]:
+    """Return a row for people: no number of hosts beyond twice of what was measured."""
+    most, shown = row["more_than"], {k: v for k, v in row.items() if k != "more_than"}
+    if most is None:
+        return shown
+    for name in ("hosts", "fit", "hosts_full_ampdus", "fit_full_ampdus"):
+        if (shown.get(name) or 0) > most:
+            shown[name] = f"more than {most}" + " (not measured)" * (name == "hosts")
+    return shown
+
+
+def _hosts(value: float | str | None) -> str:
+    return value if isinstance(value, str) else "less than 1" if value is None else f"{value:.2f}"

@@ -8,7 +8,14 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import Members, says_what_matches, several_swarms_options, without_robot
+from discostorm.cli.fleets import (
+    Members,
+    error_band,
+    say_bands,
+    says_what_matches,
+    several_swarms_options,
+    without_robot,
+)
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Output,
@@ -47,6 +54,7 @@ def utilization(
     rows: list[dict[str, Any]] = []
     ends = both_ends(wifi)
     aggregates = ends[0] != ends[1]
+    banded = not output.for_people and any(table.captured for table in protocols)
     with bad_input(), working("computing"):
         for chosen in protocols:
             for one in members:
@@ -58,6 +66,7 @@ def utilization(
                     | ({"utilization_full_ampdus": least} if aggregates else {})
                     | {"fits": words.fits(taken)}
                     | ({"may_fit": words.fits(least)} if aggregates else {})
+                    | (error_band(chosen, one.fleet) if banded else {})
                 )
     print_rows(
         without_robot(rows, output),
@@ -70,3 +79,4 @@ def utilization(
         click.echo(f"\n{words.AGGREGATES}")
     if output.for_people and len(members) == 1:
         members[0].tell_alone()
+    say_bands(((table, one.fleet) for table in protocols for one in members), output)

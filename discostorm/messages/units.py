@@ -31,7 +31,7 @@ What = Literal[
     "fleet",
 ]
 To = Literal["all", "other process", "remote process", "other host", "server"]
-Factor = Literal["third process", "match", "matched process", "link"]
+Factor = Literal["third process", "third host", "match", "matched process", "link"]
 
 #: Which end of a message has to be wireless, so that it takes the air on a hop: what it is sent
 #: for; who receives it; or any host of the fleet, as all hear it.
@@ -128,9 +128,9 @@ class Unit:
         message for all; to each ``remote process``, on other hosts; to each ``other host``; to a
         ``server`` on a host of the first group, from the other hosts.
     factor : str, optional
-        What multiplies the count: each ``third process``; 1 if anything in the fleet matches and
-        else 0 (``match``); each other process if anything matches (``matched process``); each end
-        of a link that a further host hears of (``link``).
+        What multiplies the count: each ``third process`` or ``third host``; 1 if anything in the
+        fleet matches and else 0 (``match``); each other process if anything matches (``matched
+        process``); each end of a link that a further host hears of (``link``).
 
     Raises
     ------
@@ -205,6 +205,7 @@ class Unit:
             "third process": every.size - 2,
             "match": hosts.matches,
             "matched process": others * hosts.matches,
+            "third host": remote_hosts - 1,
             "link": remote_hosts * (remote_hosts - 1),
         }
         if self.to == "other process":
@@ -276,6 +277,8 @@ def _receivers(to: To, fleet: Fleet, wireless: bool) -> list[Count]:
 def _factor(factor: Factor, fleet: Fleet) -> Count:
     if factor == "third process":
         return fleet.processes() - 2
+    if factor == "third host":
+        return fleet.hosts() - 2
     if factor == "match":
         return fleet.matches()
     if factor == "matched process":
@@ -329,6 +332,8 @@ UNITS = {
     "unmatched endpoint and other host": Unit("unmatched endpoint", "other host"),
     "matched endpoint of a host and other host": Unit("matched endpoint of a host", "other host"),
     # The news of a link that each router passes on to all others.
+    "matched endpoint of a host": Unit("matched endpoint of a host"),
+    "ordered pair of hosts and third host": Unit("host", "other host", "third host"),
     "end of a link, host that hears of it and other that it tells": Unit(
         "host", "other host", "link"
     ),

@@ -37,6 +37,11 @@ def same(one: Protocol, other: Protocol) -> bool:
     return replace(one, name=other.name) == other
 
 
+def known_as(protocol: Protocol) -> Protocol | None:
+    """Return the table of this package that a table is, whatever it is called; None if none is."""
+    return next((table for table in PROTOCOLS.values() if same(table, protocol)), None)
+
+
 @cache
 def arranging() -> tuple[dict[str, str], ...]:
     """Return the remedies that put the table of another arrangement in place of a product's."""

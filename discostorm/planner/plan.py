@@ -11,13 +11,15 @@ from discostorm import _checks, words
 from discostorm._arguments import as_fleet
 from discostorm._renamed import renamed
 from discostorm.fleet import COUNTS, LEAST, Fleet
+from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
-from discostorm.planner.known import inapplicable, known, simulated_stagger
+from discostorm.planner.known import inapplicable, known, known_as, simulated_stagger
 from discostorm.planner.radios import radio_changes
+from discostorm.planner.reboot import reboot
 from discostorm.planner.remedy import NOTHING, Remedy, is_doing
 from discostorm.planner.result import Plan, Share
 from discostorm.planner.spans import burst_of, known_after, repeated, span_of, startup, together
@@ -123,6 +125,7 @@ def plan(
     ]
     together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
     reasons = [reason for reason in found if isinstance(reason, str)]
+    of = known_as(protocol)
     return Plan(
         fleet=fleet,
         protocol=protocol,
@@ -139,6 +142,8 @@ def plan(
         steady_span=steady,
         startup=startup(base),
         known=known_after(protocol, fleet, full) if full != single else None,
+        reboot=reboot(base),
+        band=band(of.name, fleet, of.captured) if of and of.captured else None,
     )
 
 

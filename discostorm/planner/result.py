@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import words
 from discostorm.fleet import Fleet
+from discostorm.measured import Band
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.arrangements import Arrangement, table_in_words
 from discostorm.planner.known import software
+from discostorm.planner.reboot import Reboot
 from discostorm.planner.remedy import NOTHING, Remedy
 from discostorm.planner.spans import Known, Span, Verdict
 from discostorm.protocols import DDS, ZENOH
@@ -95,6 +97,10 @@ class Plan:
     known : Known or None
         After how long all robots know each other, simulated with queues that overflow and with
         recovery; None where that is not stored (``data/simulated/ready.csv``).
+    reboot : Reboot or None
+        What it takes when one robot reboots; None where that was not measured.
+    band : Band or None
+        How far a measured table was off where it was not fitted; None of other tables.
     """
 
     fleet: Fleet
@@ -112,6 +118,8 @@ class Plan:
     steady_span: Span
     startup: Span
     known: Known | None
+    reboot: Reboot | None = None
+    band: Band | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -169,6 +177,8 @@ class Plan:
             "range": self.span.to_dict(),
             "startup": self.startup.to_dict(),
             "known_after_s": self.known.to_dict() if self.known else None,
+            "reboot": self.reboot.to_dict() if self.reboot else None,
+            "band": self.band.to_dict() if self.band else None,
             "shares": [asdict(share) for share in self.shares],
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
@@ -377,6 +387,14 @@ class Plan:
                 f"to {words.many(most[2], 'endpoint')} that started together{extrapolated}. Here "
                 f"{words.percent(matched / (ENDPOINT.count(self.fleet) or 1))} of the "
                 "endpoints match in every process."
+            )
+        if self.band is not None:
+            yield self.band.sentence()
+        if self.reboot is not None:
+            robot = f" ({self.reboot.group})" if len(self.fleet.groups) > 1 else ""
+            yield (
+                f"One robot{robot} reboots: {words.durations(self.reboot.low, self.reboot.high)} "
+                "of airtime."
             )
         if self.protocol.repeats:
             of_paper = {*DDS.messages, *ZENOH.messages}

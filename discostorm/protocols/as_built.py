@@ -58,7 +58,14 @@ are.
 With a router on each host, all linked, processes of a host meet on its loopback, and what crosses
 the air is counted by pairs of hosts; every declaration goes to every other router, whether it is of
 use there or not. What the routers tell each other of their links grows as the fourth power of the
-hosts: each of two ends of each link tells its neighbors, and each of these tells its own.
+hosts: each of two ends of each link tells its neighbors, and each of these tells its own. But it
+waits for each other and is written into the stream together. So segments that are full grow as
+the fourth power, at 31 of these messages each, and those that are not as the third: what a router
+is told by each of two others.
+
+In a star, where the router of each host is linked with one that is wired to the access point, that
+one tells each of all others once. Messages grow with pairs of hosts, and frames with hosts and full
+segments.
 """
 
 from collections.abc import Mapping

@@ -550,7 +550,7 @@
       .map(([when, window]) => [when, front.fitting[window], front.full.fitting[window]])
       .filter(([, found]) => found && found.largest < Infinity)
       .map(([when, { full, largest }, best]) => {
-        const range = best.largest === largest ? count(largest) : `${count(largest)} to ${count(best.largest)}`;
+        const range = between(robotsThatFit(front, answer, largest), robotsThatFit(front, answer, best.largest));
         return make("li", {}, make("b", {}, range), ` ${when}`, full === null && best.full === null ? ", as even one is too many" : "");
       });
     become(
@@ -559,6 +559,13 @@
       make("ul", {}, ...fit),
       make("p", { class: "calc-hint" }, assumed(answer)),
     );
+  }
+
+  /** How many fit, in words: beyond twice what a product was captured with, only that more do. */
+  function robotsThatFit(one, { settings: { swarm } }, largest) {
+    const [hosts = Infinity, processes = Infinity] = one.protocol.measured;
+    const most = Math.max(1, Math.floor(2 * Math.min(hosts, processes / swarm.N_P)));
+    return largest > most ? `more than ${count(most)} (not measured)` : count(largest);
   }
 
   /** What every number of this page assumes, and whether the product ever ran with so many. */
@@ -612,7 +619,8 @@
   }
 
   function showAll(answer) {
-    const some = ({ full, largest }) => (full === null ? "none" : full === Infinity ? "any" : count(largest));
+    const some = (one, { full, largest }) =>
+      full === null ? "none" : full === Infinity ? "any" : robotsThatFit(one, answer, largest);
     /** Both ends where they differ: for people a range, for machines each with all its digits. */
     const both = (low, high, of, words) => [
       ...(Object.is(low, high) ? [] : [make("data", { value: String(low), "data-of": `${of} full`, hidden: "" })]),
@@ -621,7 +629,7 @@
     const cell = (one, window) => {
       const [found, best] = [one.fitting[window], one.full.fitting[window]];
       const of = `${one.name} saturation ${window}`;
-      return found ? both(best.full ?? NaN, found.full ?? NaN, of, between(some(found), some(best))) : ["–"];
+      return found ? both(best.full ?? NaN, found.full ?? NaN, of, between(some(one, found), some(one, best))) : ["–"];
     };
     become(
       byId("all").tBodies[0],

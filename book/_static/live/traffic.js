@@ -55,6 +55,7 @@ function liveTraffic() {
   };
   const TIMES = {
     "third process": ({ processes }) => processes.length - 2,
+    "third host": ({ sizes }) => sizes.length - 2,
     match: ({ matches }) => matches,
     "matched process": ({ processes, matches }) => (processes.length - 1) * matches,
     link: ({ sizes }) => (sizes.length - 1) * (sizes.length - 2),

@@ -1,0 +1,120 @@
+"""How far tables as built are from captures they were not fitted to, and what restarts take.
+
+Of counts in `discostorm/data/measured/`, on the paper's channel: `bands.csv`, what held-out points
+took beside what their table says, within the range that was captured for the table (the half of the
+grid that tests it) and beyond (`lab/beyond.csv`); and `restarts.csv`, what a process that restarts
+and a host that joins take beside the start of all. Needs neither root nor Debian.
+"""
+
+import argparse
+import csv
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from discostorm.book.comparison import airtime_counted, airtime_expected
+from discostorm.data import data_path, read_data
+from discostorm.measured import CLASSES, WINDOWS, arrangements, points, points_of, products, size_of
+from discostorm.protocols.as_built import as_built
+
+DIGITS = 3
+RESTARTS = ("restart", "join")
+
+
+def bands() -> Iterator[dict[str, Any]]:
+    """Yield a row for each table, window and class of sizes: what was measured beside the table."""
+    for name, row in (products() | arrangements()).items():
+        table = as_built(name)
+        assert table.captured is not None
+        held = [point for point in points(name) if point.use == "test"]
+        if name in products():
+            held += points_of(
+                row["product"], row["variant"], int(row["least_processes"]), "beyond_"
+            )
+        for window in WINDOWS:
+            ratios = defaultdict(list)
+            for point in held:
+                taken = airtime_counted(point, window, table.family == "Zenoh")
+                told = airtime_expected(table, point.fleet, window)
+                times = size_of(point.fleet, table.captured)
+                most = next(most for most in CLASSES if max(times) <= most)
+                ratios[most].append((float(np.median(taken)) / told, *times))
+            for most, found in sorted(ratios.items()):
+                values, of_hosts, of_endpoints = zip(*found, strict=True)
+                yield {
+                    "protocol": name,
+                    "window": window,
+                    "up_to": f"{most:g}",
+                    "most_hosts": f"{max(of_hosts):.{DIGITS}g}",
+                    "most_endpoints": f"{max(of_endpoints):.{DIGITS}g}",
+                    "points": len(found),
+                    "low": f"{min(values):.{DIGITS}f}",
+                    "typical": f"{median(abs(value - 1) for value in values):.{DIGITS}f}",
+                    "high": f"{max(values):.{DIGITS}f}",
+                }
+
+
+def restarts() -> Iterator[dict[str, Any]]:
+    """Yield a row for each table and event: what it takes beside a start, without what repeats.
+
+    The share is that of a start of all; the factor is how many times what its pairs of processes
+    take in such a start.
+    """
+    names = {(row["product"], row["variant"]): name for name, row in products().items()}
+    for key in dict.fromkeys(
+        (run["product"], run["variant"]) for run in read_data("measured/restart_runs.csv")
+    ):
+        zenoh = products()[names[key]]["family"] == "Zenoh"
+        shares, factors = defaultdict(list), defaultdict(list)
+        for point in points_of(*key, 2, "restart_"):
+            (group,) = point.fleet.groups
+            hosts, each = int(group.hosts), int(group.processes)
+            taken = {
+                window: airtime_counted(point, window, zenoh)
+                for window in ("startup", "steady", *RESTARTS)
+            }
+            # The windows are half as long as the steady one. What repeats grows with pairs.
+            repeated = taken["steady"] / 2
+            more = {"restart": 1.0, "join": (hosts + 1) / (hosts - 1)}
+            pairs = {"restart": 2 / (hosts * each), "join": 2 / (hosts - 1)}
+            for event in RESTARTS:
+                share = (taken[event] - more[event] * repeated) / (taken["startup"] - repeated)
+                shares[event].extend(share)
+                factors[event].append(float(np.median(share)) / pairs[event])
+        for event in RESTARTS:
+            yield {
+                "protocol": names[key],
+                "event": event,
+                "points": len(factors[event]),
+                "runs": len(shares[event]),
+                "least_share": f"{min(shares[event]):.{DIGITS}f}",
+                "most_share": f"{max(shares[event]):.{DIGITS}f}",
+                "low": f"{min(factors[event]):.{DIGITS}g}",
+                "high": f"{max(factors[event]):.{DIGITS}g}",
+                "source": "restart_runs.csv and restart_counts.csv (lab/restarts.py)",
+            }
+
+
+def write(path: Path, rows: list[dict[str, Any]]) -> None:
+    """Write a table."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+    print(f"{path.name}: {len(rows)} rows")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
+    given = parser.parse_args()
+    write(given.out / "bands.csv", list(bands()))
+    write(given.out / "restarts.csv", list(restarts()))
+
+
+if __name__ == "__main__":
+    main()
