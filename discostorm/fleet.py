@@ -359,6 +359,11 @@ class Fleet:
         """Whether any of its groups sends data besides discovery."""
         return any(group.data for group in self.groups)
 
+    def without_data(self) -> "Fleet":
+        """Return the fleet with discovery alone."""
+        groups = tuple(replace(group, data=()) for group in self.groups)
+        return replace(self, groups=groups)
+
     @cached_property
     def has_wired(self) -> bool:
         """Whether any of its groups is wired to the access point."""

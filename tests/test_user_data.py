@@ -1,16 +1,21 @@
 """User data beside discovery: frames counted by hand, fleet files, airtime, what the lab saw."""
 
+import json
 from math import ceil
 from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import discostorm as ds
+from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.flows import Flow, flow, topics
 from discostorm.messages import data_table
 from discostorm.messages.data_table import answers, frames, framing
+from discostorm.model import burst
+from discostorm.wifi.radio import both_ends
 
 HEADERS = 24 + 4 + 8 + 20  # of a frame before IP's data: MAC, FCS, LLC and SNAP, IPv4
 CYCLONE, FAST, ZENOH = "Cyclone DDS", "Fast DDS", "Zenoh"
@@ -279,3 +284,128 @@ def test_ready_made_topics_are_as_long_as_their_fields() -> None:
     found = {name: topic["bytes"] for name, topic in topics().items()}
     assert found == {name: aligned(fields) for name, fields in FIELDS.items()}
     assert all(row["source"].startswith("type: ros2/") for row in read_data("fleets/topics.csv"))
+
+
+# ---------------------------------------------------------------- what the lab saw
+
+
+def on_the_wire() -> dict[tuple[str, int, bool], dict[str, tuple[float, float]]]:
+    """Return packets and bytes of a sample by direction, as captured."""
+    names = {"fast_dds": FAST, "cyclone_dds": CYCLONE, "zenoh_peer": ZENOH}
+    found: dict[tuple[str, int, bool], dict[str, tuple[float, float]]] = {}
+    for row in read_data("measured/user_data.csv"):
+        key = (names[row["product"]], int(row["bytes"]), row["reliability"] == "reliable")
+        samples = int(row["samples"])
+        each = (int(row["packets"]) / samples, int(row["ip_bytes"]) / samples)
+        found.setdefault(key, {})[row["direction"]] = each
+    return found
+
+
+def test_the_lab_ran_each_product_with_each_size() -> None:
+    assert len(on_the_wire()) == 3 * 4 * 2
+
+
+@pytest.mark.parametrize(("point", "seen"), on_the_wire().items(), ids=str)
+def test_bytes_of_a_sample_are_those_of_captures(
+    point: tuple[str, int, bool], seen: dict[str, tuple[float, float]]
+) -> None:
+    product, octets, reliable = point
+    own = sample(octets, reliable)
+    counted = frames(own, framing(product))
+    packets, ip_bytes = seen["to reader"]
+    # IP's header of 20 is in the captures. Within 5%; a Heartbeat may go in a datagram of its own.
+    assert sum((20 + size) * n for size, n in counted.items()) == pytest.approx(ip_bytes, rel=0.05)
+    assert sum(counted.values()) == pytest.approx(packets, rel=0.05)
+
+
+def test_answers_of_dds_are_those_of_captures() -> None:
+    for (product, octets, reliable), seen in on_the_wire().items():
+        if product == ZENOH:  # TCP's depend on how fast segments come
+            continue
+        many, size = answers(sample(octets, reliable), framing(product))
+        packets, ip_bytes = seen.get("to writer", (0, 0))
+        # Fast DDS answers more often than each tenth sample if these are several frames long.
+        assert packets == pytest.approx(many, abs=0.2001)
+        assert ip_bytes == pytest.approx((20 + size) * packets, rel=0.05)
+
+
+# ---------------------------------------------------------------- planner and commands
+
+FILE_WITH_DATA = """
+[[groups.data]]
+topic = "scan"
+to = "wired host"
+
+[[groups.data]]
+topic = "tf"
+to = "all others"
+rate = {rate}
+"""
+
+
+@pytest.mark.parametrize("channel", ["paper", "802.11ac 80 MHz 2x2"])
+def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
+    wifi = ds.PAPER if channel == "paper" else ds.WIFI[channel]
+    own, protocol = read(FILE_WITH_DATA.format(rate=50)), ds.PROTOCOLS["Fast DDS"]
+    plan, alone = (ds.plan(one, protocol, wifi) for one in (own, own.without_data()))
+    assert plan.data is not None
+    assert alone.data is None
+    assert alone.to_dict()["data"] is None
+    assert plan.utilization == alone.utilization
+    for name, end in zip(("full", "single"), both_ends(wifi), strict=True):
+        data = ds.utilization(protocol, own, wifi=end, phase="data")
+        assert getattr(plan.data.data, name) == data
+        steady = ds.utilization(protocol, own, wifi=end, window=float("inf"))
+        assert getattr(plan.data.after, name) == pytest.approx(data + steady, rel=1e-12)
+        whole = ds.utilization(protocol, own, wifi=end)
+        assert getattr(plan.data.during, name) == pytest.approx(data + whole, rel=1e-12)
+        drain = burst(protocol, own, wifi=end) / (1 - steady - data)
+        assert getattr(plan.data.startup, name) == pytest.approx(drain, rel=1e-12)
+    assert plan.data.alone == alone.startup
+    told = plan.to_dict()["data"]
+    assert told["fits_after_startup"] == "fits"
+    assert told["startup"]["one_frame"] > told["startup_without"]["one_frame"]
+    json.loads(plan.to_json())
+
+
+def test_a_plan_says_in_words_whether_data_fit() -> None:
+    protocol = ds.PROTOCOLS["Fast DDS"]
+    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).advice().split())
+    assert "so they fit once discovery is over." in said
+    assert "Beside the data startup keeps the channel busy for" in said
+    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).advice().split())
+    assert "so they do not fit once discovery is over." in said
+    assert "Beside the data startup never ends." in said
+    never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
+    assert never["startup"]["one_frame"] is None
+    steady = ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol, window=float("inf"))
+    assert "During startup" not in steady.advice()
+
+
+def run(*arguments: str, text: str) -> str:
+    found = CliRunner().invoke(main, arguments, input=text)
+    assert found.exit_code == 0, found.output
+    return found.stdout
+
+
+def test_commands_have_columns_for_data_where_there_are_some() -> None:
+    text = FILE + FILE_WITH_DATA.format(rate=50)
+    rows = json.loads(run("utilization", "-", "--protocol", "all", "--json", text=text))
+    assert len(rows) > 5
+    for row in rows:
+        data = ds.utilization(ds.PROTOCOLS[row["protocol"]], read(text[len(FILE) :]), phase="data")
+        assert row["data_utilization"] == pytest.approx(data)
+        assert row["total_utilization"] == pytest.approx(data + row["utilization"])
+    assert "both" in run("utilization", "-", text=text)
+    (row,) = json.loads(run("utilization", "-", "--json", text=FILE))
+    assert "data_utilization" not in row
+    assert "Your data take" in run("plan", "-", text=text)
+    assert "Your data take" not in run("plan", "-", text=FILE)
+    assert json.loads(run("plan", "-", "--json", text=text))["data"]["fits_after_startup"] == "fits"
+
+
+def test_a_wrong_topic_ends_a_command_with_2() -> None:
+    text = FILE + '[[groups.data]]\ntopic = "scan"\n'
+    found = CliRunner().invoke(main, ["plan", "-"], input=text)
+    assert found.exit_code == 2
+    assert "group 1 (robots): data 1 (scan): to is missing" in found.stderr

@@ -78,6 +78,15 @@ def plan(
       nodes = 13          # with parameter services; may be left out
       shared = 28         # match in every other process; may be left out
 
+    What robots send besides discovery is a table for each topic, below its group. The ready-made
+    topics scan, odometry, tf, camera, point cloud and map know their rate and size:
+
+    \b
+      [[groups.data]]
+      topic = "scan"
+      to = "wired host"   # or "one host", "all others"
+      rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
+
     The answer comes first: after how long all robots know each other, or how long the channel is
     busy until then. A radio from 802.11n on aggregates, so that both are ranges: from full A-MPDUs
     to one frame in each exchange. Changes are numbered; --paste N prints what to configure.

@@ -14,6 +14,7 @@ from discostorm.fleet import COUNTS, LEAST, Fleet
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
+from discostorm.planner.beside import beside
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, simulated_stagger
@@ -139,6 +140,7 @@ def plan(
         steady_span=steady,
         startup=startup(base),
         known=known_after(protocol, fleet, full) if full != single else None,
+        data=beside(base, span),
     )
 
 

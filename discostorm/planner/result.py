@@ -12,6 +12,7 @@ from discostorm import words
 from discostorm.fleet import Fleet
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.arrangements import Arrangement, table_in_words
+from discostorm.planner.beside import Beside
 from discostorm.planner.known import software
 from discostorm.planner.remedy import NOTHING, Remedy
 from discostorm.planner.spans import Known, Span, Verdict
@@ -95,6 +96,9 @@ class Plan:
     known : Known or None
         After how long all robots know each other, simulated with queues that overflow and with
         recovery; None where that is not stored (``data/simulated/ready.csv``).
+    data : Beside or None
+        What the fleet's data take beside discovery, which all the rest is about alone; None if
+        its groups send none.
     """
 
     fleet: Fleet
@@ -112,6 +116,7 @@ class Plan:
     steady_span: Span
     startup: Span
     known: Known | None
+    data: Beside | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -169,6 +174,7 @@ class Plan:
             "range": self.span.to_dict(),
             "startup": self.startup.to_dict(),
             "known_after_s": self.known.to_dict() if self.known else None,
+            "data": self.data.to_dict() if self.data else None,
             "shares": [asdict(share) for share in self.shares],
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
@@ -255,6 +261,8 @@ class Plan:
         """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
         lines = [*self._answer_in_words(), ""] if self.fleet.hosts() > 1 else []
+        if self.data:
+            lines += [*self.data.sentences(self.window), ""]
         lines += [*self._cost_in_words(), "", "What dominates:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
             lines += ["", words.ALONE]
