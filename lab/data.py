@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 from stage import TAIL, begin_capture, build_bridge, build_host, end_capture
@@ -32,7 +33,7 @@ COLUMNS = ("product", "bytes", "hz", "samples", "reliability", "direction", "pac
 ETHERNET, UDP, TCP = 14, 17, 6
 
 
-def packets(path: Path):
+def packets(path: Path) -> Iterator[tuple[float, bytes]]:
     """Yield time and IP packet of each record of a capture of Ethernet."""
     content = path.read_bytes()
     place = 24
@@ -96,13 +97,14 @@ def main() -> None:
             for _ in range(2):
                 line = running[0].stdout.readline()  # type: ignore[union-attr]
                 times.append(float(line.split()[1]))
+            begin, end = times
             time.sleep(TAIL)
             for process in running:
                 process.kill()
                 process.wait()
             end_capture(out, dump)
             for name, (number, octets) in sorted(
-                counted(out.with_suffix(".pcap"), *times, product == "fast_dds").items()
+                counted(out.with_suffix(".pcap"), begin, end, product == "fast_dds").items()
             ):
                 rows.writerow([product, size, rate, samples, how, name, number, octets])
         sys.stdout.flush()

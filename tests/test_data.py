@@ -38,6 +38,7 @@ DESCRIBED = {
             "published",
             "reasons",
             "shared_counts",
+            "user_data",
         ),
     ),
     "README.md": (

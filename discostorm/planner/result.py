@@ -174,7 +174,7 @@ class Plan:
             "range": self.span.to_dict(),
             "startup": self.startup.to_dict(),
             "known_after_s": self.known.to_dict() if self.known else None,
-            "data": self.data.to_dict() if self.data else None,
+            **({"data": self.data.to_dict()} if self.data else {}),
             "shares": [asdict(share) for share in self.shares],
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],

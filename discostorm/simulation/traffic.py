@@ -321,6 +321,31 @@ def bursts_of(protocol: Protocol) -> Bursts:
     )
 
 
+@dataclass(frozen=True)
+class UserData:
+    """What hosts send besides discovery: sets of messages, their period, and of which group.
+
+    ``bursts`` are numbers of `Bursts.messages`; ``stamp`` is the time between two stamps [ticks].
+    """
+
+    bursts: tuple[int, ...]
+    periods: tuple[float, ...]
+    groups: tuple[int, ...]
+    stamp: int
+
+    def first_events(
+        self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
+    ) -> list[tuple[int, int]]:
+        """Return when each host sends its first sample: at random within the first period."""
+        of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
+        return [
+            (ticks(starts[host] + chance.uniform(0, period)), int(_cell.SEND) | int(host) | place)
+            for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
+            for place in [number << _cell.PROCESS_BITS]
+            for host in np.flatnonzero(of == group)
+        ]
+
+
 def new_cell(
     hosts: Hosts,
     kinds: Records,
@@ -334,6 +359,8 @@ def new_cell(
     repairs: Records | None = None,
     cold: bool = False,
     power: NDArray[np.float64] = ALIKE,
+    user_data: UserData | None = None,
+    for_phases: np.random.SeedSequence | None = None,
 ) -> Cell:
     """Return a cell at the start of a run."""
     count, rows = hosts.processes.size, kinds.size
@@ -378,6 +405,9 @@ def new_cell(
         due += _first_events(processes, repairs)
         now["repairs"] = 1
         now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
+    if user_data is not None:
+        now["stamp"] = user_data.stamp
+        due += user_data.first_events(hosts, starts, np.random.default_rng(for_phases))
     due.sort()  # a sorted list is a heap
     now["events"] = len(due)
     now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
@@ -411,10 +441,17 @@ def new_cell(
         repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         has=has,
+        delays=_delays(kinds),
         airtime=np.zeros((rows + 1, 3), np.int64),
         samples=np.zeros(_SAMPLES, _cell.SAMPLE),
         log=np.zeros(_LOG, _cell.SENT),
     )
+
+
+def _delays(kinds: Records) -> NDArray[np.int64]:
+    """Return of each row of user data how many were how late, and how many there were: none yet."""
+    rows = int(kinds["user"].max())
+    return np.zeros((rows, _cell.ITEMS + 2) if rows else (1, 1), np.int64)
 
 
 def _pairs(
