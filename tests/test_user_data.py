@@ -372,10 +372,10 @@ def test_a_plan_says_in_words_whether_data_fit() -> None:
     protocol = ds.PROTOCOLS["Fast DDS"]
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).advice().split())
     assert "so they fit once discovery is over." in said
-    assert "Beside the data startup keeps the channel busy for" in said
+    assert "If all data are sent from the start, it keeps the channel busy for" in said
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).advice().split())
     assert "so they do not fit once discovery is over." in said
-    assert "Beside the data startup never ends." in said
+    assert "The channel never has room for all data beside discovery." in said
     never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
     assert never["startup"]["one_frame"] is None
     steady = ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol, window=float("inf"))

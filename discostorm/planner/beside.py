@@ -30,8 +30,9 @@ class Beside:
     during : Span
         The same and all discovery of the plan's window [1]: whether they fit during startup.
     startup, alone : Span
-        How long startup keeps the channel busy [s] if the data are sent meanwhile, and without
-        them; infinity if it never ends. So long data wait at most, if no queue overflows.
+        How long startup keeps the channel busy [s] if all data are sent from its begin on, and
+        without them; infinity if it never ends. So long data wait at most, if no queue overflows.
+        Robots send only to those that they have discovered, so that it is less.
     """
 
     data: Span
@@ -68,13 +69,17 @@ class Beside:
             )
         if words.fits(self.after.full):
             yield (
-                "Beside the data startup keeps the channel busy for "
+                "If all data are sent from the start, it keeps the channel busy for "
                 f"{words.durations(*self.startup.ends)} instead of "
-                f"{words.durations(*self.alone.ends)}. Until then data wait behind it or are lost "
-                "where queues overflow: `discostorm simulate` tells how late they are."
+                f"{words.durations(*self.alone.ends)}, and data wait as long at most. Robots send "
+                "to those that they have discovered, so that it is less: `discostorm simulate` "
+                "tells when discovery is complete, and how late the data are."
             )
         else:
-            yield "Beside the data startup never ends. Send fewer or smaller samples first."
+            yield (
+                "The channel never has room for all data beside discovery. Send fewer samples, or "
+                "to fewer hosts."
+            )
 
 
 def beside(setting: Setting, window: float) -> Beside | None:
