@@ -9,8 +9,8 @@ from discostorm.data import read_data
 #: To whom each sample goes; see `Flow`.
 Receivers = Literal["one host", "wired host", "all others"]
 
-#: Most samples a second [Hz].
-_MOST_RATE = 1e6
+#: Most samples a second [Hz], and longest sample [B].
+_MOST_RATE, _MOST_BYTES = 1e6, 1e8
 #: What a table of a fleet file may have.
 KEYS = ("topic", "to", "rate", "bytes", "reliable")
 
@@ -29,7 +29,7 @@ class Flow:
     rate : float
         Samples a second of each host [Hz], from 1e-6 to 1e6.
     bytes : float
-        Size of a sample [B], serialized, without the four octets that say how; from 0 to 1e9.
+        Size of a sample [B], serialized, without the four octets that say how; from 0 to 1e8.
     reliable : bool
         Whether the reader acknowledges.
 
@@ -57,7 +57,7 @@ class Flow:
         if not self.topic.strip():
             raise ValueError(f"topic must be a text that is not blank; got {self.topic!r}")
         _checks.choice("to", self.to, get_args(Receivers))
-        limits = {"rate": (1e-6, _MOST_RATE), "bytes": (0, _checks.MOST_BYTES)}
+        limits = {"rate": (1e-6, _MOST_RATE), "bytes": (0, _MOST_BYTES)}
         for name, (least, most) in limits.items():
             value = _checks.number(name, getattr(self, name), least, most)
             object.__setattr__(self, name, value)

@@ -1,6 +1,7 @@
 """User data beside discovery: frames counted by hand, fleet files, airtime, what the lab saw."""
 
 import json
+from dataclasses import replace
 from math import ceil
 from typing import Any
 
@@ -152,6 +153,20 @@ def test_topics_of_several_groups_are_rows_of_their_own() -> None:
         "scan of desk, full frames",
         "scan of desk, last frames",
     ]
+
+
+def test_an_unknown_product_sends_data_as_its_family_does() -> None:
+    own = replace(ds.PROTOCOLS["Zenoh peer"], product="another")
+    found = [ds.utilization(p, fleet(sample(9)), phase="data") for p in (own, ds.ZENOH)]
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS", "Zenoh peer"])
+def test_the_longest_sample_can_be_counted(name: str) -> None:
+    own = fleet(Flow("own", "all others", rate=1e6, bytes=1e8, reliable=True))
+    assert np.isfinite(ds.utilization(ds.PROTOCOLS[name], own, phase="data"))
+    seldom = fleet(Flow("own", "all others", rate=1e-6, bytes=0, reliable=True))
+    assert 0 < ds.utilization(ds.PROTOCOLS[name], seldom, phase="data") < 1e-6
 
 
 def test_a_protocol_of_no_family_leaves_data_to_dds() -> None:

@@ -54,10 +54,19 @@ class Framing:
 
 
 @cache
-def framing(name: str) -> Framing:
-    """Return the framing of a product, or of what a family has if no product is named."""
-    rows = [row for row in read_data("vendors/data_framing.csv") if name in row["of"].split(", ")]
-    sizes = {row["part"]: int(row["value"]) for row in rows}
+def framing(*names: str | None) -> Framing:
+    """Return the framing of the first of these products or families of which it is known."""
+    of = {
+        name: row["of"]
+        for row in read_data("vendors/data_framing.csv")
+        for name in row["of"].split(", ")
+    }
+    known = next(of[name] for name in names if name in of)
+    sizes = {
+        row["part"]: int(row["value"])
+        for row in read_data("vendors/data_framing.csv")
+        if row["of"] == known
+    }
     transport: Transport = "UDP" if sizes["acknowledgement"] else "TCP"
     return Framing(transport, **sizes)
 
@@ -103,11 +112,12 @@ def answers(flow: Flow, how: Framing) -> tuple[float, int]:
 def data_table(protocol: Protocol, fleet: Fleet) -> Protocol | None:
     """Return the rows of what a fleet sends besides discovery, None if that is nothing.
 
-    A protocol of no family, which says nothing of data, leaves them to DDS.
+    Data are framed as the protocol's product does or, of one that is not known, as its family
+    does; a protocol of no family, which says nothing of data, leaves them to DDS.
     """
     if not fleet.has_data:
         return None
-    how = framing(protocol.product or protocol.family or "DDS")
+    how = framing(protocol.product, protocol.family, "DDS")
     rows = [
         row
         for index, group in enumerate(fleet.groups)

@@ -2,7 +2,8 @@
 
 A host sends samples to another with their period, the first at random within it, once it has all
 endpoints of that one; to a host that is wired to the access point from its own start on. Samples
-are queued as all else is; what is lost is lost, as no middleware repairs it here.
+are queued as all else is; what is lost is lost, as no middleware repairs it here. Of what goes to
+one other host, each as likely, the frames of a sample are dealt out to all of them.
 """
 
 from dataclasses import replace
