@@ -27,7 +27,6 @@ from discostorm.simulation.traffic import (
     ALIKE,
     Bursts,
     Shares,
-    UserData,
     bursts_of,
     from_decibels,
     grown,
@@ -39,6 +38,7 @@ from discostorm.simulation.traffic import (
     ticks,
 )
 from discostorm.simulation.user_data import (
+    UserData,
     found_of,
     topics_of,
     user_data_of,
@@ -80,6 +80,11 @@ class Setup:
         for_start, for_run, for_parts, for_phases = seed.spawn(4)
         count = self.hosts.processes.size
         starts = delays(self.start, count, np.random.default_rng(for_start))
+        first: list[tuple[int, int]] = []
+        if self.user_data is not None:
+            first = self.user_data.first_events(
+                self.hosts, starts, np.random.default_rng(for_phases)
+            )
         cell = new_cell(
             self.hosts,
             self.kinds.copy(),
@@ -93,8 +98,8 @@ class Setup:
             self.repairs,
             self.cold,
             self.power,
-            self.user_data,
-            for_phases,
+            first,
+            self.user_data.stamp if self.user_data else 0,
         )
         return cell, starts
 

@@ -8,6 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -321,31 +322,6 @@ def bursts_of(protocol: Protocol) -> Bursts:
     )
 
 
-@dataclass(frozen=True)
-class UserData:
-    """What hosts send besides discovery: sets of messages, their period, and of which group.
-
-    ``bursts`` are numbers of `Bursts.messages`; ``stamp`` is the time between two stamps [ticks].
-    """
-
-    bursts: tuple[int, ...]
-    periods: tuple[float, ...]
-    groups: tuple[int, ...]
-    stamp: int
-
-    def first_events(
-        self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
-    ) -> list[tuple[int, int]]:
-        """Return when each host sends its first sample: at random within the first period."""
-        of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
-        return [
-            (ticks(starts[host] + chance.uniform(0, period)), int(_cell.SEND) | int(host) | place)
-            for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
-            for place in [number << _cell.PROCESS_BITS]
-            for host in np.flatnonzero(of == group)
-        ]
-
-
 def new_cell(
     hosts: Hosts,
     kinds: Records,
@@ -359,10 +335,10 @@ def new_cell(
     repairs: Records | None = None,
     cold: bool = False,
     power: NDArray[np.float64] = ALIKE,
-    user_data: UserData | None = None,
-    for_phases: np.random.SeedSequence | None = None,
+    more: Iterable[tuple[int, int]] = (),
+    stamp: int = 0,
 ) -> Cell:
-    """Return a cell at the start of a run."""
+    """Return a cell at the start of a run; ``more`` happens than bursts and repairs say."""
     count, rows = hosts.processes.size, kinds.size
     stations = _cell.aligned(count + 1, _cell.STATION)
     for name in ("head", "tail", "to_head", "to_tail"):
@@ -387,6 +363,7 @@ def new_cell(
     now["per_receiver"] = radio["mpdus"] > 1
     now["cold"] = cold and radio["mpdus"] > 1
     now["unlike"] = power.size > 1
+    now["stamp"] = stamp
     # xorshift must not begin at zero.
     now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     pool = np.zeros(_POOL, _cell.ENTRY)
@@ -405,10 +382,7 @@ def new_cell(
         due += _first_events(processes, repairs)
         now["repairs"] = 1
         now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
-    if user_data is not None:
-        now["stamp"] = user_data.stamp
-        due += user_data.first_events(hosts, starts, np.random.default_rng(for_phases))
-    due.sort()  # a sorted list is a heap
+    due = sorted([*due, *more])  # a sorted list is a heap
     now["events"] = len(due)
     now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
     events = np.zeros(2 * len(due) + 1024, _cell.EVENT)

@@ -6,21 +6,47 @@ are queued as all else is; what is lost is lost, as no middleware repairs it her
 one other host, each as likely, the frames of a sample are dealt out to all of them.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from discostorm.fleet import Fleet
-from discostorm.messages import DATA, Message, Protocol, data_table
+from discostorm.messages import DATA, Hosts, Message, Protocol, data_table
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
-from discostorm.simulation.traffic import Bursts, UserData, ticks
+from discostorm.simulation.traffic import Bursts, ticks
 from discostorm.wifi.channel import TICK
 
 #: Shortest time between two stamps [s].
 _STAMP = 1e-4
 #: Quantiles of delays that are told, by name.
 QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
+
+
+@dataclass(frozen=True)
+class UserData:
+    """What hosts send besides discovery: sets of messages, their period, and of which group.
+
+    ``bursts`` are numbers of `Bursts.messages`; ``stamp`` is the time between two stamps [ticks].
+    """
+
+    bursts: tuple[int, ...]
+    periods: tuple[float, ...]
+    groups: tuple[int, ...]
+    stamp: int
+
+    def first_events(
+        self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
+    ) -> list[tuple[int, int]]:
+        """Return when each host sends its first sample: at random within the first period."""
+        of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
+        return [
+            (ticks(starts[host] + chance.uniform(0, period)), int(_cell.SEND) | int(host) | place)
+            for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
+            for place in [number << _cell.PROCESS_BITS]
+            for host in np.flatnonzero(of == group)
+        ]
 
 
 def with_user_data(protocol: Protocol, fleet: Fleet, recovery: bool = True) -> Protocol:
