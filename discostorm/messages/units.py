@@ -132,7 +132,8 @@ class Unit:
         else 0 (``match``); each other process if anything matches (``matched process``); each end
         of a link that a further host hears of (``link``).
     group : int, optional
-        Of which group of the fleet alone, from 0 on; of all if left out. Of user data.
+        Number of the group of the fleet that alone counts [1], from 0 on; all if left out. For user
+        data.
 
     Raises
     ------
