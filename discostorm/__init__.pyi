@@ -3,6 +3,7 @@ from . import (
     data as data,
     figures as figures,
     fleet as fleet,
+    flows as flows,
     measured as measured,
     messages as messages,
     model as model,

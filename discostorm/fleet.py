@@ -1,7 +1,7 @@
 """Who is on the channel: groups of like hosts, and what a fleet of them counts."""
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
@@ -16,6 +16,7 @@ from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, plain
 from discostorm._renamed import OF_FLEET, answer, renamed_members
 from discostorm.fleet_file import COUNTS as COUNTS, LEAST as LEAST, fleet_tables, told_of
+from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them alike.
@@ -49,6 +50,9 @@ class HostGroup:
     wired : bool, optional
         Whether they are wired to the access point: what they send does not take the air on its way
         up, and what is sent to them not on its way down. False if left out.
+    data : tuple of Flow, optional
+        What each host publishes for others once they know each other; nothing if left out.
+        Discovery does not depend on it: `discostorm.utilization` counts it for the phase "data".
 
     Raises
     ------
@@ -56,7 +60,7 @@ class HostGroup:
         If a number is NaN, infinite or out of range, or the shapes do not broadcast.
     TypeError
         If one is neither made of real numbers nor a sympy expression with symbols, the
-        name is not text, or `wired` is neither True nor False.
+        name is not text, `wired` is neither True nor False, or `data` not made of flows.
 
     Examples
     --------
@@ -72,6 +76,7 @@ class HostGroup:
     nodes: float | None = None
     shared: Count = 0.0
     wired: bool = False
+    data: tuple[Flow, ...] = ()
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
@@ -104,6 +109,20 @@ class HostGroup:
             most = self._fewest_endpoints
             shared = _checks.number("shared", self.shared, 0, most)
             object.__setattr__(self, "shared", shared)
+        self._check_data()
+
+    def _check_data(self) -> None:
+        """Check the flows: of topics that differ, and of as many hosts as one number says."""
+        if isinstance(self.data, tuple) and not self.data:
+            return
+        object.__setattr__(self, "data", _checks.members("data", self.data, Flow))
+        topics = Counter(flow.topic for flow in self.data)
+        if twice := [topic for topic, times in topics.items() if times > 1]:
+            raise ValueError(
+                f"data must have topics that differ; got {_checks.brief(twice[0])!r} twice"
+            )
+        if not isinstance(self.hosts, float):
+            raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
 
     @property
     def _fewest_endpoints(self) -> float:
@@ -122,10 +141,12 @@ class HostGroup:
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
         # By way of the constructor, which makes the arrays read-only: also those of copies.
-        return HostGroup, (*self.counts(), self.name, self.nodes, self.shared, self.wired)
+        own = (self.name, self.nodes, self.shared, self.wired, self.data)
+        return HostGroup, (*self.counts(), *own)
 
     def _key(self) -> tuple[Any, ...]:
-        return (self.name, self.nodes, self.wired, *map(_comparable, (*self.counts(), self.shared)))
+        counts = map(_comparable, (*self.counts(), self.shared))
+        return (self.name, self.nodes, self.wired, self.data, *counts)
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
@@ -143,6 +164,8 @@ class HostGroup:
             parts.append(f"shared={_brief(self.shared)}")
         if self.wired:
             parts.append("wired=True")
+        if self.data:
+            parts.append(f"data={self.data!r}")
         return f"HostGroup({', '.join(parts)})"
 
 
@@ -228,6 +251,14 @@ class Fleet:
             hosts = 10
             processes = 1
             endpoints = 678
+
+        What robots send besides is a table for each topic, below its group: a ready-made one
+        (`discostorm.flows.topics`) or one of your own, with ``rate`` in Hz, ``bytes`` and
+        ``reliable``; see `discostorm.flows.Flow`::
+
+            [[groups.data]]
+            topic = "scan"
+            to = "wired host"
 
         Parameters
         ----------
@@ -323,6 +354,16 @@ class Fleet:
         pairs = zip(self.processes_of, self.matched_of, strict=True)
         return reduce(add, (processes * matched for processes, matched in pairs))
 
+    @property
+    def has_data(self) -> bool:
+        """Whether any of its groups sends data besides discovery."""
+        return any(group.data for group in self.groups)
+
+    def without_data(self) -> "Fleet":
+        """Return the fleet with discovery alone."""
+        groups = tuple(replace(group, data=()) for group in self.groups)
+        return replace(self, groups=groups)
+
     @cached_property
     def has_wired(self) -> bool:
         """Whether any of its groups is wired to the access point."""
@@ -359,6 +400,7 @@ class Fleet:
                 zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True)
             )
             | ({"wired": True} if group.wired else {})
+            | ({"data": [asdict(flow) for flow in group.data]} if group.data else {})
             for name, group in zip(self.names, self.groups, strict=True)
         ]
 
@@ -412,7 +454,11 @@ def _brief(count: Count) -> str:
 
 def _group(table: dict[str, Any]) -> HostGroup:
     """Return the group of a table of a fleet file, which shares what ROS 2 does if it is silent."""
-    group = HostGroup(**table | {"name": ""})
+    data = []
+    for number, topic in enumerate(table.get("data", ()), start=1):
+        with told_of(number, topic, "data"):
+            data.append(flow_of(topic))
+    group = HostGroup(**table | {"name": "", "data": tuple(data)})
     if "shared" not in table:
         group = replace(group, shared=usually_shared(group.endpoints, group.nodes))
     return replace(group, name=table.get("name", ""))

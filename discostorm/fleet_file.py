@@ -44,13 +44,14 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
 
 
 @contextmanager
-def told_of(number: int, table: Any) -> Iterator[None]:
-    """Let errors say which group they are about."""
+def told_of(number: int, table: Any, what: str = "group") -> Iterator[None]:
+    """Let errors say which group, or which of its data, they are about."""
     try:
         yield
     except (TypeError, ValueError) as error:
-        name = f" ({table['name']})" if isinstance(table, dict) and table.get("name") else ""
-        raise ValueError(f"group {number}{_checks.brief(name)}: {error}") from error
+        told = table.get("name") or table.get("topic") if isinstance(table, dict) else None
+        name = f" ({told})" if told else ""
+        raise ValueError(f"{what} {number}{_checks.brief(name)}: {error}") from error
 
 
 def _check(tables: dict[str, Any]) -> None:
@@ -67,7 +68,7 @@ def _check(tables: dict[str, Any]) -> None:
 def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {_checks.short(table)}")
-    _only_keys(table, (*COUNTS, "name", "nodes", "shared", "wired"))
+    _only_keys(table, (*COUNTS, "name", "nodes", "shared", "wired", "data"))
     for key, least in LEAST.items():
         allowed = _checks.wanted(least, _checks.MOST)
         if key not in table:
@@ -77,6 +78,8 @@ def _check_group(table: Any) -> None:
         _number(table, key, _checks.wanted(0, _checks.MOST))
     if not isinstance(table.get("wired", False), bool):
         raise TypeError(f"wired must be true or false; got {_checks.short(table['wired'])}")
+    if not isinstance(table.get("data", []), list):
+        raise TypeError(f"data must be tables [[groups.data]]; got {_checks.short(table['data'])}")
 
 
 def _number(table: dict[str, Any], key: str, allowed: str) -> None:

@@ -31,6 +31,7 @@ from discostorm.fleet import (
     Fleet,
 )
 from discostorm.messages import (
+    DATA,
     HOPS,
     PAPER_WINDOW,
     Hop,
@@ -40,6 +41,7 @@ from discostorm.messages import (
     Schedule,
     Unit,
     checked_window,
+    data_table,
     hop_airtime,
 )
 from discostorm.wifi import PAPER, Cast, Wifi
@@ -85,7 +87,8 @@ def utilization(
     wifi : Wifi, optional
         The channel; the paper's if left out.
     phase : str, optional
-        One of the protocol's phases; all of them if left out.
+        One of the protocol's phases; all of them if left out. "data" is none of them: it is what
+        the fleet sends besides (`HostGroup.data`), framed as the protocol's product does.
     window : array_like, optional
         The seconds that are averaged [s], at least 1e-9; infinity for the steady state.
 
@@ -120,8 +123,20 @@ def utilization(
     >>> fast_dds = ds.PROTOCOLS["DDS, periods of Fast DDS"]
     >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
     array([1.011, 0.263])
+
+    Three robots that send each other their scans:
+
+    >>> robots = ds.HostGroup(3, 2, 10, data=(ds.flows.flow("scan", "all others"),))
+    >>> round(ds.utilization(ds.DDS, ds.Fleet((robots,)), phase="data"), 4)
+    0.0236
     """
     fleet = as_fleet(hosts, processes, endpoints)
+    if phase == DATA:
+        table = data_table(protocol, fleet)
+        if table is None:
+            shape = _checks.shape(**fleet.arrays(), window=window)
+            return np.zeros(shape) if shape else 0.0
+        return total_of(unit_costs(table, wifi, window, None, fleet.has_wired), fleet, window)
     return total_of(unit_costs(protocol, wifi, window, phase, fleet.has_wired), fleet, window)
 
 

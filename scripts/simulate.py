@@ -27,6 +27,7 @@ import discostorm as ds
 from discostorm import staggered
 from discostorm.book import air
 from discostorm.book.ladder import MOST_RUNS
+from discostorm.data import data_path
 from discostorm.messages import Protocol, Schedule
 from discostorm.robots import laptop, robots
 from discostorm.simulation import disc, powers
@@ -447,7 +448,9 @@ def main() -> None:
     from tqdm import tqdm
 
     parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
-    parser.add_argument("--only", choices=[*SWEEPS, "air"], help="one table; default: all")
+    parser.add_argument(
+        "--only", choices=[*SWEEPS, "air", "user_data"], help="one table; default: all"
+    )
     only = parser.parse_args().only
     wanted = {name: settings_of(name) for name in SWEEPS if only in (None, name)}
     todo = {one for settings in wanted.values() for one in settings if not path_of(one).exists()}
@@ -467,6 +470,8 @@ def main() -> None:
         write("saturation", [row | SOURCE for row in saturation()])
     if only in (None, "air"):
         write("air", records(air.start()))
+    if only in (None, "user_data"):
+        write("user_data", [row | SOURCE for row in user_data()])
     if only in (None, "queues"):
         write("hosts", [row | SOURCE for row in by_host()])
         write("heard", [row | SOURCE for row in heard()])
@@ -564,6 +569,26 @@ def waiting(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
         for time, at_hosts, at_access_point in found.queues[0]:
             row: dict[str, object] = {"protocol": "DDS", "hosts": count, "time_s": rounded(time)}
             rows.append(row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)})
+    return rows
+
+
+def user_data(runs: int = 20) -> list[dict[str, object]]:
+    """Return when discovery is complete alone and beside data, and how late the data are then."""
+    fleet = ds.Fleet.from_toml(data_path("fleets/small_data.toml"))
+    rows: list[dict[str, object]] = []
+    for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
+        alone, beside = (
+            ds.simulate(one, ds.PROTOCOLS[name], ds.PAPER, runs=runs, seed=SEED)
+            for one in (fleet.without_data(), fleet)
+        )
+        for topic, own in beside.data.items():
+            row: dict[str, object] = {"protocol": name, "topic": topic, "runs": runs}
+            row |= spread("convergence_alone_s", alone.convergence_time)
+            row |= spread("convergence_s", beside.convergence_time)
+            row |= {"arrived": rounded(float((own["arrived"] / own["frames"]).mean()))}
+            for column in ("delay_median_s", "delay_95_s", "delay_most_s"):
+                row |= {column: rounded(float(np.median(own[column])))}
+            rows.append(row)
     return rows
 
 

@@ -41,6 +41,7 @@ DESCRIBED = {
             "published",
             "reasons",
             "shared_counts",
+            "user_data",
         ),
         *(
             "bands",

@@ -362,7 +362,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
             "group 1: key must be hosts or processes or endpoints or name or nodes or shared "
-            "or wired; got hosst = 3",
+            "or wired or data; got hosst = 3",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),

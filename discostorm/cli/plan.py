@@ -77,6 +77,15 @@ def plan(
       nodes = 13          # with parameter services; optional
       shared = 28         # match in every other process; optional
 
+    What robots send besides discovery is a table for each topic, below its group. The ready-made
+    topics scan, odometry, tf, camera, point cloud and map know their rate and size:
+
+    \b
+      [[groups.data]]
+      topic = "scan"
+      to = "wired host"   # or "one host", "all others"
+      rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
+
     The answer comes first: the discovery time, or else the drain time of the channel. Radios from
     802.11n on aggregate, so both are ranges from full A-MPDUs to one message per frame. Changes are
     numbered; --paste N prints the configuration of one.

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from statistics import median
 from typing import Any
 
 import click
 
 import discostorm as ds
-from discostorm import _checks, staggered
+from discostorm import _checks, staggered, words
 from discostorm.cli.fleets import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, packed, protocol_option, radio_options
 from discostorm.cli.output import (
@@ -23,6 +24,11 @@ from discostorm.cli.output import (
     visible,
 )
 from discostorm.wifi import Wifi
+
+#: When discovery would be complete without user data, a column.
+ALONE = "convergence_without_data_s"
+#: What delays are called in the table of topics.
+TOLD = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
 
 @dataclass(frozen=True)
@@ -105,6 +111,9 @@ def simulate(
     messages answer messages and the middleware repairs what is lost. A time that did not come
     is null in JSON, and empty in CSV.
 
+    If FLEET lists topics ([[groups.data]]), they are sent beside discovery, and each run is
+    repeated without them. A second table tells how late samples were, and which frames arrived.
+
     Drained is the end of the last transmission of the start, lost the part of the frames that
     never arrived, converged when every process first knew each other one and its endpoints.
 
@@ -118,12 +127,16 @@ def simulate(
       discostorm simulate fleet.toml --no-recovery --wifi '802.11ac 80 MHz 2x2'
     """
     found: dict[str, ds.Simulation] = {}
+    alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
     with bad_input():
         arguments = how.arguments()
         for protocol in protocols:
             try:
                 found[protocol.name] = ds.simulate(members.fleet, protocol, wifi, **arguments)
+                if members.fleet.has_data:
+                    fleet = members.fleet.without_data()
+                    alone[protocol.name] = ds.simulate(fleet, protocol, wifi, **arguments)
             except ImportError as error:
                 raise BadInput(str(error)) from error
             except ValueError as error:
@@ -137,20 +150,61 @@ def simulate(
     for name, why in refused.items():
         click.echo(visible(f"Note: {name} is not simulated: {why}"), err=True)
     if output.as_json:
-        answers = [one.to_dict() for one in found.values()]
+        answers = [
+            one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
+            for name, one in found.items()
+        ]
         click.echo(as_text(answers if len(protocols) > 1 else answers[0]))
         return
     shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
+        if name in alone:
+            place = list(table).index("convergence_time_s") + 1
+            table.insert(place, ALONE, alone[name].convergence_time)
         named = {"protocol": name} if len(protocols) > 1 else {}
-        kept = table if output.as_csv else table[shown]
+        columns = [c for c in table if c in (*shown, ALONE)]
+        kept = table if output.as_csv else table[columns]
         rows += [named | row for row in kept.to_dict("records")]
     print_rows(
         rows,
         output,
-        {"drain_time_s": how.time, "lost": percent, "convergence_time_s": how.time},
-        {"drain_time_s": "drained [s]", "convergence_time_s": "converged [s]"},
+        {
+            "drain_time_s": how.time,
+            "lost": percent,
+            "convergence_time_s": how.time,
+            ALONE: how.time,
+        },
+        {
+            "drain_time_s": "drained [s]",
+            "convergence_time_s": "converged [s]",
+            ALONE: "without data [s]",
+        },
     )
+    if alone and output.for_people:
+        click.echo("\nData until discovery was complete, median of the runs:\n")
+        print_rows(_late(found), output, {"arrived": percent}, {"frames": "frames sent"})
     print_channel(wifi, output)
+
+
+def _late(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
+    """Return a row for each topic: frames, the part of them that arrived, and samples' delays."""
+    rows = []
+    for name, one in found.items():
+        for topic, own in one.data.items():
+            frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
+            late = {key: values for key, values in own.items() if key.startswith("delay")}
+            rows.append(
+                ({"protocol": name} if len(found) > 1 else {})
+                | {"topic": topic, "frames": median(own["frames"].tolist())}
+                | {"arrived": arrived / frames if frames else 0.0}
+                | {TOLD[key]: _median(values) for key, values in late.items()}
+            )
+    return rows
+
+
+def _median(values: Any) -> str:
+    """Return the median of delays in words, of the runs in which anything arrived."""
+    seen = [late for late in values.tolist() if late == late]  # of those that are not NaN
+    return words.duration(median(seen)) if seen else "none arrived"

@@ -41,6 +41,8 @@ def utilization(
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
+    Of a fleet file that lists topics ([[groups.data]]) the data have columns of their own.
+
     {matching}
 
     \b
@@ -67,12 +69,21 @@ def utilization(
                     | {"fits": words.fits(taken)}
                     | ({"may_fit": words.fits(least)} if aggregates else {})
                     | (error_band(chosen, one.fleet) if banded else {})
+                    | (_data(chosen, one.fleet, ends[1], taken) if one.fleet.has_data else {})
                 )
     print_rows(
         without_robot(rows, output),
         output,
-        {"utilization": percent, "utilization_full_ampdus": percent, "fits": yes, "may_fit": yes},
-        {"utilization_full_ampdus": "full A-MPDUs", "may_fit": "may fit"},
+        {
+            **{"utilization": percent, "utilization_full_ampdus": percent, "fits": yes},
+            **{"may_fit": yes, "data_utilization": percent, "total_utilization": percent},
+        },
+        {
+            "utilization_full_ampdus": "full A-MPDUs",
+            "may_fit": "may fit",
+            "data_utilization": "data",
+            "total_utilization": "both",
+        },
     )
     print_channel(ends[1], output)
     if aggregates and output.for_people:
@@ -80,3 +91,9 @@ def utilization(
     if output.for_people and len(members) == 1:
         members[0].tell_alone()
     say_bands(((table, one.fleet) for table in protocols for one in members), output)
+
+
+def _data(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, taken: float) -> dict[str, float]:
+    """Return what the fleet's data take beside discovery, and both together."""
+    data = float(ds.utilization(protocol, fleet, wifi=wifi, phase="data"))
+    return {"data_utilization": data, "total_utilization": taken + data}

@@ -1,10 +1,11 @@
 """A discovery protocol is a table of messages; its load and utilization follow from it.
 
 `units` says what is counted, `schedule` when it is sent, `message` is a row of the table, and
-`protocol` the table.
+`protocol` the table. `data_table` makes one of what a fleet sends besides discovery.
 """
 
 from discostorm._renamed import answer
+from discostorm.messages.data_table import DATA, data_table
 from discostorm.messages.message import (
     HOPS,
     LEAST_PER_UNIT,
@@ -38,6 +39,7 @@ from discostorm.messages.units import (
 
 __all__ = [
     "AWAY",
+    "DATA",
     "ENDPOINT",
     "ENDPOINT_PAIR",
     "FLEET",
@@ -67,6 +69,7 @@ __all__ = [
     "Transport",
     "Unit",
     "checked_window",
+    "data_table",
     "header_bytes",
     "hop_airtime",
 ]

@@ -131,6 +131,9 @@ class Unit:
         What multiplies the count: each ``third process`` or ``third host``; 1 if anything in the
         fleet matches and else 0 (``match``); each other process if anything matches (``matched
         process``); each end of a link that a further host hears of (``link``).
+    group : int, optional
+        Number of the group of the fleet that alone counts [1], from 0 on; all if left out. For user
+        data.
 
     Raises
     ------
@@ -146,6 +149,7 @@ class Unit:
     what: What
     to: To = "all"
     factor: Factor | None = None
+    group: int | None = None
 
     def __post_init__(self) -> None:
         _checks.choice("what", self.what, get_args(What))
@@ -158,6 +162,7 @@ class Unit:
         """What one of them is called, in data files as well."""
         names = {unit: name for name, unit in UNITS.items()}
         own = f"{self.what} to {self.to}" + (f" by {self.factor}" if self.factor else "")
+        own += "" if self.group is None else f" of group {self.group + 1}"
         return names.get(self, own)
 
     @property
@@ -175,7 +180,7 @@ class Unit:
         receivers = _receivers(self.to, fleet, wireless == "receiver")
         total: Count = 0
         for index, group in enumerate(fleet.groups):
-            if wireless == "holder" and group.wired:
+            if (wireless == "holder" and group.wired) or self.group not in (None, index):
                 continue
             own = _holders(self.what, fleet, index, away=self.to == "server")
             total = total + own * receivers[index] * _each(self.what, fleet, index)
@@ -184,6 +189,9 @@ class Unit:
     def senders(self, hosts: Hosts) -> NDArray[Any]:
         """Return for how many of them each process sends: to all, or to each receiver [1]."""
         every, speakers = hosts.every, hosts.speakers
+        if self.group is not None:
+            mine = 0 * every if hosts.group is None else hosts.group[hosts.host_of]
+            speakers = speakers * (mine == self.group)
         others = hosts.every.size - 1
         matched = hosts.matched_of
         sent: dict[What, NDArray[Any]] = {

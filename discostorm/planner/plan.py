@@ -15,6 +15,7 @@ from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import message_costs, utilization, without_each
 from discostorm.planner.arrangements import compared
+from discostorm.planner.beside import beside
 from discostorm.planner.changes import SLOTS, Change, Setting
 from discostorm.planner.fleets import fleet_changes, of_group, part_changes
 from discostorm.planner.known import inapplicable, known, known_as, simulated_stagger
@@ -144,6 +145,7 @@ def plan(
         known=known_after(protocol, fleet, full) if full != single else None,
         reboot=reboot(base),
         band=band(of.name, fleet, of.captured) if of and of.captured else None,
+        data=beside(base, span),
     )
 
 

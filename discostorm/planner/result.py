@@ -13,6 +13,7 @@ from discostorm.fleet import Fleet
 from discostorm.measured import Band
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Protocol, Unit
 from discostorm.planner.arrangements import Arrangement, table_in_words
+from discostorm.planner.beside import Beside
 from discostorm.planner.known import software
 from discostorm.planner.reboot import Reboot
 from discostorm.planner.remedy import NOTHING, Remedy
@@ -101,6 +102,9 @@ class Plan:
         What it takes when one robot reboots; None where that was not measured.
     band : Band or None
         How far a measured table was off where it was not fitted; None of other tables.
+    data : Beside or None
+        What the fleet's data take beside discovery, which all the rest is about alone; None if
+        its groups send none.
     """
 
     fleet: Fleet
@@ -120,6 +124,7 @@ class Plan:
     known: Known | None
     reboot: Reboot | None = None
     band: Band | None = None
+    data: Beside | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -179,6 +184,7 @@ class Plan:
             "known_after_s": self.known.to_dict() if self.known else None,
             "reboot": self.reboot.to_dict() if self.reboot else None,
             "band": self.band.to_dict() if self.band else None,
+            **({"data": self.data.to_dict()} if self.data else {}),
             "shares": [asdict(share) for share in self.shares],
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
@@ -278,6 +284,8 @@ class Plan:
         """Return what it costs, what dominates and what would help, in lines of so many letters."""
         told = self.told()
         lines = [*self._answer_in_words(), ""] if self.fleet.hosts() > 1 else []
+        if self.data:
+            lines += [*self.data.sentences(self.window), ""]
         lines += [*self._cost_in_words(), "", "Largest parts:", *self._shares_in_words()]
         if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
             lines += ["", words.ALONE]

@@ -72,7 +72,9 @@ def simulate(
     Parameters
     ----------
     fleet : Fleet
-        At least two hosts; hosts, processes and endpoints must be whole numbers.
+        At least two hosts; hosts, processes and endpoints must be whole numbers. Data of its groups
+        (`HostGroup.data`) are sent beside discovery, as `discostorm.simulation.user_data` says;
+        for the same without them simulate ``fleet.without_data()`` as well.
     protocol : Protocol
         Its messages, schedules, answers and lease; for recovery also roles and timers.
     wifi : Wifi
@@ -164,6 +166,7 @@ def simulate(
     exceeds = _threshold(threshold)
 
     from discostorm.simulation.run import set_up
+    from discostorm.simulation.user_data import with_user_data
 
     setup = set_up(
         fleet,
@@ -195,7 +198,8 @@ def simulate(
     }
     if power is not None:
         settings |= {"power_dB": np.asarray(power).tolist(), "threshold_dB": list(exceeds)}
-    return Simulation.of_runs(fleet, protocol, wifi, settings, _all_runs(setup, seeds))
+    table = with_user_data(protocol, fleet)
+    return Simulation.of_runs(fleet, table, wifi, settings, _all_runs(setup, seeds))
 
 
 def _queue(queue: Queue | None) -> tuple[float, float]:

@@ -105,7 +105,7 @@ RADIO = _record(
 #: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
 #: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
 #: is received though others overlap it, how many these are with itself, until when they last, and
-#: how many MPDUs it loses to them.
+#: how many MPDUs it loses to them. ``stamp``: ticks between two stamps of user data.
 NOW = _record(
     *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
     *("free", "spare"),
@@ -115,6 +115,7 @@ NOW = _record(
     *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
     *("busy", "wasted", "expired", "cold", "actions"),
     *("unlike", "overlapping", "others", "damaged"),
+    "stamp",
 )
 
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
@@ -177,10 +178,11 @@ EVENT = _record("time", "what")
 #: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
 #: ``of_host``: a process sends it for all of its host. ``when``: of what
 #: it answers all, only what comes later than ``since`` after the other's start, or only before.
+#: ``user``: the row of `Cell.delays` of user data, from 1 on; 0 for all else.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
     *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
-    *("to_unknown", "gap_first", "gap_number"),
+    *("to_unknown", "gap_first", "gap_number", "user"),
 )
 
 #: What a message is for: `role`; and when it is sent: `trigger`.
@@ -249,6 +251,8 @@ class Cell(NamedTuple):
     repairs: Records
     pairs: Records
     has: Ints
+    #: Of user data how many frames were late by so many stamps; last, how many were sent.
+    delays: Ints
     airtime: Ints
     samples: Records
     log: Records

@@ -266,9 +266,27 @@ def expire(cell, reader, time):
     later(cell, following, EXPIRE | reader)
 
 
+@njit
+def stamp(cell, time):
+    """Return the time in stamps, as user data carry it in the place of a number."""
+    return (time // cell.now[0].stamp) & ITEMS
+
+
+@shared
+def send_user_data(cell, row, source, to, time):
+    """Send the frames of a sample, with the time at which it was made."""
+    times = number_to_all(cell, source, row) if to == source else number(cell, source, to, row)
+    for _ in range(times):
+        cell.delays[cell.kinds[row].user - 1, ITEMS + 1] += 1
+        offer_new(cell, compose(row, source, to, stamp(cell, time)) | STEADY, time)
+
+
 @shared
 def send_by_clock(cell, host, batch, time):
-    """Send what a host's processes send by the clock: to all, or to each that is known."""
+    """Send what a host's processes send by the clock: to all, or to each that is known.
+
+    User data go to those of whom everything is known, as a writer must have found the reader.
+    """
     now, its = cell.now[0], cell.stations[host]
     flag = STEADY if cell.batches[batch, now.kinds] > 0 else np.int64(0)
     for process in range(its.first, its.first + its.processes):
@@ -276,12 +294,19 @@ def send_by_clock(cell, host, batch, time):
             kind = cell.kinds[row]
             if not cell.batches[batch, row] or kind.trigger != CLOCK:
                 continue
+            if kind.to_all and kind.user:
+                send_user_data(cell, row, process, process, time)
+                continue
             if kind.to_all:
                 for item in range(number_to_all(cell, process, row)):
                     offer_new(cell, compose(row, process, process, item) | flag, time)
                 continue
             for other in range(cell.processes.size):
-                if cell.pairs[process, other].known or kind.to_unknown:
+                pair = cell.pairs[process, other]
+                if kind.user:
+                    if pair.done:
+                        send_user_data(cell, row, process, other, time)
+                elif pair.known or kind.to_unknown:
                     send_items(cell, row, process, other, time, flag)
 
 
@@ -401,6 +426,8 @@ def arrive(cell, frame, process, time):
     """Let a process take in a message."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     its = cell.processes[process]
+    if kind.user:
+        cell.delays[kind.user - 1, (stamp(cell, time) - item_of(frame)) & ITEMS] += 1
     if time < its.start or cell.processes[source].host == its.host:
         return
     hear(cell, frame, process, time)

@@ -47,7 +47,9 @@ def _same(one: Any, other: Any) -> bool:
         return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
     if isinstance(one, tuple):
         return len(one) == len(other) and all(map(_same, one, other))
-    return np.array_equal(one, other) if isinstance(one, np.ndarray) else bool(one == other)
+    if isinstance(one, np.ndarray):
+        return np.array_equal(one, other, equal_nan=one.dtype.kind == "f")
+    return bool(one == other)
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class Run:
     queues: Floats
     pair_times: Floats
     transmissions: NDArray[np.void]
+    data: dict[str, dict[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -78,7 +81,7 @@ class Simulation:
     fleet : Fleet
         Who was on the channel.
     protocol : Protocol
-        What they sent.
+        What they sent, with rows for user data if the fleet has some.
     wifi : Wifi
         The channel.
     settings : dict
@@ -120,6 +123,11 @@ class Simulation:
         those that at the end have not, or no longer. Without recovery of shape (runs, 0).
     transmissions : ndarray
         The first transmissions of the first run, see `transmission_table`.
+    data : dict of str to dict
+        Of each topic of user data, until discovery was complete or given up: ``frames`` that were
+        sent and of these ``arrived`` [1]; ``delay_median_s``, ``delay_95_s`` and ``delay_most_s``
+        from when a sample was made to the arrival of its last frames [s], NaN if none arrived.
+        Frames in a queue at the end have not arrived. Empty without user data.
     """
 
     fleet: Fleet
@@ -137,6 +145,7 @@ class Simulation:
     queues: tuple[Floats, ...] = field(repr=False)
     pair_times: Floats = field(repr=False)
     transmissions: NDArray[np.void] = field(repr=False)
+    data: dict[str, dict[str, Floats]] = field(default_factory=dict)
 
     @classmethod
     def of_runs(
@@ -159,6 +168,10 @@ class Simulation:
             tuple(run.queues for run in runs),
             np.array([run.pair_times for run in runs]),
             runs[0].transmissions,
+            {
+                topic: {name: np.array([run.data[topic][name] for run in runs]) for name in found}
+                for topic, found in runs[0].data.items()
+            },
         )
 
     def __eq__(self, other: object) -> bool:
@@ -277,6 +290,13 @@ class Simulation:
             },
             "queues": [dict(zip(columns, run.T.tolist(), strict=True)) for run in self.queues],
             "pair_times": self._pair_quantiles(),
+        } | ({"data": self._data()} if self.data else {})
+
+    def _data(self) -> dict[str, Any]:
+        """Return what was found of each topic as plain Python."""
+        return {
+            topic: {name: _plain(values.tolist()) for name, values in found.items()}
+            for topic, found in self.data.items()
         }
 
     def _pair_quantiles(self) -> dict[str, Any]:

@@ -37,6 +37,13 @@ from discostorm.simulation.traffic import (
     shares_of,
     ticks,
 )
+from discostorm.simulation.user_data import (
+    UserData,
+    found_of,
+    topics_of,
+    user_data_of,
+    with_user_data,
+)
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
 
@@ -64,12 +71,20 @@ class Setup:
     cold: bool
     #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
     power: NDArray[np.float64]
+    user_data: UserData | None = None
+    #: Of each row of `Cell.delays` the topic, and whether its frames are the last of a sample.
+    topics: tuple[tuple[str, bool], ...] = ()
 
     def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
         """Return a cell at the start of a run, and when each host starts [s]."""
-        for_start, for_run, for_parts = seed.spawn(3)
+        for_start, for_run, for_parts, for_phases = seed.spawn(4)
         count = self.hosts.processes.size
         starts = delays(self.start, count, np.random.default_rng(for_start))
+        first: list[tuple[int, int]] = []
+        if self.user_data is not None:
+            first = self.user_data.first_events(
+                self.hosts, starts, np.random.default_rng(for_phases)
+            )
         cell = new_cell(
             self.hosts,
             self.kinds.copy(),
@@ -83,6 +98,8 @@ class Setup:
             self.repairs,
             self.cold,
             self.power,
+            first,
+            self.user_data.stamp if self.user_data else 0,
         )
         return cell, starts
 
@@ -159,13 +176,14 @@ def set_up(
             )
         heard = from_decibels(heard)
     radio = radio_record(wifi, queue, eifs, threshold)
+    discovery, protocol = protocol, with_user_data(protocol, fleet, recovery)
     kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
-    repairs, table = None, protocol
+    repairs, table = None, discovery
     if recovery:
         check_table(protocol)
         fill_kinds(protocol, kinds)
         check_items(protocol, kinds, shares)
-        repairs, table = repair_record(protocol), clock_only(protocol)
+        repairs, table = repair_record(protocol), clock_only(discovery)
     names = [message.name for message in protocol.messages]
     rows = [names.index(message.name) for message in table.messages]
     bursts = bursts_of(table)
@@ -174,6 +192,7 @@ def set_up(
         bursts.period,
         bursts.times,
     )
+    bursts, user_data = user_data_of(protocol, bursts, kinds, float(queue[1]), until)
     # Refuses a bad one before all runs.
     starts = delays(start, count, np.random.default_rng(0))
     return Setup(
@@ -190,6 +209,8 @@ def set_up(
         float(np.ptp(starts)),
         cold,
         heard,
+        user_data,
+        topics_of(protocol),
     )
 
 
@@ -253,6 +274,7 @@ def one_run(setup: Setup, seed: np.random.SeedSequence) -> Run:
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
         cell.log[: now["logged"]],
+        {} if setup.user_data is None else found_of(setup.topics, cell, setup.user_data.stamp),
     )
 
 

@@ -8,6 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -334,8 +335,10 @@ def new_cell(
     repairs: Records | None = None,
     cold: bool = False,
     power: NDArray[np.float64] = ALIKE,
+    more: Iterable[tuple[int, int]] = (),
+    stamp: int = 0,
 ) -> Cell:
-    """Return a cell at the start of a run."""
+    """Return a cell at the start of a run; ``more`` happens than bursts and repairs say."""
     count, rows = hosts.processes.size, kinds.size
     stations = _cell.aligned(count + 1, _cell.STATION)
     for name in ("head", "tail", "to_head", "to_tail"):
@@ -360,6 +363,7 @@ def new_cell(
     now["per_receiver"] = radio["mpdus"] > 1
     now["cold"] = cold and radio["mpdus"] > 1
     now["unlike"] = power.size > 1
+    now["stamp"] = stamp
     # xorshift must not begin at zero.
     now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     pool = np.zeros(_POOL, _cell.ENTRY)
@@ -378,7 +382,7 @@ def new_cell(
         due += _first_events(processes, repairs)
         now["repairs"] = 1
         now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
-    due.sort()  # a sorted list is a heap
+    due = sorted([*due, *more])  # a sorted list is a heap
     now["events"] = len(due)
     now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
     events = np.zeros(2 * len(due) + 1024, _cell.EVENT)
@@ -411,10 +415,17 @@ def new_cell(
         repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         has=has,
+        delays=_delays(kinds),
         airtime=np.zeros((rows + 1, 3), np.int64),
         samples=np.zeros(_SAMPLES, _cell.SAMPLE),
         log=np.zeros(_LOG, _cell.SENT),
     )
+
+
+def _delays(kinds: Records) -> NDArray[np.int64]:
+    """Return of each row of user data how many were how late, and how many there were: none yet."""
+    rows = int(kinds["user"].max())
+    return np.zeros((rows, _cell.ITEMS + 2) if rows else (1, 1), np.int64)
 
 
 def _pairs(

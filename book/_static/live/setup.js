@@ -262,6 +262,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       repairs: record("repairs", repairs ?? {}),
       pairs,
       has: repairs ? array("has", count, count, items) : array("has", 1, 1, 1),
+      delays: array("delays", 1, 1), // pages have no user data
       airtime: array("airtime", rows + 1, 3),
       samples: array("samples", constants.SAMPLES),
       log: array("log", setting.log),

@@ -205,7 +205,7 @@ const LIVE_TABLES = (() => {
         },
       },
       "now": {
-        "size": 416,
+        "size": 424,
         "fields": {
           "clock": [0, "i8"],
           "base": [8, "i8"],
@@ -259,6 +259,7 @@ const LIVE_TABLES = (() => {
           "overlapping": [392, "i8"],
           "others": [400, "i8"],
           "damaged": [408, "i8"],
+          "stamp": [416, "i8"],
         },
       },
       "stations": {
@@ -303,7 +304,7 @@ const LIVE_TABLES = (() => {
       "actions": {"size": 16, "fields": {"waiting": [0, "i8"], "sends": [8, "i8"]}},
       "events": {"size": 16, "fields": {"time": [0, "i8"], "what": [8, "i8"]}},
       "kinds": {
-        "size": 160,
+        "size": 168,
         "fields": {
           "octets": [0, "i8"],
           "multicast": [8, "i8"],
@@ -325,6 +326,7 @@ const LIVE_TABLES = (() => {
           "to_unknown": [136, "i8"],
           "gap_first": [144, "i8"],
           "gap_number": [152, "i8"],
+          "user": [160, "i8"],
         },
       },
       "processes": {"size": 40, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "beating": [32, "i8"]}},
@@ -361,6 +363,7 @@ const LIVE_TABLES = (() => {
       "repairs": "repairs",
       "pairs": "pairs",
       "has": "i8",
+      "delays": "i8",
       "airtime": "i8",
       "samples": "samples",
       "log": "log",

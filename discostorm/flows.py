@@ -1,0 +1,127 @@
+"""User data: what topics send once robots know each other, at which rate and to whom."""
+
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+from discostorm import _checks, _names
+from discostorm.data import read_data
+
+#: To whom each sample goes; see `Flow`.
+Receivers = Literal["one host", "wired host", "all others"]
+
+#: Most samples a second [Hz], and longest sample [B].
+_MOST_RATE, _MOST_BYTES = 1e6, 1e8
+#: What a table of a fleet file may have.
+KEYS = ("topic", "to", "rate", "bytes", "reliable")
+
+
+@dataclass(frozen=True)
+class Flow:
+    """A topic that each host of a group publishes, once, to readers on other hosts.
+
+    Parameters
+    ----------
+    topic : str
+        Its name; no two of a group are the same.
+    to : {"one host", "wired host", "all others"}
+        Who has a reader, one each: one of the other hosts, each as likely; a host that is wired to
+        the access point, whether the fleet lists it or not; every other host.
+    rate : float
+        Samples a second of each host [Hz], from 1e-6 to 1e6.
+    bytes : float
+        Size of a sample [B], serialized, without the four octets that say how; from 0 to 1e8.
+    reliable : bool
+        Whether the reader acknowledges.
+
+    Raises
+    ------
+    ValueError
+        If a number is out of range, the topic has no name, or `to` is none of these.
+    TypeError
+        If one is of another kind.
+
+    Examples
+    --------
+    >>> Flow("scan", "wired host", rate=5, bytes=1500, reliable=False)
+    Flow(topic='scan', to='wired host', rate=5.0, bytes=1500.0, reliable=False)
+    """
+
+    topic: str
+    to: Receivers
+    rate: float
+    bytes: float
+    reliable: bool
+
+    def __post_init__(self) -> None:
+        _checks.instance("topic", self.topic, str)
+        if not self.topic.strip():
+            raise ValueError(f"topic must be a text that is not blank; got {self.topic!r}")
+        _checks.choice("to", self.to, get_args(Receivers))
+        limits = {"rate": (1e-6, _MOST_RATE), "bytes": (0, _MOST_BYTES)}
+        for name, (least, most) in limits.items():
+            value = _checks.number(name, getattr(self, name), least, most)
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "reliable", _checks.boolean("reliable", self.reliable))
+
+
+def topics() -> dict[str, dict[str, Any]]:
+    """Return rate, bytes and reliability of each ready-made topic (``fleets/topics.csv``).
+
+    Examples
+    --------
+    >>> topics()["scan"]
+    {'rate': 5.0, 'bytes': 1500.0, 'reliable': False}
+    """
+    return {
+        row["topic"]: {
+            "rate": float(row["rate_Hz"]),
+            "bytes": float(row["bytes"]),
+            "reliable": row["reliability"] == "reliable",
+        }
+        for row in read_data("fleets/topics.csv")
+    }
+
+
+def flow(topic: str, to: Receivers, **own: Any) -> Flow:
+    """Return a flow of a ready-made topic, or of one of your own with `rate`, `bytes`, `reliable`.
+
+    Raises
+    ------
+    ValueError
+        If the topic is not ready-made and one of the three is missing, or one is out of range.
+    TypeError
+        If one is of another kind.
+
+    Examples
+    --------
+    >>> flow("scan", "all others", rate=10)
+    Flow(topic='scan', to='all others', rate=10.0, bytes=1500.0, reliable=False)
+    """
+    _checks.instance("topic", topic, str)
+    ready = topics()
+    given = ready.get(topic, {}) | own
+    for name in ("rate", "bytes", "reliable"):
+        if name not in given:
+            raise ValueError(
+                f"{name} is missing; only the ready-made topics {', '.join(ready)} go without"
+                f"{_names.did_you_mean(topic, ready)}"
+            )
+    return Flow(topic, to, **given)
+
+
+def flow_of(table: Any) -> Flow:
+    """Return the flow of a table ``[[groups.data]]`` of a fleet file."""
+    if not isinstance(table, dict):
+        raise TypeError(f"it must be a table with topic and to; got {_checks.short(table)}")
+    for key, value in table.items():
+        if key not in KEYS:
+            raise ValueError(
+                f"key must be {', '.join(KEYS[:-1])} or {KEYS[-1]}; got {_checks.brief(key)} = "
+                f"{_checks.short(value)}{_names.did_you_mean(key, KEYS)}"
+            )
+    for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
+        if key not in table:
+            raise ValueError(f"{key} is missing; it must be {allowed}")
+    if not isinstance(table.get("reliable", False), bool):
+        raise TypeError(f"reliable must be true or false; got {_checks.short(table['reliable'])}")
+    return flow(**table)
