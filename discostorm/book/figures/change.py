@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from discostorm import measured
+from discostorm.book.figures.servers import BREAKS, breaks
 from discostorm.data import read_data
 from discostorm.figures import WIDTH, style
 from discostorm.fleet import Fleet, HostGroup
@@ -17,32 +18,7 @@ from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import MEASURED, PROTOCOLS
 
-#: What else fails with a server or router: color and mark.
-_BREAKS = {
-    "nothing else": ("blue", "o"),
-    "discovery of late joiners": ("orange", "s"),
-    "one robot": ("purple", "D"),
-    "the whole fleet": ("vermilion", "X"),
-}
 _MANY = np.arange(1.0, 200)  # hosts
-
-
-def breaks(name: str) -> str:
-    """Return what else fails with the server or router of an arrangement, as it was measured."""
-    name = measured.arrangements().get(name, {}).get("on_robot_of") or name
-
-    def never(phase: str, who: str, quantity: str) -> bool:
-        try:
-            times = measured.death_times(name, "server killed", phase, who, quantity)
-        except ValueError:  # it has no server
-            return False
-        return bool(np.isinf(times).any())
-
-    if never("death", "survivors", "settled"):
-        return "the whole fleet"
-    if never("newcomer", "newcomer", "found"):
-        return "discovery of late joiners"
-    return "one robot" if never("death", "orphans and survivors", "settled") else "nothing else"
 
 
 def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
@@ -85,7 +61,7 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
         for axis, robot in zip(panels, robots, strict=True):
             many = data[f"{robot} that fit"]
             for place, (fit, what) in enumerate(zip(many, data["what else fails"], strict=True)):
-                color, mark = _BREAKS[what]
+                color, mark = BREAKS[what]
                 axis.plot([0, fit], [place, place], color="0.8", linewidth=1, zorder=1)
                 axis.plot(fit, place, marker=mark, color=colors[color], markersize=7, mew=0)
                 axis.annotate(
@@ -108,7 +84,7 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
         )  # fmt: skip
         marks = [
             Line2D([], [], marker=mark, linestyle="", color=colors[color], mew=0, label=what)
-            for what, (color, mark) in _BREAKS.items()
+            for what, (color, mark) in BREAKS.items()
         ]
         figure.legend(
             handles=marks, title="If its server or router fails, so does", ncols=2,

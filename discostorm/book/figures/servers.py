@@ -27,7 +27,6 @@ NAMES = {"own": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "same": (0, 1.0)}
 _MANY = np.arange(1.0, 5001)
 _SERVER = "Fast DDS Discovery Server"
 _HUB = "Zenoh router per host, one hub"
-_ALIKE = {f"{_SERVER}, on a robot": _SERVER}  # taken to fail as the other does
 _SHORT = {
     "Cyclone DDS multicast SEDP": "multicast SEDP",
     "Cyclone DDS peers": "static peers",
@@ -36,10 +35,11 @@ _SHORT = {
     f"{_SERVER}, two": "two Discovery Servers",
     "Zenoh router": "central router",
     "Zenoh router per host": "router per robot",
+    "Zenoh router per host, star": "… and a wired one",
     _HUB: "router per robot, one hub",
 }
 #: What else fails with it: color and mark.
-_BREAKS = {
+BREAKS = {
     "nothing else": ("blue", "o"),
     "discovery of late joiners": ("orange", "s"),
     "one robot": ("purple", "D"),
@@ -81,11 +81,13 @@ def fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> i
 
 def breaks(name: str) -> str:
     """Return what else fails with the server or router of an arrangement, as it was measured."""
-    name = _ALIKE.get(name, name)
+    as_what = {
+        row["protocol"]: row["fails_as"] for row in read_data("vendors/arrangement_risks.csv")
+    }
     killed = [
         (row["who"], float(row["seconds"]), row["quantity"])
         for row in read_data("measured/deaths.csv")
-        if (row["arrangement"], row["event"]) == (name, "server killed")
+        if (row["arrangement"], row["event"]) == (as_what.get(name, name), "server killed")
     ]
 
     def never(who: str, quantity: str) -> bool:
@@ -131,7 +133,7 @@ def arrangements() -> Figure:
                 if shipped
                 else _SHORT.get(row["arrangement"], row["arrangement"])
             )
-            color, mark = _BREAKS[row["what else fails"]]
+            color, mark = BREAKS[row["what else fails"]]
             look: dict[str, Any] = {"marker": mark, "ms": 7, "color": colors[color]}
             look |= {"mfc": "white", "mew": 1.6} if shipped else {"mew": 0}
             ends = [row[f"one second, {names} names"] for names in ("same", "own")]
@@ -158,7 +160,7 @@ def arrangements() -> Figure:
             axis.tick_params(axis="y", length=0)
         handles = [
             Line2D([], [], ls="", marker=mark, ms=7, color=colors[color], mew=0, label=what)
-            for what, (color, mark) in _BREAKS.items()
+            for what, (color, mark) in BREAKS.items()
         ]
         figure.legend(
             handles=handles,
