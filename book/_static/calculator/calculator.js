@@ -1068,11 +1068,14 @@
       : "";
   }
 
+  let tellSimulation; // of other entries
+
   /** Read the fields and show what follows; returns whether all were valid. */
   function update({ address = true } = {}) {
     showLists();
     for (const list of LISTS) showError(list, refused[list] ?? "");
     const settings = readForm();
+    tellSimulation(settings);
     byId("stale").hidden = settings !== null || drawn === null;
     if (settings !== null) {
       const answer = compute(settings);
@@ -1092,6 +1095,7 @@
     buildForm();
     readTheme();
     byId("tool").hidden = false;
+    tellSimulation = FleetSimulation(MODEL.simulation, { make, exact, duration, between, capitalized, two });
     const form = byId("form");
     update({ address: false }); // an answer to fall back on, should the address ask for nonsense
     if (readHash()) update({ address: false });
