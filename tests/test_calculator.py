@@ -809,6 +809,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
 
 
 def test_every_access_point_and_middleware_can_be_simulated(tab: Page) -> None:
+    simulate(tab)  # loads the simulator
     tables, radios = tab.evaluate(
         "Live.load().then(({ tables, radios }) => [tables, radios].map(Object.keys))"
     )

@@ -4,6 +4,7 @@
 
 (() => {
   const MODEL = DISCOSTORM;
+  const FOLDER = document.currentScript.src.replace(/[^/]*$/, "");
   const F = MODEL.formulas;
   for (const protocol of Object.values(MODEL.protocols))
     protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
@@ -1068,7 +1069,40 @@
       : "";
   }
 
-  let tellSimulation; // of other entries
+  // ---- simulated: the scripts for it come when the reader first wants it ----
+
+  let [entered, simulation, loading] = [null, null, null];
+
+  function tellSimulation(settings) {
+    entered = settings;
+    byId("simulate").disabled = settings === null;
+    simulation?.changed(settings);
+  }
+
+  function script(name) {
+    return new Promise((done, failed) => {
+      const element = make("script", { src: `${FOLDER}${name}` });
+      element.onload = done;
+      element.onerror = () => failed(new Error(`${name} does not load. Reload the page.`));
+      document.head.append(element);
+    });
+  }
+
+  async function simulate() {
+    if (loading && !simulation) return;
+    try {
+      loading ??= Promise.all(["../live/live.js", "simulate.js"].map(script));
+      await loading;
+      if (!simulation) {
+        simulation = FleetSimulation(MODEL.simulation, { make, exact, duration, between, capitalized, two });
+        simulation.changed(entered);
+      }
+      simulation.press();
+    } catch (error) {
+      loading = null;
+      byId("simulated").textContent = error.message;
+    }
+  }
 
   /** Read the fields and show what follows; returns whether all were valid. */
   function update({ address = true } = {}) {
@@ -1095,7 +1129,6 @@
     buildForm();
     readTheme();
     byId("tool").hidden = false;
-    tellSimulation = FleetSimulation(MODEL.simulation, { make, exact, duration, between, capitalized, two });
     const form = byId("form");
     update({ address: false }); // an answer to fall back on, should the address ask for nonsense
     if (readHash()) update({ address: false });
@@ -1112,6 +1145,7 @@
       update();
     });
     byId("csv").addEventListener("click", download);
+    byId("simulate").addEventListener("click", simulate);
     byId("link").addEventListener("click", (event) => {
       event.preventDefault();
       copied(byId("link"), byId("link").href);

@@ -1,7 +1,8 @@
 // "Simulate my fleet": runs of the package's simulator, in this browser, beside the counted answer.
 "use strict";
 
-// Return what tells the simulation that the entries have changed. The words are calculator.js's.
+// Return what tells the simulation that the entries have changed, and that its button was pressed. The words are
+// calculator.js's, which loads this.
 function FleetSimulation({ runs: RUNS, seed, queue, until }, { make, exact, duration, between, capitalized, two }) {
   const byId = (id) => document.getElementById(`calc-${id}`);
   const [button, bar, said, list] = ["simulate", "progress", "simulated", "runs"].map(byId);
@@ -142,22 +143,23 @@ function FleetSimulation({ runs: RUNS, seed, queue, until }, { make, exact, dura
     list.hidden = false;
   }
 
-  button.addEventListener("click", () => {
+  function press() {
     if (bar.hidden) simulate();
     else if (current) current.stop();
     else {
       asked++; // the simulator is not loaded yet
       busy(false);
     }
-  });
+  }
 
   /** Take what is entered: what was simulated of other entries goes. */
-  return function changed(entered) {
+  function changed(entered) {
     asked++;
     current?.stop();
     settings = entered;
     clear();
     busy(false);
-    button.disabled = settings === null;
-  };
+  }
+
+  return { changed, press };
 }
