@@ -5,6 +5,7 @@ messages share it; what the formulas are fed with (sizes, schedules, channels, r
 written beside them as data.
 """
 
+import inspect
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -46,6 +47,8 @@ CHANNELS = (ds.PAPER, *ds.WIFI.values())
 #: Where the calculator starts, with how many of which robots.
 START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
 START_MIDDLEWARE = "Fast DDS"
+#: How often the page simulates a fleet.
+RUNS = 10
 
 #: Like hosts beside a group of others, of which there may be none.
 BESIDE = symbolic_group(1)
@@ -490,6 +493,12 @@ def pastes(kinds: Iterable[str]) -> Value:
     }
 
 
+def simulation() -> Value:
+    """Return what the page simulates: so many runs with what `discostorm.simulate` assumes."""
+    defaults = inspect.signature(ds.simulate).parameters
+    return {"runs": RUNS} | {name: defaults[name].default for name in ("seed", "queue", "until")}
+
+
 def ready() -> Value:
     """Return what was simulated of ready-made robots, and which hosts are as those."""
 
@@ -537,6 +546,7 @@ def model() -> Value:
         "robots": ready_made(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
         "ready": ready(),
+        "simulation": simulation(),
         "topology": TOPOLOGY,
         "limit": 1.0,
         "times": [list(row) for row in words.TIMES],

@@ -30,7 +30,7 @@ TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
 #: A channel whose frames to all go at a rate of their own, with few frames in an A-MPDU.
 FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
 #: With full A-MPDUs, too: a radio has one entry in the calculator, and two ends here.
-AGGREGATED = [both_ends(ds.WIFI[f"802.11{name} MHz 2x2"])[0] for name in ("n 20", "ac 80", "ax 80")]
+AGGREGATED = [full for wifi in CHANNELS if (full := both_ends(wifi)[0]) != wifi]
 RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS)}
 
 #: Any fleet: what is exported depends on none.

@@ -21,6 +21,7 @@ import pytest
 import sympy as sp
 from click.testing import CliRunner
 from playwright.sync_api import Browser, Page, expect
+from test_browser import AXE, BARRIERS
 
 import discostorm as ds
 from discostorm import timeline
@@ -736,6 +737,146 @@ def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) ->
     )
     tab.get_by_label("Access point", exact=True).select_option("802.11a 20 MHz 1x1")
     expect(tab.locator("#calc-channel-error")).to_be_empty()
+
+
+# ---- simulated in the browser ----
+
+#: Few robots of each kind: entries that differ from `START`.
+SIMULATED: list[dict[str, str]] = [
+    {"hosts": "3"},
+    {"hosts": "4", "middleware": "Zenoh peer", "wifi": "802.11n 20 MHz 2x2", "matching": "1"},
+    {"hosts": "3", "middleware": "Cyclone DDS", "wifi": "802.11be 80 MHz 2x2", "beside": "none"},
+    {"middleware": "DDS", "robot": "own", "processes": "3", "endpoints": "7", "hosts": "14"},
+    {"middleware": "Fast DDS Discovery Server", "wifi": "802.11a 20 MHz 1x1", "hosts": "6"},
+    {
+        "middleware": "Cyclone DDS",
+        "robot": "own",
+        "processes": "2",
+        "endpoints": "10",
+        "hosts": "18",
+        "beside": "own",
+        "beside_hosts": "2",
+        "beside_processes": "3",
+        "beside_endpoints": "30",
+    },
+]
+
+
+def simulate(tab: Page) -> str:
+    """Press the button, wait for the answer and return it."""
+    tab.get_by_role("button", name="Simulate my fleet").click()
+    expect(tab.locator("#calc-simulated")).not_to_be_empty(timeout=60_000)
+    expect(tab.locator("#calc-progress")).to_be_hidden()
+    return tab.locator("#calc-simulated p").first.inner_text()
+
+
+@pytest.mark.parametrize("changed", SIMULATED, ids=lambda changed: ", ".join(changed.values()))
+def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str]) -> None:
+    entries = {**START, **changed}
+    put(tab, entries)
+    told = simulate(tab)
+    protocol, wifi = PROTOCOLS[entries["middleware"]], CHANNELS[entries["wifi"]]
+    recovery = protocol.basis != "arranged"
+    there = ds.simulate(
+        fleet_of(entries),
+        protocol,
+        full_ampdus(wifi) or wifi,
+        runs=write_calculator.RUNS,
+        recovery=recovery,
+    )
+    numbers = shown(tab)
+    ends = there.convergence_time if recovery else there.drain_time
+    assert [numbers[f"run {run} end"] for run in range(ends.size)] == list(ends)
+    assert [numbers[f"run {run} lost"] for run in range(ends.size)] == list(there.lost)
+    ended = np.isfinite(ends)
+    counted = there.lost[ended] if ended.any() else there.lost
+    assert numbers["simulated lost"] == np.median(counted)
+    if ended.any():
+        assert numbers["simulated first"] == ends.min()
+        assert numbers["simulated last"] == ends[ended].max()
+    if recovery:
+        begin = "Simulated: Complete after " if ended.any() else "Simulated: Not complete within 2"
+        assert told.startswith(begin)
+    else:
+        assert told.startswith("Simulated: Startup carried after ")
+        assert "Nothing recovers what is lost here: its processes announce themselves" in told
+    if ended.all():
+        assert "in ten of ten runs." in told
+    else:
+        assert "not complete within" in told.lower()
+    tab.get_by_text("Each run", exact=True).click()
+    expect(tab.locator("#calc-runs tbody tr")).to_have_count(write_calculator.RUNS)
+
+
+def test_every_access_point_and_middleware_can_be_simulated(tab: Page) -> None:
+    simulate(tab)  # loads the simulator
+    tables, radios = tab.evaluate(
+        "Live.load().then(({ tables, radios }) => [tables, radios].map(Object.keys))"
+    )
+    assert set(tables) == set(PROTOCOLS)
+    assert {(full_ampdus(wifi) or wifi).name for wifi in CHANNELS.values()} <= set(radios)
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"hosts": "90000"}, "This fleet is too large to simulate in a browser."),
+        ({"hosts": "1e9", "processes": "1e9"}, "This fleet is too large to simulate"),
+        ({"hosts": "1", "beside": "none"}, "One robot alone has no one to discover."),
+        ({"wifi": "own"}, "Choose an access point from the list."),
+        ({"robot": "own", "endpoints": "10.5"}, "Enter a whole number of endpoints"),
+    ],
+)
+def test_what_cannot_be_simulated_is_said(tab: Page, changed: dict[str, str], said: str) -> None:
+    put(tab, {**START, **changed})
+    assert said in simulate(tab)
+    expect(tab.locator("#calc-runs")).to_be_hidden()
+    put(tab, {**START, "hosts": "2"})  # what was said is of other entries
+    expect(tab.locator("#calc-simulated")).to_be_empty()
+    assert simulate(tab).startswith("Simulated: Complete after ")
+
+
+def test_a_simulation_can_be_stopped_by_keyboard_and_by_other_entries(tab: Page) -> None:
+    put(tab, {**START, "hosts": "40", "middleware": "Zenoh peer"})
+    button = tab.locator("#calc-simulate")
+    button.focus()
+    tab.keyboard.press("Enter")
+    expect(button).to_have_text("Stop")
+    expect(tab.locator("#calc-progress")).to_be_visible()
+    tab.wait_for_function("document.getElementById('calc-progress').value > 0")
+    tab.keyboard.press("Enter")
+    expect(button).to_have_text("Simulate my fleet")
+    expect(button).to_be_focused()
+    expect(tab.locator("#calc-simulated")).to_contain_text("Stopped ")
+    expect(tab.locator("#calc-progress")).to_be_hidden()
+    button.click()
+    tab.wait_for_function("document.getElementById('calc-progress').value > 0")
+    tab.get_by_label("Robots", exact=True).fill("3")
+    expect(button).to_have_text("Simulate my fleet")
+    expect(tab.locator("#calc-simulated")).to_be_empty()
+    tab.get_by_label("Robots", exact=True).fill("lots")
+    expect(button).to_be_disabled()
+    tab.get_by_label("Robots", exact=True).fill("2")
+    assert "ten runs" in simulate(tab)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_serious_keeps_anyone_out_of_the_simulated_answer(tab: Page, scheme: str) -> None:
+    put(tab, {**START, "hosts": "2"})
+    simulate(tab)
+    tab.get_by_text("Each run", exact=True).click()
+    tab.evaluate(AXE)
+    tab.set_viewport_size({"width": 390, "height": 844})
+    tab.evaluate("theme => { document.documentElement.dataset.theme = theme }", scheme)
+    tab.wait_for_timeout(300)  # colors fade over
+    assert tab.evaluate(BARRIERS, {}) == []
+    assert tab.evaluate("document.documentElement.scrollWidth") == 390
+    tab.evaluate("document.documentElement.dataset.theme = 'light'")
+
+
+def test_the_script_that_simulates_is_short() -> None:
+    script = ROOT / "book" / "_static" / "calculator" / "simulate.js"
+    assert len(script.read_text(encoding="utf-8").splitlines()) <= 300
 
 
 # ---- the numbers as a file ----

@@ -22,6 +22,8 @@ from discostorm.wifi import WIFI, Radio, Wifi
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 #: Where the page begins, and what the picture shows.
 HOSTS, TABLE, SEED = 12, "Fast DDS", 0
+#: What that is compared with, if the reader chooses nothing else.
+OTHER = "Zenoh peer"
 #: The most robots to choose [1].
 MOST = 15
 
@@ -54,6 +56,7 @@ def export() -> dict[str, Any]:
         "hosts": HOSTS,
         "most": MOST,
         "table": TABLE,
+        "other": OTHER,
         "processes": PROCESSES,
         "endpoints": ENDPOINTS,
         "queue": list(QUEUE),

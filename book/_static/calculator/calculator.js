@@ -4,6 +4,7 @@
 
 (() => {
   const MODEL = DISCOSTORM;
+  const FOLDER = document.currentScript.src.replace(/[^/]*$/, "");
   const F = MODEL.formulas;
   for (const protocol of Object.values(MODEL.protocols))
     protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
@@ -1076,11 +1077,47 @@
       : "";
   }
 
+  // ---- simulated: the scripts for it come when the reader first wants it ----
+
+  let [entered, simulation, loading] = [null, null, null];
+
+  function tellSimulation(settings) {
+    entered = settings;
+    byId("simulate").disabled = settings === null;
+    simulation?.changed(settings);
+  }
+
+  function script(name) {
+    return new Promise((done, failed) => {
+      const element = make("script", { src: `${FOLDER}${name}` });
+      element.onload = done;
+      element.onerror = () => failed(new Error(`${name} does not load. Reload the page.`));
+      document.head.append(element);
+    });
+  }
+
+  async function simulate() {
+    if (loading && !simulation) return;
+    try {
+      loading ??= Promise.all(["../live/live.js", "simulate.js"].map(script));
+      await loading;
+      if (!simulation) {
+        simulation = FleetSimulation(MODEL.simulation, { make, exact, duration, between, capitalized, two });
+        simulation.changed(entered);
+      }
+      simulation.press();
+    } catch (error) {
+      loading = null;
+      byId("simulated").textContent = error.message;
+    }
+  }
+
   /** Read the fields and show what follows; returns whether all were valid. */
   function update({ address = true } = {}) {
     showLists();
     for (const list of LISTS) showError(list, refused[list] ?? "");
     const settings = readForm();
+    tellSimulation(settings);
     byId("stale").hidden = settings !== null || drawn === null;
     if (settings !== null) {
       const answer = compute(settings);
@@ -1116,6 +1153,7 @@
       update();
     });
     byId("csv").addEventListener("click", download);
+    byId("simulate").addEventListener("click", simulate);
     byId("link").addEventListener("click", (event) => {
       event.preventDefault();
       copied(byId("link"), byId("link").href);

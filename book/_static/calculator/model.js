@@ -1309,6 +1309,7 @@ const DISCOSTORM = (() => {
         },
       },
     },
+    "simulation": {"runs": 10, "seed": 0, "queue": [500, 0.5], "until": 120},
     "topology": "one access point, infrastructure",
     "limit": 1,
     "times": [[0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1, "s"], [100, 60, "minutes"], [6000, 3600, "hours"], [172800, 86400, "days"], [60480000, 31557600, "years"]],

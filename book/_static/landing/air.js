@@ -8,53 +8,31 @@
   const still = document.getElementById("fig-air");
   const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-  const TICK = 1e-7; // of the simulator's clock [s]
   const [STEPS, LOOKS] = [60, 50]; // of the simulator between two looks at the queue; looks in a share
-  const PAUSE = 0.03; // the longest silence that is shown whole [s]
   const VIEW = 2; // how long a frame takes across the view [s]
   const [SHORTEST, LONGEST, SLOWEST] = [6, 40, 60]; // of a show [s]; times slower than real
   const REST = 4; // until it begins anew [s]
 
-  const canvas = byId("canvas");
-  const { resize, draw } = Lanes(canvas, DATA.queue[0]);
+  // The lanes of one middleware, and of another to compare it with, on the same clock.
+  const sets = ["", "-2"].map((end) => {
+    const [box, name, canvas, told] = ["set", "name", "canvas", "told"].map((part) => byId(`${part}${end}`));
+    return { box, name, canvas, told, ...Lanes(canvas, DATA.queue[0]) };
+  });
+  const [{ canvas }] = sets;
   const form = byId("form").elements;
   const whole = new Intl.NumberFormat("en-US");
 
-  let run = null; // what is shown
+  let runs = []; // what is shown, of each set
+  let clock = null; // theirs
   let asked = 0; // so that a late answer to an earlier question is dropped
   let seed = 0;
   let [time, playing, seen, last, told] = [0, !reduced, true, null, -1];
 
-  // ---- a run: what the simulator sends share by share, with long silences cut ----
+  // ---- runs ----
 
-  // Return a run to show. Shares hold six numbers a transmission: start, end [ticks], station, row of the
-  // table, frames, outcome; and looks at the run meanwhile, each after so many of these.
-  function shown(shares, hosts, result, refused) {
-    const many = shares.reduce((total, { rows }) => total + rows.length / 6, 0);
-    const [start, end] = [new Float64Array(many), new Float64Array(many)];
-    const [station, outcome] = [new Uint8Array(many), new Uint8Array(many)];
-    const looks = { at: [], time: [], waiting: [], lost: [], done: [] };
-    let [cut, last, place] = [0, 0, 0]; // silence left out, end of what was sent last [s]; transmissions
-    for (const { rows, states } of shares) {
-      let row = 0;
-      for (const state of states) {
-        for (; row < 6 * state.rows; row += 6, place++) {
-          const [begin, over] = [rows[row] * TICK, rows[row + 1] * TICK];
-          cut += Math.max(0, begin - last - PAUSE);
-          last = Math.max(last, over);
-          [start[place], end[place], station[place], outcome[place]] = [begin - cut, over - cut, rows[row + 2], rows[row + 5]];
-        }
-        looks.at.push(last - cut);
-        for (const name of ["time", "waiting", "lost", "done"]) looks[name].push(state[name]);
-      }
-    }
-    const length = last - cut; // [s] of the air
-    const seconds = Math.min(LONGEST, Math.max(SHORTEST, length * 10), length * SLOWEST); // of the show
-    return { hosts, start, end, station, outcome, looks, length, seconds, rate: length / seconds, result, refused };
-  }
-
-  const setting = (hosts, recovery) => ({
-    table: form.middleware.value,
+  const labels = new Map(DATA.tables.map(({ name, label }) => [name, label]));
+  const setting = (table, hosts, recovery) => ({
+    table,
     radio: DATA.radios[Number(form.aggregation.checked)],
     recovery,
     fleet: { groups: [{ hosts, processes: DATA.processes, endpoints: DATA.endpoints }] },
@@ -62,29 +40,35 @@
     seed,
   });
 
+  // Return what the simulator makes of a table, null if it was stopped.
+  async function simulated(table, hosts, progress) {
+    const { tables } = await Live.load();
+    const { refused } = tables[table].recovering;
+    const shares = [];
+    const each = (share) => {
+      shares.push(share);
+      progress(share.done);
+    };
+    const options = { each, steps: STEPS, looks: LOOKS, until: "complete", log: true };
+    const result = await Live.run(setting(table, hosts, !refused), options).found;
+    return result && { ...Show.collected(shares), table, hosts, result, refused };
+  }
+
   async function simulate() {
     const mine = ++asked;
     const hosts = Number(form.hosts.value);
     byId("many").textContent = hosts;
+    const wanted = form.compare.checked ? [form.middleware.value, form.other.value] : [form.middleware.value];
     const bar = byId("progress");
     const late = setTimeout(() => (bar.hidden = false), 300);
     try {
-      const { tables } = await Live.load();
-      if (mine !== asked) return;
-      const { refused } = tables[form.middleware.value].recovering;
-      const shares = [];
-      const each = (share) => {
-        shares.push(share);
-        bar.value = share.done;
-      };
-      const options = { each, steps: STEPS, looks: LOOKS, until: "complete", log: true };
-      const result = await Live.run(setting(hosts, !refused), options).found;
-      if (mine !== asked) return;
-      run = shown(shares, hosts, result, refused);
-      again();
-      paint();
-      byId("sum").textContent = summary();
-      if (last === null) requestAnimationFrame(frame);
+      const found = [];
+      for (const table of wanted) {
+        const run = await simulated(table, hosts, (done) => (bar.value = (found.length + done) / wanted.length));
+        if (mine !== asked) return;
+        found.push(run);
+      }
+      show(found);
     } catch (error) {
       if (mine === asked) byId("sum").textContent = `${error.message}`;
     } finally {
@@ -93,41 +77,85 @@
     }
   }
 
+  function show(found) {
+    runs = found;
+    clock = Show.together(runs);
+    clock.seconds = Math.min(LONGEST, Math.max(SHORTEST, clock.length * 10), clock.length * SLOWEST); // of the show
+    clock.rate = clock.length / clock.seconds;
+    const several = runs.length > 1;
+    byId("sets").classList.toggle("air-compared", several);
+    sets.forEach(({ box, name, told, resize }, i) => {
+      box.hidden = told.hidden = !runs[i];
+      if (!runs[i]) return;
+      runs[i].ended = ending(runs[i]);
+      name.hidden = !several;
+      name.textContent = labels.get(runs[i].table);
+      name.style.setProperty("--color", `var(${colorOf(runs[i])})`);
+      resize();
+    });
+    again();
+    paint();
+    byId("sum").replaceChildren(...summaries());
+    if (last === null) requestAnimationFrame(frame);
+  }
+
   // ---- words ----
 
   const seconds = (value) => `${value < 20 ? value.toFixed(1) : Math.round(value)} s`;
   const deliveries = (number) => `${whole.format(number)} ${number === 1 ? "delivery" : "deliveries"}`;
 
-  function summary() {
-    const { converged, drained } = run.result;
-    const number = run.looks.lost.at(-1);
-    const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}.` : "Nothing was lost.");
-    const slower = run.length / run.seconds < 0.67 ? `${Math.round(run.seconds / run.length)} times slower than real` : "at about real speed";
-    const shown = reduced ? "The whole startup is shown, without its silences." : `Shown ${slower}, with silences cut.`;
-    if (run.refused) {
-      const end = Number.isFinite(drained) ? `has carried the startup after ${seconds(drained)}` : "has not carried the startup yet";
-      const why = run.refused.replace(/^[^:]*: /, "");
-      return `The channel ${end}. ${lost(`, and nothing recovers them here: ${why}`)} ${shown}`;
-    }
-    if (!Number.isFinite(converged)) return `After ${seconds(run.looks.time.at(-1))} some robots still don't know each other. ${lost("")} ${shown}`;
-    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")} ${shown}`;
+  function ending({ refused, looks, result: { drained, converged } }) {
+    if (refused) return Number.isFinite(drained) ? `startup carried after ${seconds(drained)}` : "startup not carried";
+    if (Number.isFinite(converged)) return `discovery complete after ${seconds(converged)}`;
+    return `discovery not complete after ${seconds(looks.time.at(-1))}`;
   }
 
-  function tell(place) {
-    const { time: real, lost, done } = run.looks;
+  function summary({ refused, looks, result: { converged, drained } }) {
+    const number = looks.lost.at(-1);
+    const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}.` : "Nothing was lost.");
+    if (refused) {
+      const end = Number.isFinite(drained) ? `has carried the startup after ${seconds(drained)}` : "has not carried the startup yet";
+      const why = refused.replace(/^[^:]*: /, "");
+      return `The channel ${end}. ${lost(`, and nothing recovers them here: ${why}`)}`;
+    }
+    if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")}`;
+    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")}`;
+  }
+
+  // Return a paragraph a run, and how they are shown.
+  function summaries() {
+    const slower = clock.rate < 0.67 ? `${Math.round(1 / clock.rate)} times slower than real` : "at about real speed";
+    const cut = reduced ? "The whole startup is shown, without its silences." : `Shown ${slower}, with silences cut.`;
+    const paragraph = (...parts) => {
+      const element = document.createElement("p");
+      element.append(...parts);
+      return element;
+    };
+    if (runs.length === 1) return [paragraph(`${summary(runs[0])} ${cut}`)];
+    const name = (text) => Object.assign(document.createElement("b"), { textContent: text });
+    const each = runs.map((run) => paragraph(name(`${labels.get(run.table)}.`), ` ${summary(run)}`));
+    return [...each, paragraph(`${cut} Traffic after the end of a startup is not shown.`)];
+  }
+
+  function tell(run, to) {
+    const { at, lost, done } = run.looks;
+    let place = at.length - 1;
+    while (place > 0 && at[place] > to) place--;
     const known = run.refused ? "" : `, ${Math.floor(100 * done[place])}% of the pairs of processes know each other`;
-    byId("told").textContent = `${real[place].toFixed(2)} s after the start: ${deliveries(lost[place])} lost${known}.`;
+    const which = runs.length > 1 ? `${labels.get(run.table)}, ` : "";
+    const when = runs.length > 1 && to >= run.length ? run.ended : `${clock.real(to).toFixed(2)} s after the start`;
+    return `${which}${when}: ${deliveries(lost[place])} lost${known}.`;
   }
 
   // ---- drawing ----
 
   const theme = {};
+  const colorOf = ({ table }) => DATA.tables.find(({ name }) => name === table).color;
   function readTheme() {
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(name).trim();
-    const chosen = DATA.tables.find(({ name }) => name === form.middleware.value);
+    runs.forEach((run) => (run.color = color(colorOf(run))));
     Object.assign(theme, {
-      color: color(chosen.color),
       bad: color("--ds-state-bad"),
       text: color("--ds-neutral-charcoal"),
       muted: color("--ds-page-muted"),
@@ -137,29 +165,26 @@
   }
 
   function paint() {
-    if (!run) return;
+    if (!clock) return;
     readTheme();
     picture();
   }
 
   function picture() {
-    const to = reduced ? run.length : Math.min(run.length, time * run.rate);
-    const from = reduced ? 0 : to - VIEW * run.rate;
-    draw(run, from, to, theme);
+    const to = reduced ? clock.length : Math.min(clock.length, time * clock.rate);
+    const from = reduced ? 0 : to - VIEW * clock.rate;
+    runs.forEach((run, i) => sets[i].draw(run, from, to, theme));
     // Ten times a second is enough to read.
     if (Math.floor(time * 10) === told && !reduced) return;
     told = Math.floor(time * 10);
-    const { at } = run.looks;
-    let place = at.length - 1;
-    while (place > 0 && at[place] > to) place--;
-    tell(place);
+    runs.forEach((run, i) => (sets[i].told.textContent = tell(run, to)));
   }
 
   function frame(now) {
     last ??= now;
     time += Math.min(0.1, (now - last) / 1000);
     last = now;
-    if (time > run.seconds + REST) again();
+    if (time > clock.seconds + REST) again();
     picture();
     if (playing && seen) requestAnimationFrame(frame);
     else last = null;
@@ -174,17 +199,53 @@
   function play(on) {
     playing = on;
     byId("pause").textContent = on ? "Pause" : "Play";
-    if (on && run && last === null) requestAnimationFrame(frame);
+    if (on && clock && last === null) requestAnimationFrame(frame);
   }
 
+  // What was chosen is in the address, and comes from there.
+  function remember() {
+    const on = ({ checked }, value) => (checked ? value : null);
+    Address.write({
+      robots: form.hosts.value,
+      middleware: form.middleware.value,
+      compare: on(form.compare, form.other.value),
+      aggregation: on(form.aggregation, 1),
+      seed: seed || null,
+    });
+  }
+
+  function restore() {
+    const number = (name, least, most, otherwise) => {
+      const value = Number(Address.get(name) ?? NaN);
+      return Number.isInteger(value) && value >= least && value <= most ? value : otherwise;
+    };
+    const table = (name, otherwise) => (labels.has(Address.get(name)) ? Address.get(name) : otherwise);
+    form.hosts.value = number("robots", Number(form.hosts.min), DATA.most, DATA.hosts);
+    form.middleware.value = table("middleware", DATA.table);
+    form.other.value = table("compare", DATA.other);
+    form.compare.checked = labels.has(Address.get("compare"));
+    form.aggregation.checked = Address.get("aggregation") === "1";
+    seed = number("seed", 0, Number.MAX_SAFE_INTEGER - 1, 0);
+    choose();
+  }
+
+  function choose() {
+    byId("other").hidden = !form.compare.checked;
+    if (wanted) simulate();
+  }
+
+  let wanted = false; // once the lanes have been in sight
   still?.classList.add("air-still");
-  form.middleware.append(...DATA.tables.map(({ name, label }) => new Option(label, name, name === DATA.table, name === DATA.table)));
-  [form.hosts.max, form.hosts.value] = [DATA.most, DATA.hosts];
+  for (const list of [form.middleware, form.other]) list.append(...DATA.tables.map(({ name, label }) => new Option(label, name)));
+  form.hosts.max = DATA.most;
   document.getElementById("air").hidden = false;
   for (const name of ["pause", "again"]) byId(name).hidden = reduced;
-  resize();
-  readTheme();
-  byId("form").addEventListener("input", simulate);
+  sets[0].resize();
+  Address.follow(restore);
+  byId("form").addEventListener("input", () => {
+    remember();
+    choose();
+  });
   byId("form").addEventListener("submit", (event) => event.preventDefault());
   byId("pause").addEventListener("click", () => play(!playing));
   byId("again").addEventListener("click", () => {
@@ -193,18 +254,21 @@
   });
   byId("seed").addEventListener("click", () => {
     seed++;
-    simulate();
+    remember();
+    choose();
   });
-  let wanted = false;
   new IntersectionObserver(([{ isIntersecting }]) => {
     seen = isIntersecting;
-    if (seen && !wanted) simulate(); // loads the simulator
-    wanted ||= seen;
-    if (seen && playing && run && last === null) requestAnimationFrame(frame);
-  }).observe(canvas);
-  new ResizeObserver(() => {
-    resize();
+    if (seen && !wanted) {
+      wanted = true;
+      simulate(); // loads the simulator
+    }
+    if (seen && playing && clock && last === null) requestAnimationFrame(frame);
+  }).observe(byId("sets"));
+  const sized = new ResizeObserver(() => {
+    for (const { resize } of sets) resize();
     paint();
-  }).observe(canvas);
+  });
+  for (const { canvas } of sets) sized.observe(canvas);
   new MutationObserver(paint).observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
 })();

@@ -56,6 +56,9 @@
   const same = (one, other) => one.length === other.length && one.every((key) => other.includes(key));
   const distance = (one, other) => keys.filter((key) => one.includes(key) !== other.includes(key)).length;
 
+  // Return the known combination that is nearest to one.
+  const nearest = (wanted, all = known) => [...all].sort((a, b) => distance(a, wanted) - distance(b, wanted))[0];
+
   function show(on, changed = "") {
     for (const [key, input] of inputs) input.checked = on.includes(key);
     const fits = DATA.protocols.map(({ name }) => DATA.rungs.find((rung) => rung.protocol === name && same(rung.switches, on)));
@@ -80,9 +83,7 @@
   list.addEventListener("change", ({ target }) => {
     const wanted = [...inputs].filter(([, input]) => input.checked).map(([key]) => key);
     // The nearest combination that was computed or simulated.
-    const [found] = known
-      .filter((on) => on.includes(target.value) === target.checked)
-      .sort((a, b) => distance(a, wanted) - distance(b, wanted));
+    const found = nearest(wanted, known.filter((on) => on.includes(target.value) === target.checked));
     const listed = (all) => all.map((key) => `“${names.get(key)}”`).join(" and ");
     const more = found.filter((key) => !wanted.includes(key));
     const less = wanted.filter((key) => !found.includes(key));
@@ -91,6 +92,7 @@
       less.length ? ` ${listed(less)} ${less.length > 1 ? "were" : "was"} switched off: there is no number for them together.` : "",
     ].join("");
     show(found, changed);
+    Address.write({ ladder: found.join() || null });
   });
 
   // ---- the table below: a simulated number tells of its runs ----
@@ -146,5 +148,5 @@
 
   box.append(line, told, list, note);
   box.hidden = false;
-  show([]);
+  Address.follow(() => show(nearest((Address.get("ladder") ?? "").split(",").filter((key) => keys.includes(key)))));
 })();

@@ -81,6 +81,21 @@ function Lanes(canvas, queue) {
     ctx.globalAlpha = 1;
   }
 
+  // What comes after the end of a run is not simulated.
+  function after({ length, ended }, to, x, theme) {
+    if (to <= length) return;
+    const begin = Math.max(left, Math.round(x(length)));
+    ctx.fillStyle = theme.text;
+    ctx.fillRect(begin, 0, 1, height);
+    ctx.font = `13px ${theme.font}`;
+    const wide = ctx.measureText(ended).width + 12;
+    const at = Math.max(left, Math.min(begin + 1, width - wide));
+    ctx.fillStyle = theme.lane;
+    ctx.fillRect(at, 0, wide, 22);
+    [ctx.textAlign, ctx.textBaseline, ctx.fillStyle] = ["left", "middle", theme.text];
+    ctx.fillText(ended, at + 6, 11);
+  }
+
   return {
     resize,
     draw(run, from, to, theme) {
@@ -95,12 +110,13 @@ function Lanes(canvas, queue) {
       const inView = [search(end, from), search(start, to)];
       const y = (station) => (station === hosts ? bottom - Math.round(lane) : Math.round(station * lane));
       const high = Math.round(lane) - GAP;
-      ctx.fillStyle = theme.color;
+      ctx.fillStyle = run.color;
       marks(run, inView, (station, outcome) => outcome === SUCCESS && station < hosts, y, high, x, Infinity);
       ctx.fillStyle = theme.text;
       marks(run, inView, (station, outcome) => outcome === SUCCESS && station === hosts, y, high, x, Infinity);
       ctx.fillStyle = theme.bad;
       marks(run, inView, (station, outcome) => outcome !== SUCCESS, y, high, x, to - FRESH * (to - from));
+      after(run, to, x, theme);
       const wanted = [hosts, width, height, theme.text].join();
       if (wanted === named) return;
       named = wanted;

@@ -1,0 +1,66 @@
+// What is shown of runs: what they sent, on one clock, without long silences.
+"use strict";
+
+const Show = (() => {
+  const TICK = 1e-7; // of the simulator's clock [s]
+  const PAUSE = 0.03; // the longest silence that is shown whole [s]
+
+  // Return what a run sent, by its own clock [s]. Shares hold six numbers a transmission: start, end [ticks],
+  // station, row of the table, frames, outcome; and looks at the run meanwhile, each after so many of these.
+  function collected(shares) {
+    const many = shares.reduce((total, { rows }) => total + rows.length / 6, 0);
+    const [start, end] = [new Float64Array(many), new Float64Array(many)];
+    const [station, outcome] = [new Uint8Array(many), new Uint8Array(many)];
+    const looks = { rows: [], at: [], time: [], waiting: [], lost: [], done: [] };
+    let place = 0;
+    for (const { rows, states } of shares) {
+      for (const state of states) {
+        looks.rows.push(place + state.rows);
+        for (const name of ["time", "waiting", "lost", "done"]) looks[name].push(state[name]);
+      }
+      for (let row = 0; row < rows.length; row += 6, place++) {
+        [start[place], end[place]] = [rows[row] * TICK, rows[row + 1] * TICK];
+        [station[place], outcome[place]] = [rows[row + 2], rows[row + 5]];
+      }
+    }
+    return { start, end, station, outcome, looks, length: 0 };
+  }
+
+  // Put runs on one clock, from which silences of all of them are cut. Return how long that is [s], and
+  // how late it is at a time of this clock.
+  function together(runs) {
+    const places = runs.map(() => 0); // of what each sends next
+    const cuts = { at: [0], before: [0] }; // from when on how much silence is left out [s]
+    let [cut, last] = [0, 0];
+    const look = ({ looks, length }, place) => {
+      while (looks.rows[looks.at.length] <= place) looks.at.push(length);
+    };
+    for (const run of runs) look(run, 0);
+    const next = () => {
+      let [found, first] = [-1, Infinity];
+      for (let i = 0; i < runs.length; i++) {
+        if (runs[i].start[places[i]] < first) [found, first] = [i, runs[i].start[places[i]]];
+      }
+      return found;
+    };
+    for (let i = next(); i >= 0; i = next()) {
+      const run = runs[i];
+      const place = places[i]++;
+      const silence = run.start[place] - last - PAUSE;
+      last = Math.max(last, run.end[place]);
+      if (silence > 0) {
+        cut += silence;
+        cuts.at.push(run.start[place] - cut);
+        cuts.before.push(cut);
+      }
+      run.start[place] -= cut;
+      run.end[place] -= cut;
+      run.length = Math.max(run.length, run.end[place]);
+      look(run, place + 1);
+    }
+    const real = (time) => time + cuts.before[cuts.at.findLastIndex((at) => at <= time)];
+    return { length: Math.max(...runs.map(({ length }) => length)), real };
+  }
+
+  return { collected, together };
+})();
