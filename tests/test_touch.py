@@ -4,20 +4,23 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
+import numpy as np
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
-from test_browser import AXE, BARRIERS, DESKTOP, PHONE
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, ViewportSize, expect
+from test_browser import AXE, BARRIERS, DESKTOP, PHONE, show
 
 import discostorm as ds
-from discostorm import figures
+from discostorm import figures, timeline
 from discostorm.book import pages
 from discostorm.book.facts import paragraphs, read, unfounded
+from discostorm.book.figures import meaning
+from discostorm.protocols import periods
 
 ROOT = Path(__file__).parents[1]
 STATIC = ROOT / "book" / "_static"
-FIG3 = "04_processes"
+FIG3, QUEUE = "04_processes", "07_what_100_percent_means"
 
 
 def data(name: str, path: Path) -> Any:
@@ -30,8 +33,16 @@ def data(name: str, path: Path) -> Any:
     return json.loads(found[0]) if found else None
 
 
+def announced(period: float) -> ds.Protocol:
+    """Return Fast DDS's timers with another period of announcements."""
+    return meaning.announced_every(periods.by_product()["Fast DDS"], period)
+
+
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 GUESSES = {path.stem: asked for path in NOTEBOOKS if (asked := data("guess", path))}
+#: In which each is looked at.
+THEMES: list[tuple[Literal["light", "dark"], ViewportSize]]
+THEMES = [("light", PHONE), ("dark", DESKTOP)]
 each_guess = pytest.mark.parametrize("name", GUESSES)
 
 
@@ -92,8 +103,37 @@ def test_the_line_has_the_utilization_of_the_package() -> None:
                 assert summed == pytest.approx(float(stated), rel=1e-9)
 
 
+def test_the_queue_has_the_airtime_of_the_package() -> None:
+    queue = data("queue", ROOT / "notebooks" / f"{QUEUE}.ipynb")
+    time = np.array([0.0, 0.1, 0.49, 0.5, 3.5, 9.6])
+    for endpoints in (0, 10, 40):
+        for period, steady in queue["periods"]:
+            table = announced(period)
+            sent = np.zeros_like(time)
+            for one in queue["rounds"]:
+                schedule = ds.Schedule(tuple(one["starts"]), period if one["repeats"] else np.inf)
+                none, each = one["airtime"]
+                sent += (none + each * endpoints) * np.asarray(schedule.sent(time))
+            assert sent == pytest.approx(timeline.demand(table, time, 30, 2, endpoints), rel=1e-9)
+            stays = ds.utilization(table, 30, 2, endpoints, window=np.inf)
+            assert steady == pytest.approx(float(stays), rel=1e-9)
+
+
+def test_the_queue_that_is_drawn_clears_when_it_is_said_to() -> None:
+    swarm = {"processes": 2, "endpoints": 10}
+    for hosts in (7, 30):
+        drawn = meaning.queue_data(announced(3), hosts, swarm)
+        clear = timeline.first_idle(announced(3), hosts, **swarm)
+        before = drawn["time_s"].between(0.6, clear - 0.1)
+        assert (drawn["waiting_s"][before] > 0).all()
+        after = drawn["time_s"].between(clear, clear + 0.1)
+        assert drawn["waiting_s"][after].min() == pytest.approx(0, abs=0.05)
+
+
 def test_scripts_are_short_and_know_no_numbers_of_the_model() -> None:
-    for file, most in (("guess.js", 150), ("chapters/line.js", 300)):
+    chapters = [f"chapters/{path.name}" for path in (STATIC / "chapters").glob("*.js")]
+    assert "chapters/line.js" in chapters
+    for file, most in [("guess.js", 150), *((name, 300) for name in chapters)]:
         text = (STATIC / file).read_text(encoding="utf-8")
         assert len(text.splitlines()) <= most
         assert "import " not in text
@@ -124,11 +164,12 @@ def said(endpoints: int, processes: int) -> list[str]:
 
     def takes(name: str, n: int) -> str:
         share = ds.utilization(ds.PROTOCOLS[name], figures.FIG3_HOSTS, n, endpoints / n)
-        return f"{float(share):.1%} with {name}"
+        return f"{float(share):.1%}"
 
+    now, one = ({name: takes(name, n) for name in ("DDS", "Zenoh")} for n in (processes, 1))
     return [
-        f"{n_said}{takes('DDS', n)} and {takes('Zenoh', n)}"
-        for n, n_said in ((processes, "need "), (1, "In 1 process they need "))
+        f"need {now['DDS']} of a second with DDS and {now['Zenoh']} with Zenoh.",
+        f"In 1 process they need {one['DDS']} with DDS and {one['Zenoh']} with Zenoh.",
     ]
 
 
@@ -206,6 +247,27 @@ def test_the_line_is_dragged_to_where_the_pointer_is(
 
 
 @pytest.mark.book
+def test_the_queue_clears_when_the_package_says(context: BrowserContext, book: Path) -> None:
+    tab = opened(context, book, QUEUE)
+    told = tab.locator(".line-told")
+    endpoints = tab.get_by_label("Burst: endpoints of a process")
+    period = tab.get_by_label("Period of announcements")
+    for many, seconds in ((10, 3), (0, 3), (40, 3), (10, 10), (40, 2), (5, 4)):
+        endpoints.fill(str(many))
+        period.fill(str(seconds))
+        clear = timeline.first_idle(announced(seconds), 30, 2, many)
+        expect(told).to_contain_text(f"clears after {clear:.1f} s.")
+        expect(told).to_contain_text(f"{many} endpoints on each, announcing every {seconds} s")
+        assert tab.locator(".line-end").is_visible() == (clear <= 120)
+    period.focus()
+    for _ in range(3):
+        tab.keyboard.press("ArrowLeft")
+    assert period.get_attribute("aria-valuetext") == "1 s"
+    expect(told).to_contain_text("never clears, because periodic traffic alone needs 1.46 s")
+    expect(tab.locator(".line-end")).to_be_hidden()
+
+
+@pytest.mark.book
 @each_guess
 def test_in_short_stays_folded_until_the_guess(
     context: BrowserContext, book: Path, name: str
@@ -270,7 +332,7 @@ def test_on_paper_and_without_scripts_all_is_open(
 
 
 @pytest.mark.book
-@pytest.mark.parametrize("name", [FIG3, next(iter(GUESSES))])
+@pytest.mark.parametrize("name", [FIG3, next(iter(GUESSES)), QUEUE])
 def test_nothing_serious_keeps_anyone_out(context: BrowserContext, book: Path, name: str) -> None:
     errors: list[str] = []
     tab = context.new_page()
@@ -278,11 +340,13 @@ def test_nothing_serious_keeps_anyone_out(context: BrowserContext, book: Path, n
     tab.emulate_media(reduced_motion="reduce")
     tab.goto((book / "notebooks" / f"{name}.html").as_uri())
     tab.evaluate(AXE)
-    for scheme, size in (("light", PHONE), ("dark", DESKTOP)):
-        tab.emulate_media(color_scheme="light" if scheme == "light" else "dark")
-        tab.set_viewport_size(size)
-        tab.wait_for_function(f"document.documentElement.dataset.theme === '{scheme}'")
-        tab.wait_for_timeout(300)  # colors fade over
-        assert tab.evaluate(BARRIERS, {}) == []
+    # The whole page, with the question asked, is looked at in test_browser.py.
+    barriers = BARRIERS.replace("document,", "document.querySelector('.guess, .line-controls'),")
+    assert barriers != BARRIERS
+    for scheme, size in THEMES:
+        show(tab, scheme, size)
+        assert tab.evaluate(barriers, {}) == []
         assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
+        if tab.get_by_role("button", name="Guess").count():
+            tab.get_by_role("button", name="Guess").click()
     assert errors == []

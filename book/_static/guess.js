@@ -40,10 +40,10 @@
   const shown = (value) => `${number(value)}${sign}`;
 
   const question = make("p", { id: "guess-question" }, make("strong", {}, "Guess first. "), DATA.question);
-  const output = make("output", { for: "guess-value" });
+  const output = make("strong", { class: "guess-shown" });
   const input = make("input", { type: "range", id: "guess-value", min: DATA.least, max: DATA.most, step: DATA.step, value: DATA.least, autocomplete: "off", "aria-describedby": "guess-question" });
   const range = make("div", { class: "guess-range" }, input);
-  const ends = make("div", { class: "guess-ends", "aria-hidden": "true" }, ...[DATA.least, DATA.most].map((end) => make("span", {}, `${end}${sign}`)));
+  const ends = make("div", { class: "guess-ends", "aria-hidden": "true" }, ...[DATA.least, DATA.most].map((end) => make("span", {}, DATA.unit === "%" ? `${end}%` : String(end))));
   const guessed = make("button", { type: "submit" }, "Guess");
   const skip = make("button", { type: "button" }, "Skip");
   const told = make("p", { role: "status" });
