@@ -257,7 +257,7 @@ def test_the_queue_clears_when_the_package_says(context: BrowserContext, book: P
         period.fill(str(seconds))
         clear = timeline.first_idle(announced(seconds), 30, 2, many)
         expect(told).to_contain_text(f"clears after {clear:.1f} s.")
-        expect(told).to_contain_text(f"{many} endpoints on each, announcing every {seconds} s")
+        expect(told).to_contain_text(f"{many} endpoints each, announcing every {seconds} s")
         assert tab.locator(".line-end").is_visible() == (clear <= 120)
     period.focus()
     for _ in range(3):

@@ -88,7 +88,7 @@ def guess(
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
     places = len(f"{step:g}".partition(".")[2])
     data = {
-        "question": question,
+        "question": question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
         "answer": round(float(answer), places),
         "least": least,
         "most": most,

@@ -65,7 +65,7 @@
 
   function said(clear, corners) {
     const { endpoints, period } = state;
-    const robots = `${DATA.hosts} robots, ${DATA.processes} processes of ${endpoints} endpoints on each, announcing every ${period} s:`;
+    const robots = `${DATA.hosts} robots with ${DATA.processes} processes of ${endpoints} endpoints each, announcing every ${period} s:`;
     const stays = steady.get(period);
     if (clear === Infinity) return `${robots} the queue never clears, because periodic traffic alone needs ${stays.toFixed(2)} s of every second.`;
     const highest = Math.max(...corners.map(([, waiting]) => waiting));
