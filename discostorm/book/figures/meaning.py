@@ -1,6 +1,7 @@
 """Figures of Part II, what the paper's result means."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,9 @@ _PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
 _TIME = np.geomspace(0.05, 200, 700)  # s after startup
 _HOSTS = np.linspace(2, 55, 531)
 _WHOLE = np.arange(2, 56, 3)
+_QUEUE_TIME = np.arange(0, 120.01, 0.05)  # s after startup
+#: Airtime up to which the queue is drawn [s].
+QUEUE_MOST = 80
 _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
@@ -82,6 +86,48 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
             axis.set_xlabel("time after startup [s]")
         named = panels[0, 0].get_legend_handles_labels()
         figure.legend(*named, loc="outside lower center", ncols=3)
+    return figure
+
+
+def announced_every(protocol: Protocol, period: float) -> Protocol:
+    """Return a table whose repeated messages have another period [s]; starts stay the same."""
+    messages = (
+        replace(m, schedule=replace(m.schedule, period=period))
+        if np.isfinite(m.schedule.period)
+        else m
+        for m in protocol.messages
+    )
+    return replace(protocol, messages=tuple(messages))
+
+
+def queue_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.DataFrame:
+    """Return the airtime that waits, by the time after startup [s]."""
+    ahead = np.asarray(timeline.demand(protocol, _QUEUE_TIME, hosts, **swarm)) - _QUEUE_TIME
+    # An idle channel saves nothing for later.
+    lowest = np.minimum(0, np.minimum.accumulate(ahead))
+    return pd.DataFrame({"time_s": _QUEUE_TIME, "waiting_s": ahead - lowest})
+
+
+def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
+    """Draw the queue of a startup over time, when it clears, and the lease."""
+    data = queue_data(protocol, hosts, swarm)
+    idle = timeline.first_idle(protocol, hosts, **swarm)
+    color = color_of(protocol)
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.4))
+        axis = figure.subplots()
+        axis.plot(data["time_s"], data["waiting_s"], color=color)
+        axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
+        axis.annotate(f"clear after {idle:.0f} s", (idle, 0), (4, 8), textcoords="offset points")
+        axis.axvline(protocol.lease, color="gray", linewidth=0.8, linestyle=":")
+        axis.annotate(
+            f"lease of {protocol.lease:g} s", (protocol.lease, QUEUE_MOST), (4, -12),
+            textcoords="offset points",
+        )  # fmt: skip
+        axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, QUEUE_MOST))
+        axis.set_title(f"The queue of {hosts} robots outlasts the lease", loc="left")
+        axis.set_xlabel("time after startup [s]")
+        axis.set_ylabel("airtime waiting [s]")
     return figure
 
 
