@@ -128,7 +128,7 @@ def utilization(
 
     >>> robots = ds.HostGroup(3, 2, 10, data=(ds.flows.flow("scan", "all others"),))
     >>> round(ds.utilization(ds.DDS, ds.Fleet((robots,)), phase="data"), 4)
-    0.0236
+    0.0274
     """
     fleet = as_fleet(hosts, processes, endpoints)
     if phase == DATA:

@@ -188,5 +188,5 @@ def wrapped(line: str, width: int = 79) -> str:
     What follows in an item of a list is indented.
     """
     indent = "    " if re.match(r"- | |\d+\. ", line) else ""
-    lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent)
+    lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent, break_on_hyphens=False)
     return lines.replace("\N{NO-BREAK SPACE}", " ")

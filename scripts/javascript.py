@@ -59,20 +59,19 @@ def leaf(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def written(value: Value, indent: str = "") -> str:
+def written(value: Value) -> str:
     """Return nested data as JavaScript, one entry a line where it is long."""
-    inner = indent + "  "
     if isinstance(value, dict):
-        entries = [f"{leaf(key)}: {written(part, inner)}" for key, part in value.items()]
+        entries = [f"{leaf(key)}: {written(part)}" for key, part in value.items()]
         braces = "{}"
     elif isinstance(value, list):
-        entries, braces = [written(part, inner) for part in value], "[]"
+        entries, braces = [written(part) for part in value], "[]"
     else:
         return leaf(value)
     line = ", ".join(entries)
-    if len(line) + len(indent) < 300 and "\n" not in line:
+    if len(line) < 300 and "\n" not in line:
         return f"{braces[0]}{line}{braces[1]}"
-    return "\n".join([braces[0], *(f"{inner}{entry}," for entry in entries), indent + braces[1]])
+    return "\n".join([braces[0], *(f"{entry}," for entry in entries), braces[1]])
 
 
 def said_once(value: Value) -> tuple[dict[str, Value], Value]:

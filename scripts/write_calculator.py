@@ -410,10 +410,6 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "color": figures.property_of(protocol),
         # The most hosts, processes and endpoints of a process that a product ran with.
         "measured": list(protocol.captured or ()),
-        # How far captures that its table was not fitted to were from it, by how large they were at
-        # most (null: any), and what a reboot takes beside its pairs' part of a start.
-        "bands": bands_of(protocol),
-        "reboot": reboot_of(protocol),
         "variant": protocol.basis == "measured" and protocol.name not in FIRST,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
@@ -423,27 +419,6 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
         "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),
         "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
     }
-
-
-def bands_of(protocol: Protocol) -> Value:
-    """Return the least and the most of a start's airtime that were measured, as parts of ours."""
-    return [
-        [
-            None if row["up_to"] == "inf" else float(row["up_to"]),
-            float(row["low"]),
-            float(row["high"]),
-        ]
-        for row in read_data("measured/bands.csv")
-        if (row["protocol"], row["window"]) == (protocol.name, "startup")
-    ]
-
-
-def reboot_of(protocol: Protocol) -> Value:
-    """Return the least and the most that a restart took beside a start; see `planner.reboot`."""
-    rows = [r for r in read_data("measured/restarts.csv") if r["protocol"] == protocol.name]
-    if not rows:
-        return None
-    return [min(float(row["low"]) for row in rows), max(float(row["high"]) for row in rows)]
 
 
 def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
@@ -572,8 +547,8 @@ def model() -> Value:
 def javascript() -> str:
     """Return the text of model.js."""
     said, rest = said_once(model())
-    lines = [f"  const {name} = {written(part, '  ')};" for name, part in said.items()]
-    body = "\n".join([*lines, f"  return {written(rest, '  ')};"])
+    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
+    body = "\n".join([*lines, f"return {written(rest)};"])
     return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
 
 

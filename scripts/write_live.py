@@ -185,8 +185,8 @@ def tables() -> str:
             "radios": {name: channel(wifi) for name, wifi in RADIOS.items()},
         }
     )
-    lines = [f"  const {name} = {written(part, '  ')};" for name, part in said.items()]
-    body = "\n".join([*lines, f"  return {written(rest, '  ')};"])
+    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
+    body = "\n".join([*lines, f"return {written(rest)};"])
     head = "// What a run is set up from; made from the package by `make live`; do not edit.\n"
     return f"{head}const LIVE_TABLES = (() => {{\n{body}\n}})();\n"
 

@@ -111,7 +111,7 @@ def test_exercises_have_folded_executed_solutions(path: Path) -> None:
         text = "".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
         assert 1 <= text.count(":::{dropdown} Answer\n") == len(solutions) <= 3
         for cell in solutions:
-            assert "hide-cell" in cell["metadata"]["tags"]
+            assert {"hide-cell", "remove-output"} & {*cell["metadata"]["tags"]}
             assert "facts(" in "".join(cell["source"])
             assert cell["outputs"]
         return

@@ -340,7 +340,7 @@ def test_what_cannot_be_changed_is_named() -> None:
     # It may be that nothing helps.
     own = ds.Protocol("own", (replace(ds.ZENOH.messages[0], name="Hi"),))
     advice = ds.plan(ds.Fleet.swarm(2, 1, 5), own, FASTEST).advice()
-    assert "Nothing that was tried helps." in advice
+    assert "No change that we tried helps." in advice
     assert "What would" not in advice
 
 
@@ -635,7 +635,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The measured model of {name} rests on captures" in text) == measured
     if window == 20:
-        assert f"takes {words_of_time(20 * plan.utilization)} of airtime" in text
+        assert f"needs {words_of_time(20 * plan.utilization)} of airtime" in text
 
 
 def words_of_time(seconds: float) -> str:
@@ -679,11 +679,11 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     text = ds.plan(FIG3, ds.DDS).advice()
     flat = " ".join(text.split())
     assert (
-        "3 hosts with 24 processes takes 1.38 s of airtime. Channel: paper (802.11n), one access"
-        in flat
+        "3 hosts with 24 processes needs 1.38 s of airtime with DDS. Channel: paper (802.11n), one "
+        "access" in flat
     )
     assert "Charged to one second, that is 138% of it, so it does not fit." in flat
-    assert "nothing lost, no collisions and each unicast message in an exchange of its own" in flat
+    assert "Assumes: no losses, no collisions, one message per frame." in flat
     assert "by standard timing, with which this fleet needs 1.45 s today." in flat
     composed = remedy(ds.plan(FIG3, ds.DDS), "processes")
     assert composed.sentence() == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)"
@@ -739,7 +739,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.left_out) != []
     told = sum(map(len, plan.told().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} others, what was left out" in plan.advice()
+    assert f"{rest} others, the reasons for those left out" in plan.advice()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]
@@ -959,7 +959,7 @@ def test_a_fleet_that_sends_nothing_has_nothing_to_save() -> None:
     assert plan.utilization == 0
     assert {found.saved for found in plan.remedies} == {0}
     assert {share.share for share in plan.shares} == {0}
-    assert "Nothing that was tried helps." in replace(plan, fleet=FIG3).advice()
+    assert "No change that we tried helps." in replace(plan, fleet=FIG3).advice()
 
 
 def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:
@@ -1208,9 +1208,9 @@ def test_every_remedy_that_can_be_done_says_what_to_paste(name: str) -> None:
 def test_a_host_without_others_is_advised_nothing() -> None:
     for protocol in ds.PROTOCOLS.values():
         advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).advice()
-        assert advice.endswith("what it sends reaches no other host.")
-        assert "would help" not in advice
-        assert "would help" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
+        assert advice.endswith("no other host receives its messages.")
+        assert "single changes" not in advice
+        assert "single changes" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
 
 
 def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:

@@ -11,6 +11,7 @@ from matplotlib.ticker import FuncFormatter, NullLocator
 from matplotlib.transforms import blended_transform_factory
 
 from discostorm import words
+from discostorm._renamed import renamed
 from discostorm.figures.looks import WIDTH, style
 from discostorm.messages import PAPER_WINDOW
 from discostorm.palette import lights
@@ -23,6 +24,7 @@ _LEGEND = {"none": "today", "fits": "after the change: fits", "overloaded": "doe
 _LETTERS, _ROW = 37, 0.24
 
 
+@renamed(bars="changes, with columns baseline, change and utilization")
 def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "") -> Figure:
     """Draw what each change makes of a fleet as a dumbbell, in a group for each baseline.
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
@@ -14,8 +14,18 @@ from discostorm.palette import lights
 
 _SERIES = lights("series")
 _STATE = lights("state")
-_SECONDS = LinearSegmentedColormap.from_list("seconds", ["#E3F0F8", "#A9C9E3", "#0072B2"])
-_SOME = "#F4D9D6"
+
+
+def _tint(color: str, share: float) -> tuple[float, ...]:
+    """Return a color mixed with white, of which its own part is a share."""
+    return tuple(1 - share * (1 - part) for part in to_rgb(color))
+
+
+_BLUE = _SERIES["blue"]
+_SECONDS = LinearSegmentedColormap.from_list(
+    "seconds", [_tint(_BLUE, 0.1), _tint(_BLUE, 0.35), _BLUE]
+)
+_SOME = _tint(_STATE["bad"], 0.2)
 
 
 def _headline(figure: Figure, text: str) -> None:
