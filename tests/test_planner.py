@@ -706,7 +706,7 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     assert any("changes less than 0.5%" in said for said in sentences)
     assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in said for said in sentences)
     one = ds.plan(ds.Fleet.swarm(1, 1, 10)).advice()
-    assert "1 host with 1 process takes" in one
+    assert "1 host with 1 process needs" in one
     one_group = ds.Fleet((replace(robots, processes=8),))
     assert "composing 8 processes into 1" in remedy(ds.plan(one_group), "processes").what
     named = ds.Fleet((replace(robots, processes=2), laptop))
@@ -717,10 +717,10 @@ def test_advice_says_time_beside_one_second_and_the_gains() -> None:
     )
     preset = ds.Radio("802.11n", streams=2, mpdus=64).wifi()
     ranges = " ".join(ds.plan(FIG3, wifi=preset).advice().split())
-    assert "from 64 unicast messages in an exchange to one" in ranges
-    assert "as it is" not in ds.plan(FIG3, wifi=preset).advice()
+    assert "64 messages to one per A-MPDU" in ranges
+    assert "by standard timing" not in ds.plan(FIG3, wifi=preset).advice()
     # What tears the fleet apart stands last, and under a title of its own.
-    whole, torn = ds.plan(TOLD).advice().split("What would help, but not all hosts would find each")
+    whole, torn = ds.plan(TOLD).advice().split("Changes after which some hosts no longer")
     assert "Splitting" not in whole
     assert torn.count("Splitting") == 1
 

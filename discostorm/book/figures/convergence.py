@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_rgb
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
@@ -16,9 +16,10 @@ _SERIES = lights("series")
 _STATE = lights("state")
 
 
-def _tint(color: str, share: float) -> tuple[float, ...]:
+def _tint(color: str, share: float) -> str:
     """Return a color mixed with white, of which its own part is a share."""
-    return tuple(1 - share * (1 - part) for part in to_rgb(color))
+    red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
+    return to_hex((red, green, blue))
 
 
 _BLUE = _SERIES["blue"]
