@@ -117,7 +117,7 @@ def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None
 
 
 def alone(reader: PdfReader, texts: list[str]) -> list[str]:
-    """Return the headings, and the labels of solutions, with which a page ends.
+    """Return the headings with which a page ends.
 
     The texts are those of ``words(pdf, "-layout")``, whose lines come in the order of the page.
     """
@@ -131,7 +131,7 @@ def alone(reader: PdfReader, texts: list[str]) -> list[str]:
         last = "".join(body[-1].split()) if body else ""
         # A heading is "3.5 Words".
         is_title = {(number, last), (number, re.sub(r"^[\d.]*\d", "", last))} & titles
-        if (is_title and len(body) > 1) or re.fullmatch(r"Solution\d+", last):
+        if is_title and len(body) > 1:
             found.append(f"page {number + 1} of the file ends with {body[-1]!r}")
     return found
 

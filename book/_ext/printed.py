@@ -1,4 +1,4 @@
-"""The printed edition: in parts, without what is folded, solutions last, tables that fit."""
+"""The printed edition: in parts, without what is folded, with tables that fit."""
 
 import math
 import re
@@ -31,7 +31,6 @@ _SENTENCE = 100
 _TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
-_SOLUTION = "Show the solution"
 #: Sections that the contents need not name.
 _IN_EVERY_CHAPTER = ("Exercises", "The answer")
 #: Percent of a figure's size on the screen, in which its letters are no larger than the text's.
@@ -57,15 +56,10 @@ def _cells(chapter: nodes.Node) -> list[nodes.container]:
     return [cell for cell in found if cell.get("nb_element") == "cell_code"]
 
 
-def _leave_out_what_is_folded(chapter: start_of_file) -> list[nodes.container]:
-    """Take folded code from a chapter, keep what it shows; return the solutions, in order."""
-    solutions = []
+def _leave_out_what_is_folded(chapter: start_of_file) -> None:
+    """Take folded code from a chapter, keep what it shows."""
     for cell in _cells(chapter):
-        if cell.get("prompt_show") == _SOLUTION:
-            solutions.append(cell)
-            label = f"solution-{chapter['docname'].replace('/', '-')}"
-            cell.replace_self(_latex(rf"\emph{{Solution on page \pageref{{{label}}}.}}" + "\n\n"))
-        elif "tag_facts" in cell["classes"] and not _is_announced(cell):
+        if "tag_facts" in cell["classes"] and not _is_announced(cell):
             cell.parent.remove(cell)  # what the text below states
         elif cell.get("hide_mode") in {"input", "all"}:
             source = cell.children[0]
@@ -76,7 +70,6 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> list[nodes.container]:
         elif cell.get("hide_mode") == "output":
             for output in cell.findall(nodes.literal_block):
                 _shorten(output)
-    return solutions
 
 
 def _shorten(block: nodes.literal_block) -> None:
@@ -86,23 +79,6 @@ def _shorten(block: nodes.literal_block) -> None:
         rest = f"... and {len(lines) - _LINES} more lines, in the HTML edition"
         block.children = [nodes.Text("\n".join([*lines[:_LINES], rest]))]
         block.rawsource = block.astext()
-
-
-def _solutions(app: Sphinx, by_chapter: dict[str, list[nodes.container]]) -> nodes.section:
-    """Return a chapter of solutions, a section for each chapter that has exercises."""
-    last = nodes.section("", nodes.title("", "Solutions"), _depth(0), ids=["solutions"])
-    for name, cells in by_chapter.items():
-        number = ".".join(map(str, app.env.toc_secnumbers.get(name, {}).get("", ())))
-        title = f"{number} {app.env.titles[name].astext()}".strip()
-        label = f"solution-{name.replace('/', '-')}"
-        section = nodes.section("", nodes.title("", title), ids=[f"{label}-section"])
-        section += _latex(rf"\phantomsection\label{{{label}}}" + "\n")
-        for count, cell in enumerate(cells, 1):
-            if len(cells) > 1:
-                section += nodes.paragraph("", "", nodes.strong("", f"Solution {count}"))
-            section += cell
-        last += section
-    return last
 
 
 def _link(app: Sphinx, name: str, text: str = _MORE) -> nodes.raw:
@@ -390,21 +366,16 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         return
     _leave_out_what_pages_carry(tree)
     chapters = {node["docname"]: node for node in tree.findall(start_of_file)}
-    exercises = {
-        chapter_name: found
-        for chapter_name, chapter in chapters.items()
-        if (found := _leave_out_what_is_folded(chapter))
-    }
-    solutions = _solutions(app, exercises)
+    for chapter in chapters.values():
+        _leave_out_what_is_folded(chapter)
     _say_once(tree)
     sheet = list(chapters[CHEAT_SHEET].findall(nodes.table)) if chapters else []
-    for part in (tree, solutions):
-        for figure in part.findall(nodes.figure):
-            _describe_and_scale(figure)
-        for block in list(part.findall(nodes.literal_block)):
-            _keep_the_beginning(block)
-        for table in list(part.findall(nodes.table)):
-            _fit(table, _SIZES[2:] if table in sheet else _SIZES)
+    for figure in tree.findall(nodes.figure):
+        _describe_and_scale(figure)
+    for block in list(tree.findall(nodes.literal_block)):
+        _keep_the_beginning(block)
+    for table in list(tree.findall(nodes.table)):
+        _fit(table, _SIZES[2:] if table in sheet else _SIZES)
     if name != app.config.root_doc:
         _stand_alone(app, tree)
         return
@@ -426,8 +397,8 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
     preface.insert(1, _link(app, name))
     landing += preface
     for contents in app.env.get_doctree(name).findall(toctree):
-        number, _, caption = (contents["caption"] or "").rpartition(": ")
-        depth = 2 if number else -1
+        caption = (contents["caption"] or "").rpartition(": ")[2]
+        depth = 2 if contents["numbered"] else -1
         part = rf"\part{{{caption}}}" if caption else ""
         landing += _latex(rf"\setcounter{{secnumdepth}}{{{depth}}}{part}")
         entries = [chapters[chapter] for _, chapter in contents["entries"]]
@@ -435,8 +406,6 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         for chapter in entries[bool(caption) :]:
             chapter.insert(0, _latex(r"\runon" + "\n"))
         landing += entries
-    if exercises:
-        landing += solutions
 
 
 def _add_the_cheat_sheet(app: Sphinx, env: BuildEnvironment) -> list[str]:
