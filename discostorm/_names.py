@@ -1,6 +1,6 @@
 """Names as people write them, whatever their case, hyphens and spaces; the nearest one known."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 
@@ -13,6 +13,18 @@ def key(name: str) -> str:
     True
     """
     return "".join(filter(str.isalnum, name.casefold()))
+
+
+def meant(name: str, names: Iterable[str], aliases: Mapping[str, str]) -> str | None:
+    """Return the name that is meant, by itself or by an alias of it; None if none is.
+
+    Examples
+    --------
+    >>> meant("fast-dds", ["Fast DDS"], {}), meant("rtps", ["Fast DDS"], {"RTPS": "Fast DDS"})
+    ('Fast DDS', 'Fast DDS')
+    """
+    by_key = {key(one): full for one, full in aliases.items()}
+    return (by_key | {key(one): one for one in names}).get(key(name))
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:

@@ -51,12 +51,10 @@ def robot(name: str) -> HostGroup:
     >>> robot("turtlebot4").name
     'TurtleBot 4 with Nav2'
     """
-    made = robots()
-    known = {_names.key(one): full for one, full in aliases().items()}
-    known |= {_names.key(one): one for one in made}
-    found = known.get(_names.key(name))
+    made, other = robots(), aliases()
+    found = _names.meant(name, made, other)
     if found is None:
-        like = _names.did_you_mean(name, (*made, *aliases()))
+        like = _names.did_you_mean(name, (*made, *other))
         raise ValueError(
             f"robot must be the name of a ready-made one; got {_checks.brief(name)!r}{like}"
         )

@@ -74,9 +74,7 @@ def named(name: str) -> Protocol:
     ('Fast DDS', 'Cyclone DDS', 'Zenoh')
     """
     other = aliases()
-    known = {_names.key(one): full for one, full in other.items()}
-    known |= {_names.key(one): one for one in PROTOCOLS}
-    found = known.get(_names.key(name))
+    found = _names.meant(name, PROTOCOLS, other)
     if found is None:
         like = _names.did_you_mean(name, (*PROTOCOLS, *other))
         raise ValueError(f"protocol must be the name of one; got {_checks.brief(name)!r}{like}")
