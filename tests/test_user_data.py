@@ -319,7 +319,7 @@ def on_the_wire(use: str) -> dict[tuple[str, int, bool], dict[str, tuple[float, 
 
 
 def test_the_lab_ran_each_product_with_each_size() -> None:
-    """Of those that test the framing, which is partly from the others, all sizes and rates differ."""
+    """All sizes and rates of those that test the framing differ from those it is partly from."""
     assert len(on_the_wire("fit")) == 3 * 4 * 2
     assert len(on_the_wire("test")) == 3 * 5 * 2
     rows = read_data("measured/user_data.csv")

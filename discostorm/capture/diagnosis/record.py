@@ -38,7 +38,7 @@ def began_late(seen: Seen) -> set[int]:
 def _settled(seen: Seen) -> set[int]:
     """Return the processes that others know, and that say nothing that is said at a start.
 
-    A start has Heartbeats or acknowledgements of endpoints, or an acknowledgement of nothing yet, or
+    A start has Heartbeats or acknowledgements of endpoints, an acknowledgement of nothing yet, or
     a handshake.
     """
     speaks = seen.process >= 0
