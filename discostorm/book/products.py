@@ -338,17 +338,20 @@ def refits() -> pd.DataFrame:
             strict=True,
         )
     )
-    off: dict[tuple[str, str], list[tuple[float, float]]] = {}
-    for row in read_data("measured/refits.csv"):
-        if row["use"] == "fit":
-            continue
+    rows = [row for row in read_data("measured/refits.csv") if row["use"] == "test"]
+    off: dict[tuple[str, str], list[tuple[float, float]]] = {
+        (model, of): []
+        for model in dict.fromkeys(r["protocol"] for r in rows)
+        for of in names.values()
+    }
+    for row in rows:
         model = row["protocol"]
         every = measured.points(model) + measured.beyond(model)
         fleet = next(point.fleet for point in every if point.name == row["point"])
         size = max(measured.size_of(fleet, PROTOCOLS[model].captured or (1, 1, 1)))
         of = next(name for most, name in names.items() if size <= most)
         taken, before, after = (float(row[f"{what}_s"]) for what in ("measured", "before", "after"))
-        off.setdefault((model, of), []).append((abs(taken / before - 1), abs(taken / after - 1)))
+        off[model, of].append((abs(taken / before - 1), abs(taken / after - 1)))
     return pd.DataFrame(
         {"model": model, "swarms": of, "held_out": len(each)}
         | dict(zip(("before", "after"), np.mean(each, axis=0).tolist(), strict=True))
