@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from calculator_inputs import CHANNELS
 from javascript import Code, Value, said_once, written
-from write_calculator import CHANNELS
 
 import discostorm as ds
 from discostorm.book import sweeps

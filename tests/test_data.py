@@ -46,6 +46,7 @@ DESCRIBED = {
         *(
             "bands",
             "beyond_counts",
+            "refits",
             "restart_counts",
         ),
     ),
