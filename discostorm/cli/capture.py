@@ -12,7 +12,7 @@ import click
 import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.fleets import called, compared, robot_option, standard_input
-from discostorm.cli.health import show_answer, show_tables, told
+from discostorm.cli.health import NO_ENDPOINTS, is_encrypted, show_answer, show_tables, told
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
@@ -128,10 +128,12 @@ def capture(
         ]
         seconds = {protocol.name: found.compared_seconds(protocol, window) for protocol in tables}
         sums = found.sums(wired=on_wires)
+        diagnosis = found.diagnosis()
         if written is not None:
+            if is_encrypted(diagnosis):
+                raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
             _write_fleet(written, found.fleet(wired=on_wires), called(file))
         groups = found.fleet(wired=on_wires).groups if members is None and spoken else ()
-        diagnosis = found.diagnosis()
         if picture is not None:
             path = Path(_checks.path("--picture", picture, "a file"))
             try:
@@ -162,6 +164,8 @@ def capture(
         show_answer(diagnosis)
         show_tables(diagnosis, output)
         _show_capture(found, groups, rows, output)
+        if is_encrypted(diagnosis):
+            click.echo(f"Note: {NO_ENDPOINTS}.")
         _show_sums(found, sums, seconds if rows else {})
         if on_wires is None and (serving := found.serving()):
             click.echo(

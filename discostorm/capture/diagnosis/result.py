@@ -189,6 +189,9 @@ def diagnose(seen: Seen) -> Diagnosis:
     if any(one.kind == "heavy loss" for one in lossy):
         # So many losses can look like a direction that does not work.
         wrong = [one for one in wrong if one.kind != "one direction of pairs"]
+    strange = [pair for pair in lacking if {pair.of, pair.by} & seen.secured]
+    if strange and not wrong:
+        wrong.append(_strange(seen, strange, len(pairs)))
     if lacking and not wrong and not lossy and not limits:
         wrong.append(_incomplete(seen, lacking, len(pairs)))
     wrong += [*lossy, *storm(seen)]
@@ -227,6 +230,19 @@ def _complete(
     if lacking and lost and not wrong:
         return None
     return not lacking
+
+
+def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
+    by = dict.fromkeys(
+        f"{seen.host[min(pair.of, pair.by)]} with {seen.host[max(pair.of, pair.by)]}"
+        for pair in strange
+    )
+    return Finding(
+        "not authenticated",
+        tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
+        f"in {len(strange)} of {pairs} pairs of processes the one never told the other its keys: "
+        f"{listed([*by])}",
+    )
 
 
 def _incomplete(seen: Seen, lacking: list[Pair], pairs: int) -> Finding:
