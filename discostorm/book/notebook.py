@@ -18,7 +18,7 @@ from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm import figures, words
 from discostorm.data import data_path
-from discostorm.messages import Protocol
+from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm.paper import claims
 from discostorm.planner import Plan, Remedy
@@ -401,6 +401,11 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
     return Markdown("\n".join(["```text", *fitting, "```"]))
 
 
+def payload_meaning(protocol: Protocol, message: Message) -> str:
+    """Return what the payload symbol of a message stands for."""
+    return f"payload of {message.name}, a message of {protocol.name}"
+
+
 def notation(*protocols: Protocol) -> Markdown:
     """Show the notation, and after it the payload symbol of each message of the protocols."""
     rows = [
@@ -410,7 +415,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of {message.name}, a message of {protocol.name}",
+            payload_meaning(protocol, message),
             "B",
             message.payload.source,
         )
