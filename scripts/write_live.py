@@ -18,6 +18,7 @@ from write_calculator import CHANNELS
 import discostorm as ds
 from discostorm.messages import Message, Protocol
 from discostorm.simulation import cell as _cell, engine, traffic
+from discostorm.simulation.middleware import spread
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Setup, set_up
 from discostorm.wifi import Padding
@@ -133,6 +134,8 @@ def behavior(protocol: Protocol, recovery: bool) -> dict[str, Value]:
     }
     if setup.repairs is not None:
         found["repairs"] = first_row(setup.repairs)
+        if rows := spread(protocol):
+            found["spread"] = list(rows)
     return found
 
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import lzma
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -413,6 +414,12 @@ def test_the_fleet_that_was_seen_is_written(tmp_path: Path) -> None:
     assert sum(group.hosts for group in fleet.groups) == 4
     assert [group.hosts for group in fleet.groups if group.wired] == [1]
     assert CliRunner().invoke(main, ["plan", str(path)]).exit_code == 0
+    (following,) = [line for line in result.stdout.splitlines() if line.startswith("Wrote ")]
+    again = shlex.split(following.partition("Next: discostorm ")[2])
+    assert again[0] == "plan"
+    assert CliRunner().invoke(main, again).exit_code == 0
+    bad = run(str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", "-")
+    assert (bad.exit_code, "- is no file" in bad.output) == (2, True)
     bad = run(
         str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", str(tmp_path / "no" / "f")
     )
