@@ -328,7 +328,14 @@ def _short(value: Any) -> float:
 
 
 def _places(figure: Figure) -> dict[str, Any]:
-    """Return the size of a figure [px], and where its panels are with the values at their ends."""
+    """Return the size of a figure [px], and where its panels are with the values at their ends.
+
+    Under ``narrow`` the same of the figure for phones, which it has become afterwards.
+    """
+    return {**_placed(figure), "narrow": _placed(figures.narrowed(figure))}
+
+
+def _placed(figure: Figure) -> dict[str, Any]:
     with figures.style():
         figure.draw_without_rendering()
     panels = []
