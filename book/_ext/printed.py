@@ -46,7 +46,10 @@ _UNSEEN = (nodes.Invisible, nodes.raw)
 _HEADING, _BEGINNING, _ENDING = 45.0, 80.0, 160.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
-_MORE = "In the HTML edition figures carry their data, code and more tables unfold, and you can try things"
+_MORE = (
+    "In the HTML edition figures carry their data, code and more tables unfold, "
+    "and you can try things"
+)
 
 
 def _latex(text: str) -> nodes.raw:
