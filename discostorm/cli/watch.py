@@ -121,13 +121,32 @@ def _chunks(source: BinaryIO) -> Iterator[bytes]:
     except (OSError, AttributeError):  # not a file of the system
         yield from iter(lambda: source.read(1 << 16), b"")
         return
-    with contextlib.suppress(KeyboardInterrupt):
+    with contextlib.suppress(KeyboardInterrupt), _ends_alike():
         while True:
             ready, _, _ = select.select([number], [], [], EVERY / 4)
             data = os.read(number, 1 << 16) if ready else b""
             if ready and not data:
                 return
             yield data
+
+
+@contextlib.contextmanager
+def _ends_alike() -> Iterator[None]:
+    """Let a closed terminal or a service manager end it as Ctrl-C does, and what captures too."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = [(number, signal.signal(number, interrupt)) for number in numbers]
+    try:
+        yield
+    finally:
+        for number, handler in before:
+            signal.signal(number, handler or signal.SIG_DFL)
 
 
 @contextlib.contextmanager
