@@ -24,10 +24,12 @@ from playwright.sync_api import Browser, Page, expect
 from test_browser import AXE, BARRIERS
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import measured, timeline, words
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
+from discostorm.planner.changes import Setting
+from discostorm.planner.reboot import Reboot, reboot
 from discostorm.robots import laptop, robots
 
 pytestmark = pytest.mark.book
@@ -38,6 +40,7 @@ OWN = ("unicast_rate", "unicast_overhead", "multicast_rate", "multicast_overhead
 
 sys.path.insert(0, str(ROOT / "scripts"))
 write_calculator = importlib.import_module("write_calculator")
+inputs = importlib.import_module("calculator_inputs")
 PROTOCOLS = ds.PROTOCOLS
 
 PARTS = [row for row in read_data("fleets/robots.csv") if row["nodes"] != "0"]
@@ -165,7 +168,14 @@ def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[
         assert row["uplink_messages"] == pytest.approx(count if "up" in sent.hops else 0)
         numbers[f"{front} {message} messages"] = count
         numbers[f"{front} {message} airtime"] = row["uplink_s"] + row["downlink_s"]
+    again = reboot_of(entries)
+    if again is not None:
+        numbers |= {f"{front} reboot low": again.low, f"{front} reboot high": again.high}
     return numbers
+
+
+def reboot_of(entries: dict[str, str]) -> Reboot | None:
+    return reboot(Setting(fleet_of(entries), PROTOCOLS[entries["middleware"]], channel(entries)))
 
 
 def random_settings(many: int) -> list[dict[str, str]]:
@@ -259,7 +269,7 @@ def put(tab: Page, entries: dict[str, str]) -> None:
     tab.evaluate("entries => calculatorTest.fill(entries)", entries)
 
 
-ROBOT = robots()[write_calculator.START_ROBOT]
+ROBOT = robots()[inputs.START_ROBOT]
 START = {
     "robot": ROBOT.name,
     "middleware": "Fast DDS",
@@ -365,7 +375,56 @@ def test_says_where_a_products_table_is_extrapolated(
     hosts, processes, _ = PROTOCOLS["Fast DDS"].captured or (0, 0, 0)
     told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
-    assert (told in said) == beyond
+    assert (told in said) == (entries["middleware"] == "Fast DDS")
+    assert ("what is more than that is extrapolated" in said) == beyond
+
+
+#: Within the measured range, up to twice, beyond it, with many endpoints, and nothing held out.
+BANDS = [
+    {**PAPER, "hosts": "6"},
+    {**PAPER, "hosts": "8"},
+    {**PAPER, "hosts": "80"},
+    START,
+    {**START, "hosts": "2", "beside": "none"},
+    {**PAPER, "hosts": "6", "beside": "laptop"},
+    {**START, "hosts": "50", "endpoints": "1e6"},
+    {**PAPER, "hosts": "5", "wifi": "802.11ac 80 MHz 2x2"},
+    {**PAPER, "hosts": "3", "matching": "1", "beside": "own", "beside_processes": "9"},
+]
+
+
+@pytest.mark.parametrize("entries", BANDS)
+@pytest.mark.parametrize("middleware", ["Fast DDS", "Cyclone DDS", "Zenoh peer", "Zenoh router"])
+def test_says_the_error_band_and_the_reboot_of_the_plan(
+    tab: Page, entries: dict[str, str], middleware: str
+) -> None:
+    entries = {**entries, "robot": "own", "middleware": middleware}
+    put(tab, entries)
+    said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
+    table, fleet = PROTOCOLS[middleware], fleet_of(entries)
+    assert table.captured is not None
+    band = measured.band(middleware, fleet, table.captured)
+    assert band is not None
+    assert band.sentence() in said
+    again = reboot_of(entries)
+    assert (again is None) == (middleware not in ("Fast DDS", "Cyclone DDS"))
+    if again is None:
+        assert "reboots" not in said
+        return
+    own = again.group == fleet.names[0]
+    who = "robot" if own else "laptop" if entries["beside"] == "laptop" else "other"
+    took = words.durations(again.low, again.high)
+    assert f"One {who} reboots: {took} of airtime." in said
+
+
+def test_the_bands_meet_all_cases() -> None:
+    kinds = set()
+    for entries in BANDS:
+        fleet = fleet_of({**entries, "robot": "own"})
+        band = measured.band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
+        assert band is not None
+        kinds.add((band.up_to, band.beyond))
+    assert kinds >= {(1.0, False), (2.0, False), (2.0, True), (math.inf, False), (math.inf, True)}
 
 
 @pytest.mark.parametrize(
@@ -678,6 +737,36 @@ def test_links_of_0_2_0_open_with_the_same_entries(
 # ---- the address ----
 
 
+@pytest.mark.parametrize(
+    ("name", "wired", "wanted"),
+    [
+        ("fast_dds_server", [], {"middleware": "Fast DDS Discovery Server", "beside": "none"}),
+        ("ills/client_isolation_but_for_one-cyclone_dds_0_10", ["10.77.0.1"], {"hosts": "3"}),
+        ("ills/two_domains-fast_dds", [], {"middleware": "Fast DDS", "processes": "1"}),
+    ],
+)
+def test_the_link_of_a_capture_opens_with_its_fleet(
+    tab: Page, address: str, tmp_path: Path, name: str, wired: list[str], wanted: dict[str, str]
+) -> None:
+    file, written = ROOT / "tests" / "captures" / f"{name}.pcap.xz", tmp_path / "fleet.toml"
+    options = [part for host in wired for part in ("--wired", host)]
+    command = ["capture", str(file), "--write-fleet", str(written), *options]
+    told = json.loads(CliRunner().invoke(main, [*command, "--json"]).stdout)
+    printed = CliRunner().invoke(main, command).stdout
+    assert f"In the calculator: {told['calculator']}" in printed.splitlines()
+    assert ("no wired hosts" in printed) == bool(wired)
+    page, _, entries = told["calculator"].partition("#")
+    assert address.endswith(page)
+    tab.goto(f"{address}#{entries}")
+    expect(tab.locator(".calc-error:not(:empty)")).to_have_count(0)
+    for field, value in (dict(parse_qsl(entries)) | wanted).items():
+        expect(tab.locator(f"#calc-form [name={field}]")).to_have_value(value)
+    fleet = ds.Fleet.from_toml(written)
+    (robots_,) = [group for group in fleet.groups if not group.wired]
+    shown_counts = [float(tab.locator(f"#calc-{of}").input_value()) for of in COUNTS]
+    assert shown_counts == list(robots_.counts())
+
+
 def test_the_address_keeps_the_answer(tab: Page) -> None:
     put(tab, {"middleware": "Zenoh peer", "hosts": "12", "beside": "own"})
     tab.get_by_label("Access point", exact=True).select_option("802.11n 20 MHz 2x2")
@@ -781,7 +870,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
         fleet_of(entries),
         protocol,
         full_ampdus(wifi) or wifi,
-        runs=write_calculator.RUNS,
+        runs=inputs.RUNS,
         recovery=recovery,
     )
     numbers = shown(tab)
@@ -805,7 +894,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
     else:
         assert "not complete within" in told.lower()
     tab.get_by_text("Each run", exact=True).click()
-    expect(tab.locator("#calc-runs tbody tr")).to_have_count(write_calculator.RUNS)
+    expect(tab.locator("#calc-runs tbody tr")).to_have_count(inputs.RUNS)
 
 
 def test_every_access_point_and_middleware_can_be_simulated(tab: Page) -> None:

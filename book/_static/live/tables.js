@@ -21,35 +21,41 @@ const shared18 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
 const shared19 = [3, 4, 5, 6, 7, 8, 10, 11, 13, 15, 16, 17, 18, 19];
 const shared20 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8.1, 5], [16, 6]];
 const shared21 = {"kinds": {"multicast": shared17, "to_all": shared17, "up": shared18, "down": shared18}, "bursts": {"messages": [[0, 2], shared19, [0, 1, 20, 21], [2], [9, 12, 14], [0, 1], [9, 12, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000], "times": shared20}};
-const shared22 = {
+const shared22 = [0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared23 = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared24 = [0, 0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared25 = [0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared26 = {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const shared27 = {
 "kinds": {
 "multicast": shared17,
 "to_all": shared17,
 "up": shared18,
 "down": shared18,
-"role": [0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"role": shared22,
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 1, 2, 1, 1, 1, 0, 2, 2, 0, 2, 1, 1, 1, 2, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 7, 0, 3, 5, 5, -1, 0, 0, -1, 0, 12, 13, 13, 0, 17, 17, 3, 20],
-"when": [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"when": shared23,
 "since": [0, 0, 500000, 500000, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 500000, 500000, 0, 500000, 120000000, 4611686018427387904, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904],
 "to_unknown": shared17,
-"gap_first": [0, 0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"gap_number": [0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"gap_first": shared24,
+"gap_number": shared25,
 },
 "bursts": {"messages": [[0], [0, 1], [9, 12], [0, 1], [9, 12]], "periods": [0, 0, 0, 80000000, 80000000], "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3], [16, 4]]},
-"repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": shared26,
 };
-const shared23 = {"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 476};
-const shared24 = [1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
-const shared25 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared26 = {"kinds": {"multicast": shared24, "to_all": shared24, "up": shared25, "down": shared25}, "bursts": {"messages": [[0, 1], [2, 3, 4, 5, 6, 7, 9, 10, 12, 13, 15, 16, 17, 18, 19, 20], [0, 21, 22, 23], [1], [8, 11, 14], [0], [8, 11, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000], "times": shared20}};
-const shared27 = {
+const shared28 = {"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 476};
+const shared29 = [1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+const shared30 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared31 = {"kinds": {"multicast": shared29, "to_all": shared29, "up": shared30, "down": shared30}, "bursts": {"messages": [[0, 1], [2, 3, 4, 5, 6, 7, 9, 10, 12, 13, 15, 16, 17, 18, 19, 20], [0, 21, 22, 23], [1], [8, 11, 14], [0], [8, 11, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000], "times": shared20}};
+const shared32 = [[0, 0], [0.1, 0], [8, 1], [8.1, 2], [16, 3]];
+const shared33 = {
 "kinds": {
-"multicast": shared24,
-"to_all": shared24,
-"up": shared25,
-"down": shared25,
+"multicast": shared29,
+"to_all": shared29,
+"up": shared30,
+"down": shared30,
 "role": [0, 0, 1, 1, 0, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 2, 2, 1, 1, 0, 2, 2, 0, 2, 2, 1, 1, 1, 2, 2, 1, 1, 1, 1, 1],
@@ -85,56 +91,56 @@ const shared27 = {
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [8, 11], [0], [8, 11]], "periods": [0, 0, 80000000, 80000000], "times": [[0, 0], [0.1, 0], [8, 1], [8.1, 2], [16, 3]]},
+"bursts": {"messages": [[0], [8, 11], [0], [8, 11]], "periods": [0, 0, 80000000, 80000000], "times": shared32},
 "repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 6, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 };
-const shared28 = {"name": "Liveliness Heartbeat", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 192};
-const shared29 = {"name": "Liveliness ACKNACK", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188};
-const shared30 = {"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192};
-const shared31 = {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188};
-const shared32 = {
+const shared34 = {"name": "Liveliness Heartbeat", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 192};
+const shared35 = {"name": "Liveliness ACKNACK", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188};
+const shared36 = {"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192};
+const shared37 = {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188};
+const shared38 = {
 "messages": [[0], [2, 4, 5, 9], [0, 7], [0, 3, 6, 10, 11, 12, 13, 14, 15, 19, 20, 21], [8, 16, 17, 18, 22, 23, 24, 26], [25, 27], [1], [0], [1]],
 "periods": [0, 0, 0, 0, 0, 0, 0, 30000000, 30000000],
 "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 3], [0.6, 4], [0.7, 5], [1.5, 6], [3.5, 7], [4.5, 8]],
 };
-const shared33 = {
+const shared39 = {
 "kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 0], "up": [1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1], "down": [0, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1]},
-"bursts": shared32,
+"bursts": shared38,
 };
-const shared34 = ["process", "server", "matched process"];
-const shared35 = ["matched endpoint of others", "server"];
-const shared36 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared37 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared38 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared39 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared40 = {"name": "Process", "unit": ["process", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
-const shared41 = {"name": "Digest", "unit": ["fleet", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared42 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
-const shared43 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared44 = {"name": "Claimed", "unit": ["host", "other host"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
-const shared45 = {"announce_first": 30000000, "announce_most": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const shared46 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
-const shared47 = {"lease": 100000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const shared48 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared49 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared50 = {"name": "Scout", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
-const shared51 = {"name": "Hello", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
-const shared52 = {"name": "InitAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
-const shared53 = {"name": "OpenSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
-const shared54 = {"name": "OpenAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
-const shared55 = ["unmatched endpoint", "remote process"];
-const shared56 = {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
-const shared57 = {"name": "TCP control", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
-const shared58 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared59 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared60 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
-const shared61 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared62 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared63 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
-const shared64 = ["matched endpoint of a host", "other host"];
-const shared65 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const shared66 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const shared67 = {
+const shared40 = ["process", "server", "matched process"];
+const shared41 = ["matched endpoint of others", "server"];
+const shared42 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared43 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared44 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared45 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const shared46 = {"name": "Process", "unit": ["process", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
+const shared47 = {"name": "Digest", "unit": ["fleet", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const shared48 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
+const shared49 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const shared50 = {"name": "Claimed", "unit": ["host", "other host"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
+const shared51 = {"announce_first": 30000000, "announce_most": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const shared52 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
+const shared53 = {"lease": 100000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const shared54 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared55 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared56 = {"name": "Scout", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
+const shared57 = {"name": "Hello", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
+const shared58 = {"name": "InitAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
+const shared59 = {"name": "OpenSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
+const shared60 = {"name": "OpenAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
+const shared61 = ["unmatched endpoint", "remote process"];
+const shared62 = {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
+const shared63 = {"name": "TCP control", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
+const shared64 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared65 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared66 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
+const shared67 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const shared68 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const shared69 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
+const shared70 = ["matched endpoint of a host", "other host"];
+const shared71 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const shared72 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const shared73 = {
 "record": {
 "slot": 90,
 "sifs": 160,
@@ -161,18 +167,18 @@ const shared67 = {
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared65,
-"slow": shared66,
+"fast": shared71,
+"slow": shared72,
 };
-const shared68 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
-const shared69 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
-const shared70 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const shared71 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
-const shared72 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
-const shared73 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const shared74 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const shared75 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
-const shared76 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const shared74 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
+const shared75 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
+const shared76 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const shared77 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
+const shared78 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
+const shared79 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const shared80 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const shared81 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const shared82 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
 return {
 "layouts": {
 "radio": {
@@ -377,7 +383,6 @@ return {
 "EXPIRE": 216172782113783808n,
 "NEVER": 4611686018427387904,
 "TICK": 1e-07,
-"KIND_BITS": 6,
 "PROCESS_BITS": 20,
 "ITEM_BITS": 14,
 "OCTETS": 65535,
@@ -437,11 +442,11 @@ shared16,
 ],
 "inside": [],
 "alone": shared21,
-"recovering": shared22,
+"recovering": shared27,
 },
 "Cyclone DDS, wired": {
 "messages": [
-shared23,
+shared28,
 {"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6642332099999999, "alone": 0.6667, "bytes": 493.08762420957544},
 {"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.10738553000000002, "alone": 0.5833, "bytes": 1167.7479630635523},
 {"name": "SEDP multicast", "unit": ["endpoint", "remote process"], "multicast": 1, "sent": 0.037140759999999995, "alone": 0.1667, "bytes": 961.6660682226212},
@@ -467,8 +472,8 @@ shared16,
 {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.4566, "alone": 2, "bytes": 226.06745510293473},
 ],
 "inside": [],
-"alone": shared26,
-"recovering": shared27,
+"alone": shared31,
+"recovering": shared33,
 },
 "Cyclone DDS, version 11": {
 "messages": [
@@ -497,7 +502,7 @@ shared16,
 ],
 "inside": [],
 "alone": shared21,
-"recovering": shared22,
+"recovering": shared27,
 },
 "Cyclone DDS peers": {
 "messages": [
@@ -529,11 +534,28 @@ shared16,
 "kinds": {"up": shared18, "down": shared18},
 "bursts": {"messages": [[0, 1, 2], shared19, [0, 20, 21], [2], [9, 12, 14], [1], [0], [9, 12, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000, 80000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8, 5], [8.1, 6], [16, 7]]},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Cyclone DDS peers': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {
+"kinds": {
+"up": shared18,
+"down": shared18,
+"role": shared22,
+"informs": [1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 2, 2, 2, 1, 2, 1, 1, 1, 0, 2, 2, 0, 2, 1, 1, 1, 2, 1, 1, 1, 1],
+"answers": [-1, 0, 0, 0, 7, 0, 3, 5, 5, -1, 0, 0, -1, 0, 12, 13, 13, 0, 17, 17, 3, 20],
+"when": shared23,
+"since": [0, 500000, 500000, 500000, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 500000, 500000, 0, 500000, 120000000, 4611686018427387904, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904],
+"to_unknown": shared17,
+"gap_first": shared24,
+"gap_number": shared25,
+},
+"bursts": {"messages": [[0], [9, 12], [0], [9, 12]], "periods": [0, 0, 80000000, 80000000], "times": shared32},
+"repairs": shared26,
+"spread": [0],
+},
 },
 "Cyclone DDS multicast SEDP": {
 "messages": [
-shared23,
+shared28,
 {"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7990400000000001, "alone": 0.8, "bytes": 492.4140969162995},
 {"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.07754115, "alone": 0.3719, "bytes": 1040.4988009592325},
 {"name": "SEDP multicast", "unit": ["endpoint", "remote process"], "multicast": 1, "sent": 0.051106000000000006, "alone": 0.23, "bytes": 965.8901890189019},
@@ -559,8 +581,8 @@ shared16,
 {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.9029889, "alone": 2.167, "bytes": 167.19174466042716},
 ],
 "inside": [],
-"alone": shared26,
-"recovering": shared27,
+"alone": shared31,
+"recovering": shared33,
 },
 "Fast DDS Discovery Server": {
 "messages": [
@@ -586,16 +608,16 @@ shared16,
 {"name": "Gap", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
 {"name": "Liveliness Heartbeat to server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
 {"name": "Liveliness Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-shared28,
+shared34,
 {"name": "Liveliness ACKNACK to server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
 {"name": "Liveliness ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-shared29,
-shared30,
-shared31,
+shared35,
+shared36,
+shared37,
 ],
 "inside": [],
-"alone": shared33,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"alone": shared39,
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, two": {
 "messages": [
@@ -629,43 +651,43 @@ shared31,
 {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.179, "alone": 1.179, "bytes": 188},
 ],
 "inside": [],
-"alone": shared33,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"alone": shared39,
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, on a robot": {
 "messages": [
 {"name": "SPDP to server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
 {"name": "SPDP of server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
 {"name": "SPDP of server at discovery", "unit": ["process", "server"], "multicast": 0, "sent": 0.865, "alone": 1, "bytes": 748.3930635838151},
-{"name": "SPDP of others", "unit": shared34, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": 683.9365973934484},
+{"name": "SPDP of others", "unit": shared40, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": 683.9365973934484},
 {"name": "SPDP Heartbeat", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
 {"name": "SPDP Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 1.2934822999999998, "alone": 2.167, "bytes": 250.29586195342605},
-{"name": "SPDP Heartbeat of others", "unit": shared34, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": 354.98051539912007},
+{"name": "SPDP Heartbeat of others", "unit": shared40, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": 354.98051539912007},
 {"name": "SPDP ACKNACK", "unit": ["process", "server"], "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
-{"name": "SPDP ACKNACK of others", "unit": shared34, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
+{"name": "SPDP ACKNACK of others", "unit": shared40, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
 {"name": "SPDP ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "SPDP Gap", "unit": shared34, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": 204.14209591474247},
+{"name": "SPDP Gap", "unit": shared40, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": 204.14209591474247},
 {"name": "SEDP to server", "unit": ["endpoint", "server"], "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
-{"name": "SEDP of others", "unit": shared35, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": 655.9962112242481},
+{"name": "SEDP of others", "unit": shared41, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": 655.9962112242481},
 {"name": "Heartbeat", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
 {"name": "Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Heartbeat of others", "unit": shared35, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": 451.4893977947413},
+{"name": "Heartbeat of others", "unit": shared41, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": 451.4893977947413},
 {"name": "ACKNACK", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "ACKNACK of others", "unit": shared35, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
+{"name": "ACKNACK of others", "unit": shared41, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
 {"name": "ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
-{"name": "Gap", "unit": shared35, "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
+{"name": "Gap", "unit": shared41, "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
 {"name": "Liveliness Heartbeat to server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
 {"name": "Liveliness Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-shared28,
+shared34,
 {"name": "Liveliness ACKNACK to server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
 {"name": "Liveliness ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-shared29,
-shared30,
-shared31,
+shared35,
+shared36,
+shared37,
 ],
 "inside": [],
-"alone": {"kinds": {"up": shared36, "down": shared36}, "bursts": shared32},
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"alone": {"kinds": {"up": shared42, "down": shared42}, "bursts": shared38},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS": {
 "messages": [
@@ -687,15 +709,15 @@ shared31,
 ],
 "inside": [],
 "alone": {
-"kinds": {"multicast": shared37, "to_all": shared37, "up": shared38, "down": shared38},
+"kinds": {"multicast": shared43, "to_all": shared43, "up": shared44, "down": shared44},
 "bursts": {"messages": [[0], [1, 3, 4, 5, 6, 11], [0, 2, 8, 9, 12, 13], [14], [0, 2], [7, 10], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6]]},
 },
 "recovering": {
 "kinds": {
-"multicast": shared37,
-"to_all": shared37,
-"up": shared38,
-"down": shared38,
+"multicast": shared43,
+"to_all": shared43,
+"up": shared44,
+"down": shared44,
 "role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 2, 1, 1, 1],
@@ -709,7 +731,7 @@ shared31,
 },
 },
 "hybrid": {
-"messages": [shared39, shared40, {"name": "Endpoint", "unit": ["endpoint", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared41, shared42, shared43, shared44],
+"messages": [shared45, shared46, {"name": "Endpoint", "unit": ["endpoint", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared47, shared48, shared49, shared50],
 "inside": [[1, 0, 24], [2, 0, 20], [4, 3, 1], [6, 5, 0.125]],
 "alone": {"kinds": {"multicast": [1, 1, 1, 1, 1, 1, 1], "to_all": [1, 1, 1, 1, 1, 1, 1], "up": [1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]}},
 "recovering": {
@@ -726,11 +748,11 @@ shared31,
 "to_unknown": [1, 0, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]},
-"repairs": shared45,
+"repairs": shared51,
 },
 },
 "hybrid, alike": {
-"messages": [shared39, shared40, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared41, shared42, shared43, shared44],
+"messages": [shared45, shared46, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared47, shared48, shared49, shared50],
 "inside": [[1, 0, 24], [2, 0, 8], [3, 0, 20], [5, 4, 1], [7, 6, 0.125]],
 "alone": {"kinds": {"multicast": [1, 1, 1, 1, 1, 1, 1, 1], "to_all": [1, 1, 1, 1, 1, 1, 1, 1], "up": [1, 1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7], [6, 7]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]}},
 "recovering": {
@@ -747,7 +769,7 @@ shared31,
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]},
-"repairs": shared45,
+"repairs": shared51,
 },
 },
 "DDS, periods of Fast DDS": {
@@ -801,8 +823,8 @@ shared4,
 "alone": {"kinds": shared5, "bursts": {"messages": [[0, 1, 2], [0, 1], [3], [3], [0, 1]], "periods": [0, 0, 0, 25000000, 80000000], "times": [[0, 0], [1, 1], [2.5, 2], [3, 1], [5, 3], [7, 1], [15, 4]]}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 0], "answers": [-1, 0, 1, -1], "since": [0, 5000000, 5000000, 0], "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
-"bursts": {"messages": [[0], [3], [3], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared46},
-"repairs": shared47,
+"bursts": {"messages": [[0], [3], [3], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
+"repairs": shared53,
 },
 },
 "static endpoints": {
@@ -828,15 +850,15 @@ shared4,
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": shared48, "to_all": shared48, "up": shared49, "down": shared49},
+"kinds": {"multicast": shared54, "to_all": shared54, "up": shared55, "down": shared55},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [0, 3, 7, 10, 15, 16], [17], [0, 3, 7, 10], [0, 3, 7, 10]], "periods": [0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [3.5, 5]]},
 },
 "recovering": {
 "kinds": {
-"multicast": shared48,
-"to_all": shared48,
-"up": shared49,
-"down": shared49,
+"multicast": shared54,
+"to_all": shared54,
+"up": shared55,
+"down": shared55,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
@@ -850,35 +872,35 @@ shared4,
 },
 "Zenoh peer": {
 "messages": [
-shared50,
-shared51,
+shared56,
+shared57,
 {"name": "Hello first", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5833, "alone": 0.5833, "bytes": 104},
 {"name": "InitSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 110},
-shared52,
-shared53,
-shared54,
+shared58,
+shared59,
+shared60,
 {"name": "OAM", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.835, "alone": 1, "bytes": 163.4251497005988},
 {"name": "OAM for others", "unit": shared13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": 163.4251497005988},
 {"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": "Declare key expression", "unit": shared55, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": 229.04217991787982},
+{"name": "Declare key expression", "unit": shared61, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": 229.04217991787982},
 {"name": "Declare key expression of matching", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": 229.04217991787982},
 {"name": "Declare final", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
 {"name": "Frame", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": 112.31961259079904},
 {"name": "Frame of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": 112.31961259079904},
-shared56,
-shared57,
+shared62,
+shared63,
 {"name": "TCP ACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.8708, "alone": 0.8708, "bytes": 76},
 {"name": "TCP ACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
 {"name": "TCP ACK of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": shared58, "to_all": shared58, "up": shared59, "down": shared59}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared60}},
+"alone": {"kinds": {"multicast": shared64, "to_all": shared64, "up": shared65, "down": shared65}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared66}},
 "recovering": {
 "kinds": {
-"multicast": shared58,
-"to_all": shared58,
-"up": shared59,
-"down": shared59,
+"multicast": shared64,
+"to_all": shared64,
+"up": shared65,
+"down": shared65,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 2, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -886,46 +908,46 @@ shared57,
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 5000000, 20000000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": shared58,
+"to_unknown": shared64,
 },
-"bursts": {"messages": [[0], [15], [15], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared46},
-"repairs": shared47,
+"bursts": {"messages": [[0], [15], [15], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
+"repairs": shared53,
 },
 },
 "Zenoh peer, tokens": {
 "messages": [
-shared50,
-shared51,
+shared56,
+shared57,
 {"name": "Hello first", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 104},
 {"name": "InitSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 109.86},
-shared52,
-shared53,
-shared54,
+shared58,
+shared59,
+shared60,
 {"name": "OAM", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": 179.4287333522244},
 {"name": "OAM for others", "unit": shared13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": 179.4287333522244},
 {"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
 {"name": "Declare token", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": 175.50248756218906},
 {"name": "Declare token of node", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": 175.50248756218906},
-{"name": "Declare key expression", "unit": shared55, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": 362.8385800401876},
+{"name": "Declare key expression", "unit": shared61, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": 362.8385800401876},
 {"name": "Declare key expression of matching", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": 362.8385800401876},
 {"name": "Declare key expression of node", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": 362.8385800401876},
 {"name": "Declare final", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
 {"name": "Frame", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": 142.56804733727813},
 {"name": "Frame of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": 142.56804733727813},
-shared56,
-shared57,
+shared62,
+shared63,
 {"name": "TCP ACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7208, "alone": 0.7208, "bytes": 76},
 {"name": "TCP ACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
 {"name": "TCP ACK of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": shared61, "to_all": shared61, "up": shared62, "down": shared62}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared60}},
+"alone": {"kinds": {"multicast": shared67, "to_all": shared67, "up": shared68, "down": shared68}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared66}},
 "recovering": {
 "kinds": {
-"multicast": shared61,
-"to_all": shared61,
-"up": shared62,
-"down": shared62,
+"multicast": shared67,
+"to_all": shared67,
+"up": shared68,
+"down": shared68,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -957,10 +979,10 @@ shared57,
 0,
 ],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": shared61,
+"to_unknown": shared67,
 },
-"bursts": {"messages": [[0], [18], [18], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared46},
-"repairs": shared47,
+"bursts": {"messages": [[0], [18], [18], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
+"repairs": shared53,
 },
 },
 "Zenoh router": {
@@ -1010,9 +1032,9 @@ shared57,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1],
 },
-"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], [28, 29, 30, 31], [28, 29, 30, 31]], "periods": [0, 0, 0, 0, 300000000], "times": shared63},
+"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], [28, 29, 30, 31], [28, 29, 30, 31]], "periods": [0, 0, 0, 0, 300000000], "times": shared69},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host": {
 "messages": [
@@ -1028,11 +1050,11 @@ shared57,
 {"name": "Frame of gossip passed on", "unit": ["host", "other host", "third host"], "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": 86.42028482111844},
 {"name": "Frame of endpoints", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": 86.42028482111844},
 {"name": "Declare", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
-{"name": "Declare of matching", "unit": shared64, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
+{"name": "Declare of matching", "unit": shared70, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
 {"name": "Declare token of node", "unit": ["process", "other host"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
 {"name": "Declare token", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
 {"name": "Declare key expression", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": 1523.275922671353},
-{"name": "Declare key expression of matching", "unit": shared64, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": 1523.275922671353},
+{"name": "Declare key expression of matching", "unit": shared70, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": 1523.275922671353},
 {"name": "Declare key expression of tokens", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": 1523.275922671353},
 {"name": "Declare key expression of node", "unit": ["process", "other host"], "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": 1523.275922671353},
 {"name": "KeepAlive", "unit": ["host", "other host"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
@@ -1042,8 +1064,8 @@ shared57,
 {"name": "TCP ACK of endpoints", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": shared25, "down": shared25}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": [0, 0, 0, 0, 300000000], "times": shared63}},
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"alone": {"kinds": {"up": shared30, "down": shared30}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": [0, 0, 0, 0, 300000000], "times": shared69}},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host, star": {
 "messages": [
@@ -1073,11 +1095,11 @@ shared57,
 {"name": "OAM of others down", "unit": ["host", "other host"], "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": 1523.8867459991793},
 {"name": "Frame of gossip down", "unit": ["host", "all"], "multicast": 0, "sent": 21.536255999999998, "alone": 26.88, "bytes": 87.23315027458811},
 {"name": "Declare down", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": 1523.9638009049772},
-{"name": "Declare of matching down", "unit": shared64, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": 1523.9638009049772},
+{"name": "Declare of matching down", "unit": shared70, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": 1523.9638009049772},
 {"name": "Declare token of node down", "unit": ["process", "other host"], "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": 1523.9638009049772},
 {"name": "Declare token down", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": 1523.9638009049772},
 {"name": "Declare key expression down", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of matching down", "unit": shared64, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": 1524.6626402070751},
+{"name": "Declare key expression of matching down", "unit": shared70, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": 1524.6626402070751},
 {"name": "Declare key expression of tokens down", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
 {"name": "Declare key expression of node down", "unit": ["process", "other host"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
 {"name": "KeepAlive down", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
@@ -1092,13 +1114,13 @@ shared57,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
 },
-"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], [18, 19, 33, 34], [18, 19, 33, 34]], "periods": [0, 0, 0, 0, 300000000], "times": shared63},
+"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], [18, 19, 33, 34], [18, 19, 33, 34]], "periods": [0, 0, 0, 0, 300000000], "times": shared69},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers, routers or listed hosts instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 },
 "radios": {
-"paper (802.11n)": shared67,
+"paper (802.11n)": shared73,
 "802.11a 20 MHz 1x1": {
 "record": {
 "slot": 90,
@@ -1126,7 +1148,7 @@ shared57,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": shared66,
+"slow": shared72,
 },
 "802.11g 20 MHz 1x1": {
 "record": {
@@ -1155,9 +1177,9 @@ shared57,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": shared68,
+"slow": shared74,
 },
-"802.11n 20 MHz 2x2": shared67,
+"802.11n 20 MHz 2x2": shared73,
 "802.11n 20 MHz 2x2, 2.4 GHz": {
 "record": {
 "slot": 90,
@@ -1185,8 +1207,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared69,
-"slow": shared68,
+"fast": shared75,
+"slow": shared74,
 },
 "802.11n 40 MHz 2x2": {
 "record": {
@@ -1215,8 +1237,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared70,
-"slow": shared66,
+"fast": shared76,
+"slow": shared72,
 },
 "802.11ac 80 MHz 2x2": {
 "record": {
@@ -1245,8 +1267,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared71,
-"slow": shared66,
+"fast": shared77,
+"slow": shared72,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz": {
 "record": {
@@ -1275,8 +1297,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared72,
-"slow": shared68,
+"fast": shared78,
+"slow": shared74,
 },
 "802.11ax 80 MHz 2x2": {
 "record": {
@@ -1305,8 +1327,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared73,
-"slow": shared66,
+"fast": shared79,
+"slow": shared72,
 },
 "802.11ax 160 MHz 2x2": {
 "record": {
@@ -1335,8 +1357,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared74,
-"slow": shared66,
+"fast": shared80,
+"slow": shared72,
 },
 "802.11be 80 MHz 2x2": {
 "record": {
@@ -1365,8 +1387,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared75,
-"slow": shared66,
+"fast": shared81,
+"slow": shared72,
 },
 "802.11be 320 MHz 2x2": {
 "record": {
@@ -1395,8 +1417,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": false,
-"fast": shared76,
-"slow": shared66,
+"fast": shared82,
+"slow": shared72,
 },
 "802.11n 20 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1426,8 +1448,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared65,
-"slow": shared66,
+"fast": shared71,
+"slow": shared72,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1457,8 +1479,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared69,
-"slow": shared68,
+"fast": shared75,
+"slow": shared74,
 },
 "802.11n 40 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1488,8 +1510,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared70,
-"slow": shared66,
+"fast": shared76,
+"slow": shared72,
 },
 "802.11ac 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1519,8 +1541,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared71,
-"slow": shared66,
+"fast": shared77,
+"slow": shared72,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1550,8 +1572,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared72,
-"slow": shared68,
+"fast": shared78,
+"slow": shared74,
 },
 "802.11ax 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1581,8 +1603,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared73,
-"slow": shared66,
+"fast": shared79,
+"slow": shared72,
 },
 "802.11ax 160 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1612,8 +1634,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared74,
-"slow": shared66,
+"fast": shared80,
+"slow": shared72,
 },
 "802.11be 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1643,8 +1665,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared75,
-"slow": shared66,
+"fast": shared81,
+"slow": shared72,
 },
 "802.11be 320 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1674,8 +1696,8 @@ shared57,
 "exceeds_basic": 2.51188643150958,
 },
 "aggregates": true,
-"fast": shared76,
-"slow": shared66,
+"fast": shared82,
+"slow": shared72,
 },
 "802.11n 20 MHz 1x1, A-MPDU 16": {
 "record": {
@@ -1706,37 +1728,7 @@ shared57,
 },
 "aggregates": true,
 "fast": {"bits": 260, "added": 22, "symbol": 36, "grid": 40, "preamble": 360},
-"slow": shared66,
-},
-"802.11n 20 MHz 2x2, AIFSN 3": {
-"record": {
-"slot": 90,
-"sifs": 160,
-"aifs": 430,
-"cw_min": 15,
-"cw_max": 1023,
-"attempts": 7,
-"edca": 1,
-"timeout": 450,
-"heard": 600,
-"ack": 280,
-"block_ack": 320,
-"request": 320,
-"preamble": 400,
-"symbol": 36,
-"grid": 40,
-"bits": 520,
-"added": 22,
-"action": 760,
-"basic_ack": 440,
-"mpdus": 1,
-"window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
-},
-"aggregates": false,
-"fast": shared65,
-"slow": shared66,
+"slow": shared72,
 },
 },
 };
