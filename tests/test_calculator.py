@@ -737,6 +737,36 @@ def test_links_of_0_2_0_open_with_the_same_entries(
 # ---- the address ----
 
 
+@pytest.mark.parametrize(
+    ("name", "wired", "wanted"),
+    [
+        ("fast_dds_server", [], {"middleware": "Fast DDS Discovery Server", "beside": "none"}),
+        ("ills/client_isolation_but_for_one-cyclone_dds_0_10", ["10.77.0.1"], {"hosts": "3"}),
+        ("ills/two_domains-fast_dds", [], {"middleware": "Fast DDS", "processes": "1"}),
+    ],
+)
+def test_the_link_of_a_capture_opens_with_its_fleet(
+    tab: Page, address: str, tmp_path: Path, name: str, wired: list[str], wanted: dict[str, str]
+) -> None:
+    file, written = ROOT / "tests" / "captures" / f"{name}.pcap.xz", tmp_path / "fleet.toml"
+    options = [part for host in wired for part in ("--wired", host)]
+    command = ["capture", str(file), "--write-fleet", str(written), *options]
+    told = json.loads(CliRunner().invoke(main, [*command, "--json"]).stdout)
+    printed = CliRunner().invoke(main, command).stdout
+    assert f"In the calculator: {told['calculator']}" in printed.splitlines()
+    assert ("no wired hosts" in printed) == bool(wired)
+    page, _, entries = told["calculator"].partition("#")
+    assert address.endswith(page)
+    tab.goto(f"{address}#{entries}")
+    expect(tab.locator(".calc-error:not(:empty)")).to_have_count(0)
+    for field, value in (dict(parse_qsl(entries)) | wanted).items():
+        expect(tab.locator(f"#calc-form [name={field}]")).to_have_value(value)
+    fleet = ds.Fleet.from_toml(written)
+    (robots_,) = [group for group in fleet.groups if not group.wired]
+    shown_counts = [float(tab.locator(f"#calc-{of}").input_value()) for of in COUNTS]
+    assert shown_counts == list(robots_.counts())
+
+
 def test_the_address_keeps_the_answer(tab: Page) -> None:
     put(tab, {"middleware": "Zenoh peer", "hosts": "12", "beside": "own"})
     tab.get_by_label("Access point", exact=True).select_option("802.11n 20 MHz 2x2")

@@ -57,7 +57,9 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
         headings = [
             "".join(cell["source"]) for cell in cells(page) if cell["cell_type"] == "markdown"
         ]
-        assert any(re.search(r"^## The answer$", text, re.M) for text in headings)
+        # One screen needs no second answer.
+        answered = any(re.search(r"^## The answer$", text, re.M) for text in headings)
+        assert answered != page.endswith("06_does_it_reproduce")
         assert re.search(r"^\*\*What is next\.\*\* .+", headings[-1], re.M)
         return
     code = [cell for cell in cells(page) if cell["cell_type"] == "code"]

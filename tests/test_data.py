@@ -24,6 +24,7 @@ SOURCES = {
     "measured/runs.csv": "sha256",
     "measured/mitigation_runs.csv": "sha256",
     "measured/shared_runs.csv": "sha256",
+    "measured/security_runs.csv": "sha256",
     "measured/beyond_runs.csv": "sha256",
     "measured/restart_runs.csv": "sha256",
 }
@@ -40,6 +41,7 @@ DESCRIBED = {
             "outages",
             "published",
             "reasons",
+            "security_counts",
             "shared_counts",
             "user_data",
         ),

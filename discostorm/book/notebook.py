@@ -13,23 +13,41 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import sympy as sp
+from IPython.core.getipython import get_ipython
+from IPython.core.pylabtools import print_figure
 from IPython.display import SVG, Markdown, display
+from matplotlib.figure import Figure
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm import figures, words
 from discostorm.data import data_path
-from discostorm.messages import Protocol
+from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm.paper import claims
 from discostorm.planner import Plan, Remedy
 
+#: Under what a notebook keeps each figure once more, beside it: for phones, where pages show it,
+#: see ``book/_ext/pictures.py``.
+NARROW = "narrow"
+
 
 def setup() -> None:
-    """Make figures come out in the looks of the book, as vectors, the same every time."""
+    """Make figures come out in the looks of the book, as vectors, the same every time.
+
+    Each of them also for a phone.
+    """
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
     plt.style.use(figures.SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
+    if (shell := get_ipython()) and shell.display_formatter:
+        shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, _both)
+
+
+def _both(figure: Figure) -> tuple[str, dict[str, str]]:
+    """Return a figure as SVG, and what is kept beside it."""
+    wide = print_figure(figure, "svg", bbox_inches=None)
+    return wide, {NARROW: print_figure(figures.narrowed(figure), "svg", bbox_inches=None)}
 
 
 def latex(expression: sp.Expr) -> str:
@@ -401,6 +419,11 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
     return Markdown("\n".join(["```text", *fitting, "```"]))
 
 
+def payload_meaning(protocol: Protocol, message: Message) -> str:
+    """Return what the payload symbol of a message stands for."""
+    return f"payload of {message.name}, a message of {protocol.name}"
+
+
 def notation(*protocols: Protocol) -> Markdown:
     """Show the notation, and after it the payload symbol of each message of the protocols."""
     rows = [
@@ -410,7 +433,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of {message.name}, a message of {protocol.name}",
+            payload_meaning(protocol, message),
             "B",
             message.payload.source,
         )

@@ -77,6 +77,7 @@ class Capture:
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
     _asides: pd.DataFrame = field(compare=False)
+    _cut: int = field(compare=False)
     _jumps: tuple[tuple[int, float], ...] = ()
     _first: float = 0.0
     _last: float = 0.0
@@ -385,6 +386,7 @@ class Capture:
                 others=self._others,
                 jumps=self._jumps,
                 lost=self._lost,
+                cut=self._cut / max(self.packets, 1),
             )
         )
 
