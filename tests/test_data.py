@@ -48,6 +48,7 @@ DESCRIBED = {
         *(
             "bands",
             "beyond_counts",
+            "refits",
             "restart_counts",
         ),
     ),

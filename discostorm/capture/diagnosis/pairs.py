@@ -167,6 +167,12 @@ def _spoke(seen: Seen) -> set[tuple[str, str]]:
     return set(zip(ends["sender"].astype(str), ends["receiver"].astype(str), strict=True))
 
 
+def _exchanged(seen: Seen) -> set[tuple[str, str]]:
+    """Return which hosts exchange what cannot be read, as it began before the capture."""
+    rows = seen.asides[(seen.asides["kind"] == "exchange").to_numpy()]
+    return set(zip(rows["sender"].astype(str), rows["receiver"].astype(str), strict=True))
+
+
 def _begun_anew(times: Array, bases: Array) -> list[float]:
     """Return when acknowledgements begin anew, having got somewhere before."""
     got = np.flatnonzero(bases > 1)
@@ -206,7 +212,7 @@ def zenoh_pairs(seen: Seen, wanted: list[tuple[int, int]]) -> list[Pair]:
         heard[ends] = float(seen.time[rows[0]])
     pairs = []
     nothing = np.zeros(0)
-    spoke = _spoke(seen)
+    spoke = _spoke(seen) | _exchanged(seen)
     for of, by in wanted:
         there, back = of * size + by, by * size + of
         acks = np.sort(np.append(opened.get(there, nothing), opened.get(back, nothing)))

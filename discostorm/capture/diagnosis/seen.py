@@ -43,6 +43,8 @@ class Seen:
         See `Capture`.
     lost : tuple of str
         What the capture itself says that it lacks: cut packets, fragments that are missing.
+    cut : float
+        The share of its packets that were cut [1].
     """
 
     rows: pd.DataFrame
@@ -54,6 +56,7 @@ class Seen:
     others: dict[str, int]
     jumps: tuple[tuple[int, float], ...]
     lost: tuple[str, ...]
+    cut: float
 
     @cached_property
     def time(self) -> Array:
