@@ -591,12 +591,14 @@ def test_bad_input_is_refused_next_to_its_field(
     expect(field).to_have_attribute("aria-invalid", "true")
     assert f"calc-{name}-error" in (field.get_attribute("aria-describedby") or "")
     expect(stale).to_be_visible()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "grayscale(1)")
     assert shown(tab) == same(before)  # the last good answer
     assert link(tab) == url
     field.fill(good)
     expect(error).to_be_empty()
     expect(field).not_to_have_attribute("aria-invalid", "true")
     expect(stale).to_be_hidden()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "none")
 
 
 @pytest.mark.parametrize(
