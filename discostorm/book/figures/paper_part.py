@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
 from discostorm.data import read_data
-from discostorm.figures import MESSAGE_COLORS, WIDTH, style
+from discostorm.figures import MESSAGE_COLORS, WIDTH, headline, style
 from discostorm.messages import Protocol
 from discostorm.paper.enumeration import EVERYONE, Process, Sent, walk
 
@@ -51,6 +51,7 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
         figure = Figure(figsize=(3.2 * len(protocols), 3.5))
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             _squares(axis, protocol, _uplink(protocol, hosts))
+        headline(figure, "Nearly every message goes to one process")
     return figure
 
 
@@ -150,4 +151,5 @@ def frame_parts() -> Figure:
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("length on the air [B]")
         axis.legend(loc="lower right")
+        headline(figure, "Only SPDP and SEDP are mostly payload")
     return figure
