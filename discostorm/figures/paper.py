@@ -145,12 +145,12 @@ def _full(processes: float, endpoints: float) -> str:
 def fig2() -> Figure:
     """Draw Fig. 2: utilization against hosts (N_P = 2, N_E = 10)."""
     with style():
-        figure = Figure(figsize=(WIDTH, 4.2))
+        figure = Figure(figsize=(WIDTH, 4.5))
         axis = figure.subplots()
         _phases(axis, fig2_data(), FIG2_PROCESSES, FIG2_ENDPOINTS)
         _percent(axis, 2)
         axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
-        headline(figure, f"{_full(FIG2_PROCESSES, FIG2_ENDPOINTS)} fill a second of the channel")
+        headline(figure, f"{_full(FIG2_PROCESSES, FIG2_ENDPOINTS)} fill a second")
         axis.legend(loc="upper left")
     return figure
 
@@ -223,7 +223,7 @@ def fig4() -> Figure:
     Below, on a logarithmic scale, the phases that the linear scale cannot show.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 6.4))
+        figure = Figure(figsize=(WIDTH, 6.8))
         above, below = figure.subplots(2, 1, sharex=True)
         data = fig4_data()
         for axis in (above, below):
@@ -235,7 +235,7 @@ def fig4() -> Figure:
         below.set_ylim(bottom=1e-3)
         below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
         above.set_xlabel("")
-        headline(figure, f"{_full(FIG4_PROCESSES, FIG4_ENDPOINTS)} fill a second of the channel")
+        headline(figure, f"{_full(FIG4_PROCESSES, FIG4_ENDPOINTS)} fill a second")
         above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
         above.legend(loc="upper left")
     return figure
