@@ -12,13 +12,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from calculator_inputs import CHANNELS
 from javascript import Code, Value, said_once, written
-from write_calculator import CHANNELS
 
 import discostorm as ds
 from discostorm.book import sweeps
 from discostorm.messages import Message, Protocol
 from discostorm.simulation import cell as _cell, engine, traffic
+from discostorm.simulation.middleware import spread
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Setup, set_up
 from discostorm.wifi import Padding
@@ -136,6 +137,8 @@ def behavior(protocol: Protocol, recovery: bool) -> dict[str, Value]:
     }
     if setup.repairs is not None:
         found["repairs"] = first_row(setup.repairs)
+        if rows := spread(protocol):
+            found["spread"] = list(rows)
     return found
 
 

@@ -7,12 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from discostorm import _checks, words
 from discostorm.capture.diagnosis import tables
 from discostorm.capture.diagnosis.finding import Finding, kinds, listed
 from discostorm.capture.diagnosis.lives import events, lives, restarted
 from discostorm.capture.diagnosis.network import network
 from discostorm.capture.diagnosis.pairs import Pair
-from discostorm.capture.diagnosis.record import began_late, record
+from discostorm.capture.diagnosis.reach import unheard
+from discostorm.capture.diagnosis.record import (
+    asked_no_more,
+    began_late,
+    ended_early,
+    holes_of,
+    record,
+    unconfirmed,
+    unread,
+)
 from discostorm.capture.diagnosis.seen import DATA, Seen
 from discostorm.capture.diagnosis.teams import Team, teams
 from discostorm.capture.diagnosis.traffic import loss, servers, storm
@@ -22,6 +32,15 @@ if TYPE_CHECKING:
 
 #: What is quiet for so long at the end of a capture is over [s].
 QUIET = 1.0
+#: From this share of cut packets on, what is missing tells nothing [1].
+MOST_CUT = 0.1
+#: What to do if there is no discovery in a capture.
+RECORD_ANEW = (
+    "Record on the interface that the robots use, before their nodes start, and without ports in "
+    f"the filter: {words.RECORD.format(file='discovery.pcap')}."
+)
+#: So many rows what was sent has at most, in JSON [1].
+TIMELINE = 2000
 #: What is told of endpoints, and said to open sessions.
 TELLING = (DATA, "Declare", "Init", "Open")
 
@@ -48,6 +67,8 @@ class Diagnosis:
         How many ordered pairs of processes on different hosts ought to be complete [1].
     _hosts, _incomplete : pandas.DataFrame
         What `hosts` and `incomplete` return copies of.
+    _rows : pandas.DataFrame
+        The messages that were diagnosed, of which `timeline` tells.
     """
 
     findings: tuple[Finding, ...]
@@ -57,6 +78,7 @@ class Diagnosis:
     pairs: int
     _hosts: pd.DataFrame = field(compare=False, repr=False)
     _incomplete: pd.DataFrame = field(compare=False, repr=False)
+    _rows: pd.DataFrame = field(compare=False, repr=False)
 
     @property
     def wrong(self) -> tuple[Finding, ...]:
@@ -96,6 +118,33 @@ class Diagnosis:
         """
         return self._incomplete.copy()
 
+    def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
+        """Return who sent what when, until a little after the startup.
+
+        It ends when 1.25 times `complete_at` have passed, and 2 s at least; with the capture if
+        that is not finite.
+
+        Parameters
+        ----------
+        most : int
+            The rows that it may have [1]. If there are more, messages are put together in steps of
+            time, as short as that allows, and whom they are sent to is left out.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
+            was captured [s]; ``host``, who sent them; ``receiver``, an address, and whether it is
+            ``multicast``, None in steps; ``ends``, whether they take back what they are about or
+            end a connection; ``messages`` [1] and ``bytes`` [B]. In its ``attrs``: ``until_s``,
+            when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
+            messages it leaves out [1], as even the hosts and kinds were too many.
+        """
+        _checks.whole("most", most, 1)
+        found, told = tables.timeline(self._rows, self.complete_at, most)
+        found.attrs |= told
+        return found
+
     def summary(self) -> str:
         """Return in one to three sentences how discovery is, why, and what to do."""
         sentences = [self._state()]
@@ -104,11 +153,14 @@ class Diagnosis:
             sentences += [_sentence(first.evidence), _sentence(first.advice)]
         else:
             limits = [one for one in self.findings if one.about == "capture"]
+            limits = [one for one in limits if not one.kind.startswith("clock")]
             gone = [one for one in self.findings if one.kind == "crash"]
             if gone:
                 sentences += [_sentence(gone[0].evidence), _sentence(gone[0].advice)]
             elif limits and (self.complete is None or len(self._hosts) < 2):
                 sentences += [_sentence(limits[0].evidence), _sentence(limits[0].advice)]
+            elif self.complete is None:
+                sentences.append(RECORD_ANEW)
         return " ".join(filter(None, sentences))
 
     def _state(self) -> str:
@@ -116,7 +168,11 @@ class Diagnosis:
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
-            return f"Discovery is not healthy: {self.wrong[0].what}{also}."
+            good = "complete and over, but " if self.over else "complete, but "
+            good = good if self.complete else ""
+            bad = ["healthy", *["complete"] * (self.complete is False)]
+            bad += ["over"] * (self.over is False)
+            return f"Discovery is {good}not {' and not '.join(bad)}: {self.wrong[0].what}{also}."
         if self.complete is False:
             lacking = f"{len(self._incomplete)} of {self.pairs} pairs of processes"
             return f"Discovery is not complete: {lacking} do not know all of each other."
@@ -125,7 +181,7 @@ class Diagnosis:
                 return "The capture shows no discovery of DDS or Zenoh."
             return f"The capture does not show whether discovery is complete ({count})."
         state = "healthy, complete and over" if self.over else "healthy and complete, but not over"
-        when = f" after {self.complete_at:.1f} s" if np.isfinite(self.complete_at) else ""
+        when = f" {_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
         return f"Discovery is {state}: {count} know each other{when}{self._last()}."
 
     def _last(self) -> str:
@@ -138,6 +194,7 @@ class Diagnosis:
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold: times that never came are null."""
+        timeline = self.timeline()
         return {
             "summary": self.summary(),
             "healthy": self.healthy,
@@ -148,7 +205,15 @@ class Diagnosis:
             "findings": [finding.to_dict() for finding in self.findings],
             "hosts": _records(self._hosts.reset_index()),
             "incomplete": _records(self._incomplete),
+            "timeline": timeline.attrs | {"rows": _records(timeline)},
         }
+
+
+def _after(time: float) -> str:
+    """Return when something was, with the digits that tell."""
+    if time < 0.01:
+        return "within 10 ms"
+    return f"after {time:.1f} s" if time >= 1.0 else f"after {time:.2f} s"
 
 
 def _number(value: Any) -> Any:
@@ -176,7 +241,8 @@ def diagnose(seen: Seen) -> Diagnosis:
     alive = lives(seen)
     gone = {one for starts in restarted(seen, alive).values() for one in starts[:-1]}
     happened = list(events(seen, found_teams, late))
-    wrong = [finding for team in found_teams for finding in network(seen, team)]
+    holes = holes_of(seen, late)
+    wrong = [finding for team in found_teams for finding in network(seen, team, holes)]
     wrong += _domains(found_teams)
     wrong += [*servers(seen)]
     limits = list(record(seen, late))
@@ -184,11 +250,25 @@ def diagnose(seen: Seen) -> Diagnosis:
         pair for team in found_teams for pair in team.pairs if tables.due(seen, pair, alive, gone)
     ]
     lacking = [pair for pair in pairs if pair.complete == np.inf]
+    late_ones = [
+        pair
+        for team in found_teams
+        for pair in team.pairs
+        if tables.pending(seen, pair, alive, gone)
+    ]
+    limits += ended_early(seen, late_ones)
+    if lacking and all(asked_no_more(seen, pair) for pair in lacking):
+        limits += unconfirmed(seen, lacking)
     wrong += [one for one in happened if one.about == "fleet"]
     lossy = list(loss(seen))
+    if seen.cut > MOST_CUT:
+        wrong, lossy = _domains(found_teams), []
     if any(one.kind == "heavy loss" for one in lossy):
         # So many losses can look like a direction that does not work.
         wrong = [one for one in wrong if one.kind != "one direction of pairs"]
+    strange = [pair for pair in lacking if {pair.of, pair.by} & seen.secured]
+    if strange and not wrong:
+        wrong.append(_strange(seen, strange, len(pairs)))
     if lacking and not wrong and not lossy and not limits:
         wrong.append(_incomplete(seen, lacking, len(pairs)))
     wrong += [*lossy, *storm(seen)]
@@ -200,7 +280,9 @@ def diagnose(seen: Seen) -> Diagnosis:
     end = float(seen.time.max(initial=0.0))
     return Diagnosis(
         findings=(*wrong, *(one for one in happened if one.about == "event"), *limits),
-        complete=_complete(pairs, lacking, bool(wrong), limits),
+        complete=None
+        if not wrong and (unheard(seen) or unread(seen))
+        else _complete(pairs, lacking, bool(wrong), limits),
         over=bool(seen.duration - telling.max(initial=0.0) > QUIET and end > 0)
         if len(telling) or pairs
         else None,
@@ -208,6 +290,7 @@ def diagnose(seen: Seen) -> Diagnosis:
         pairs=len(pairs),
         _hosts=tables.hosts(seen, found_teams, alive),
         _incomplete=tables.incomplete(seen, lacking),
+        _rows=seen.rows,
     )
 
 
@@ -224,9 +307,25 @@ def _complete(
     if all(np.isnan(pair.complete) for pair in pairs):
         return None
     lost = any(one.kind in ("capture lost part", "capture began late") for one in limits)
-    if lacking and lost and not wrong:
+    if wrong:
+        return not lacking
+    began = any(one.kind in ("capture began late", "capture ended early") for one in limits)
+    if began or (lacking and lost):
         return None
     return not lacking
+
+
+def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
+    by = dict.fromkeys(
+        f"{seen.host[min(pair.of, pair.by)]} with {seen.host[max(pair.of, pair.by)]}"
+        for pair in strange
+    )
+    return Finding(
+        "not authenticated",
+        tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
+        f"in {len(strange)} of {pairs} pairs of processes the one never told the other its keys: "
+        f"{listed([*by])}",
+    )
 
 
 def _incomplete(seen: Seen, lacking: list[Pair], pairs: int) -> Finding:
