@@ -69,7 +69,12 @@ def test_the_keyboard_shows_and_escape_closes(tab: Page) -> None:
     link = tab.locator(EQUATION).first
     focus(link)
     expect(tip(tab)).to_be_visible()
-    expect(tip(tab).locator("mjx-container")).to_have_count(1)
+    expect(tip(tab)).to_contain_text(f"Equation {link.inner_text()}")
+    drawn = tip(tab).locator("mjx-container > svg > g")
+    assert drawn.evaluate("(formula) => formula.getBoundingClientRect().width") > 100
+    page, shown = tab.locator("mjx-container path").first, tip(tab).locator("path, use").first
+    color = "(element) => getComputedStyle(element).fill"
+    assert shown.evaluate(color) == page.evaluate(color)
     assert link.get_attribute("aria-describedby") == "ds-hover"
     assert tip(tab).get_attribute("role") == "tooltip"
     tab.keyboard.press("Escape")

@@ -28,7 +28,7 @@ def _collect(app: Sphinx, doctree: nodes.document, docname: str) -> None:
             if r"\\" in text and not block.get("nowrap"):
                 text = rf"\begin{{split}}{text}\end{{split}}"
             place = nodes.make_id(f"equation-{block['label']}")
-            _FOUND[f"{page}#{place}"] = {"name": f"Equation ({block['number']})", "tex": text}
+            _FOUND[f"{page}#{place}"] = {"tex": text}
     for figure in doctree.findall(nodes.figure):
         image, caption = figure.next_node(nodes.image), figure.next_node(nodes.caption)
         if image and caption:

@@ -27,16 +27,18 @@
   async function show(wanted) {
     const found = (await load())[wanted.href.slice(root.length)];
     if (!found || link !== wanted || (found.tex && !window.MathJax?.typesetPromise)) return;
-    const parts = [make("p", { className: "ds-hover-name", textContent: found.name })];
+    // The link knows its number.
+    const parts = [make("p", { className: "ds-hover-name", textContent: found.tex ? `Equation ${wanted.textContent}` : found.name })];
     if (found.tex) parts.push(make("div", { textContent: `\\[${found.tex}\\]` }));
     if (found.image) parts.push(make("img", { src: root + found.image, alt: "" }));
     if (found.text) parts.push(make("p", { textContent: found.text }));
     tip.replaceChildren(...parts);
+    document.body.append(tip);
+    [tip.hidden, tip.style.visibility] = [false, "hidden"]; // formulas are measured
     if (found.tex) await MathJax.typesetPromise([tip]);
     for (const element of tip.querySelectorAll("[tabindex]")) element.removeAttribute("tabindex");
     if (link !== wanted) return;
-    document.body.append(tip);
-    tip.hidden = false;
+    tip.style.visibility = "";
     wanted.setAttribute("aria-describedby", tip.id);
     place();
   }
