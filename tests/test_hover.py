@@ -96,6 +96,15 @@ def test_the_pointer_may_go_onto_it_and_leaving_closes_it(tab: Page) -> None:
     expect(tip(tab)).to_be_hidden()
 
 
+def test_a_figure_comes_into_sight_with_its_link(tab: Page, book: Path) -> None:
+    tab.goto((book / "notebooks" / "03_hosts.html").as_uri())
+    tab.wait_for_function("window.MathJax?.typesetPromise")
+    focus(tab.locator("a.reference.internal[href='#fig-paper-2']").first)  # far below
+    expect(tip(tab).locator("img")).to_be_visible()
+    expect(tip(tab)).to_be_in_viewport(ratio=1)
+    assert tip(tab).locator("img").evaluate("(image) => image.naturalWidth") > 100
+
+
 def test_nothing_of_it_is_printed_or_keeps_anyone_out(tab: Page) -> None:
     tab.evaluate(AXE)
     for scheme, size in THEMES:

@@ -30,7 +30,7 @@
     // The link knows its number.
     const parts = [make("p", { className: "ds-hover-name", textContent: found.tex ? `Equation ${wanted.textContent}` : found.name })];
     if (found.tex) parts.push(make("div", { textContent: `\\[${found.tex}\\]` }));
-    if (found.image) parts.push(make("img", { src: root + found.image, alt: "" }));
+    if (found.image) parts.push(make("img", { src: root + found.image, alt: "", onload: () => link && place() }));
     if (found.text) parts.push(make("p", { textContent: found.text }));
     tip.replaceChildren(...parts);
     document.body.append(tip);
@@ -38,7 +38,6 @@
     if (found.tex) await MathJax.typesetPromise([tip]);
     for (const element of tip.querySelectorAll("[tabindex]")) element.removeAttribute("tabindex");
     if (link !== wanted) return;
-    tip.style.visibility = "";
     wanted.setAttribute("aria-describedby", tip.id);
     place();
   }
@@ -46,7 +45,8 @@
   // Below the link, or above it where there is no room.
   function place() {
     const [at, box] = [link.getClientRects()[0], tip.getBoundingClientRect()];
-    if (!at || at.bottom < 0 || at.top > innerHeight) return hide();
+    tip.style.visibility = !at || at.bottom < 0 || at.top > innerHeight ? "hidden" : ""; // it scrolls into sight
+    if (!at) return;
     const below = at.bottom + box.height + 8 < innerHeight;
     tip.style.left = `${Math.max(8, Math.min(at.left, innerWidth - box.width - 8))}px`;
     tip.style.top = `${below ? at.bottom + 4 : Math.max(8, at.top - box.height - 4)}px`;
