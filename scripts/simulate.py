@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm import staggered
-from discostorm.book import air
+from discostorm.book import air, trace
 from discostorm.book.ladder import MOST_RUNS
 from discostorm.data import data_path
 from discostorm.messages import Protocol, Schedule
@@ -482,19 +482,8 @@ def main() -> None:
 
 def events() -> list[dict[str, object]]:
     """Return every transmission of one small burst: three robots, one process each."""
-    found = ds.simulate(
-        ds.Fleet.swarm(3, 1, 2),
-        ds.DDS,
-        Setting("DDS", 3).wifi,
-        queue=None,
-        recovery=False,
-        seed=SEED,
-    )
-    assert found.lost[0] == 0
-    table = found.transmission_table()
-    for column in ("start_s", "end_s"):
-        table[column] = [f"{value:.7f}" for value in table[column]]  # whole ticks
-    return records(table)
+    assert trace.SEED == SEED
+    return records(trace.table(trace.SMALL))
 
 
 def records(table: pd.DataFrame) -> list[dict[str, object]]:

@@ -20,7 +20,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import figures
+from discostorm import figures, timeline, words
 from discostorm.book import notebook
 from discostorm.cli import main, output
 from discostorm.cli.options import LINK_OPTIONS
@@ -252,10 +252,34 @@ def test_matching_is_one_number_for_all_on_the_channel(folder: Path) -> None:
     assert "matching must be the same in FLEET and --beside; got 1 and 0" in refused.stderr
 
 
-def test_simulate_names_its_option_where_nothing_recovers() -> None:
-    refused = run("simulate|fleet.toml|--protocol|Fast DDS Discovery Server")
-    assert refused.exit_code == 2
-    assert "Error: --no-recovery must be given for the protocol 'Fast DDS D" in refused.stderr
+def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
+    table = ds.PROTOCOLS["Fast DDS Discovery Server"]
+    command = f"simulate|fleet.toml|--protocol|{table.name}|--runs|2"
+    told = run(command)
+    assert told.exit_code == 0
+    drain = words.duration(float(timeline.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
+    assert told.stdout.startswith(f"Drain time: startup keeps the channel busy for {drain} if")
+    assert "Note: recovery is not simulated with Fast DDS Discovery Server" in told.stderr
+    assert told.stdout.count("not simulated") == 2
+    assert read_json(run(command, "--json"))["settings"]["recovery"] is False
+    assert {row["convergence_time_s"] for row in read_csv(run(command, "--csv"))} == {""}
+
+
+def test_simulate_says_first_when_all_know_each_other() -> None:
+    told = run("simulate|fleet.toml|--runs|2|--json")
+    times = read_json(told)["convergence_time"]
+    said = words.durations(min(times), max(times))
+    first = run("simulate|fleet.toml|--runs|2").stdout.splitlines()[0]
+    assert first == f"Your robots know each other after {said} (2 runs)."
+    never = run("simulate|fleet.toml|--runs|2|--until|0.001").stdout.splitlines()[0]
+    assert never == "Your robots do not all know each other within 0.001 s (2 runs)."
+
+
+def test_simulate_takes_every_ready_made_robot() -> None:
+    """Some have a mean that is no whole number of endpoints."""
+    told = run("simulate|--robot|px4|--hosts|2|--runs|1|--until|1")
+    assert told.exit_code == 0
+    assert "Note: 45.5 endpoints of each process" in told.stderr
 
 
 def test_saturation_of_less_than_one_host() -> None:

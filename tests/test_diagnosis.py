@@ -3,6 +3,7 @@
 import csv
 import json
 import lzma
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from discostorm.capture import Capture
 from discostorm.capture.diagnosis.finding import kinds, remedies
 from discostorm.capture.diagnosis.result import TIMELINE
 from discostorm.capture.diagnosis.seen import without_jumps
+from discostorm.capture.live import Packets
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.planner.snippets import snippets
@@ -240,9 +242,101 @@ def test_of_the_later_part_alone_it_says_that_it_began_late(tmp_path: Path) -> N
     assert diagnosis.healthy is not False
 
 
+FIRST_HOST = bytes([10, 77, 0, 1])
+
+
+def without_sender(found: Any) -> Any:
+    return [packet for packet in found if packet[1][26:30] != FIRST_HOST]
+
+
+def without_unicast_to(found: Any) -> Any:
+    return [packet for packet in found if packet[1][30:34] != FIRST_HOST]
+
+
+def after_a_second(found: Any) -> Any:
+    return [packet for packet in found if packet[0] > found[0][0] + SECOND]
+
+
+def mirrored(found: Any) -> Any:
+    return [(when + late, *rest) for when, *rest in found for late in (0, 5000)]
+
+
+def cut(found: Any) -> Any:
+    return [(when, data[:90], length) for when, data, length in found]
+
+
+@pytest.mark.parametrize("name", ["fast_dds", "cyclone_dds_11", "zenoh_data"])
+@pytest.mark.parametrize("change", [mirrored, without_sender, after_a_second, cut])
+def test_what_a_capture_lacks_or_repeats_is_no_fault_of_the_fleet(
+    name: str, change: Any, tmp_path: Path
+) -> None:
+    diagnosis = rewritten(tmp_path, name, change).diagnosis()
+    assert diagnosis.wrong == ()
+    assert not [one for one in diagnosis.findings if one.kind == "late joiner"]
+    assert diagnosis.complete is (True if change is mirrored else None)
+    if change is without_sender:
+        lost = [one for one in diagnosis.findings if one.kind == "capture lost part"]
+        assert any("10.77.0.1" in one.hosts for one in lost)
+
+
+def test_confirmed_samples_that_the_capture_lacks_clear_who_should_have_sent_them(
+    tmp_path: Path,
+) -> None:
+    diagnosis = rewritten(tmp_path, "cyclone_dds_010", without_unicast_to).diagnosis()
+    assert diagnosis.wrong == ()
+    assert [one.kind for one in diagnosis.findings] == ["capture lost part"]
+
+
+def test_two_hosts_of_which_one_is_not_in_the_capture_are_not_one_alone(tmp_path: Path) -> None:
+    diagnosis = rewritten(tmp_path, "cyclone_dds_010", without_sender).diagnosis()
+    assert diagnosis.wrong == ()
+    assert "nothing that it sent is in the capture" in diagnosis.summary()
+
+
+def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
+    """Without the answers of one host the capture lacks them, as its peers stop asking."""
+    content = lzma.decompress((ILLS / "healthy-fast_dds-server.pcap.xz").read_bytes())
+    kept = [
+        (int(when * SECOND), packet[16:], len(packet) - 16)
+        for when, packet in Packets("x").of(content)
+        if packet[46:50] != FIRST_HOST
+    ]
+    path = tmp_path / "capture"
+    path.write_bytes(pcap(kept))
+    diagnosis = ds.read_capture(path).diagnosis()
+    assert (diagnosis.complete, diagnosis.wrong) == (None, ())
+    assert "ask no more" in diagnosis.summary()
+
+
+def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
+    text = ill("loss_of_20__-zenoh_peer").diagnosis().summary()
+    assert text.startswith("Discovery is complete and over, but not healthy: many frames are lost")
+
+
+@pytest.mark.parametrize(
+    "name", ["firewall_on_one_host-cyclone_dds_0_10", "one_direction_of_a_host-cyclone_dds_0_10"]
+)
+def test_the_first_seconds_of_a_sick_fleet_are_not_called_healthy(
+    name: str, tmp_path: Path
+) -> None:
+    found = list(Packets("x").of(lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())))
+    for span in (1, 3):
+        path = tmp_path / "capture"
+        kept = [one for one in found if one[0] < found[0][0] + span]
+        path.write_bytes(
+            pcap((int(when * SECOND), packet[16:], len(packet) - 16) for when, packet in kept)
+        )
+        diagnosis = ds.read_capture(path).diagnosis()
+        assert diagnosis.healthy is None
+        assert "capture ended early" in [one.kind for one in diagnosis.findings]
+        assert "Capture for longer" in diagnosis.summary()
+
+
 def test_an_empty_capture_says_so(tmp_path: Path) -> None:
     diagnosis = rewritten(tmp_path, "fast_dds", lambda _: []).diagnosis()
-    assert diagnosis.summary() == "The capture shows no discovery of DDS or Zenoh."
+    said, what_to_do = diagnosis.summary().split(". ", 1)
+    assert said == "The capture shows no discovery of DDS or Zenoh"
+    assert what_to_do.startswith("Record on the interface that the robots use")
     assert (diagnosis.healthy, diagnosis.complete, diagnosis.over) == (None, None, None)
 
 
@@ -257,7 +351,9 @@ def test_the_command_says_the_answer_first() -> None:
     result = run(str(ILLS / "firewall_on_one_host-cyclone_dds_0_10.pcap.xz"))
     assert result.exit_code == 0
     text = " ".join(result.output.split())
-    assert text.startswith("Discovery is not healthy: 10.77.0.2: hears no other host")
+    assert text.startswith(
+        "Discovery is not healthy and not complete: 10.77.0.2: hears no other host"
+    )
     assert "Pairs that never completed (" in text
     assert text.index("ufw status") < text.index("first [s]") < text.index("message units")
 
@@ -377,6 +473,12 @@ def test_the_fleet_that_was_seen_is_written(tmp_path: Path) -> None:
     assert sum(group.hosts for group in fleet.groups) == 4
     assert [group.hosts for group in fleet.groups if group.wired] == [1]
     assert CliRunner().invoke(main, ["plan", str(path)]).exit_code == 0
+    (following,) = [line for line in result.stdout.splitlines() if line.startswith("Wrote ")]
+    again = shlex.split(following.partition("Next: discostorm ")[2])
+    assert again[0] == "plan"
+    assert CliRunner().invoke(main, again).exit_code == 0
+    bad = run(str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", "-")
+    assert (bad.exit_code, "- is no file" in bad.output) == (2, True)
     bad = run(
         str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", str(tmp_path / "no" / "f")
     )

@@ -23,11 +23,12 @@ import discostorm as ds
 from discostorm import simulation, staggered
 from discostorm.cli import main
 from discostorm.data import data_path
-from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop
+from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop, Hosts
 from discostorm.simulation._compile import keeps, shown
 from discostorm.simulation._memory import available
 from discostorm.simulation.cell import SUCCESS, Cell
 from discostorm.simulation.engine import advance
+from discostorm.simulation.middleware import spread
 from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import TICK, hosts_of, ticks
@@ -143,12 +144,14 @@ UNLIKE = ds.Fleet(
     (ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)), matching=0.25
 )
 QUEUES = ((500, 0.5), (20, 0.05), None)
-#: Tables of those who announce themselves to each other: by multicast, without a server or list.
+#: Tables of those who announce themselves to each other: by multicast, or to listed hosts.
 BY_ONESELF = [
     name
     for name, table in ds.PROTOCOLS.items()
     if any(
-        m.phase in ("SPDP", "Scouting", "Sets") and m.cast == "multicast" and m.hops == HOPS
+        m.phase in ("SPDP", "Scouting", "Sets")
+        and (m.cast == "multicast" or (m.unit.to == "other host" and m.role == "announcement"))
+        and m.hops == HOPS
         for m in table.messages
     )
 ]
@@ -287,13 +290,32 @@ def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) 
         assert found.counts["arrived"] == 3 * 10
 
 
-def test_who_announces_itself_to_servers_routers_or_listed_hosts_does_not_recover() -> None:
+def test_who_announces_itself_to_servers_or_routers_does_not_recover() -> None:
     others = [name for name in ds.PROTOCOLS if name not in BY_ONESELF]
-    assert {"Fast DDS Discovery Server", "Zenoh router", "Cyclone DDS peers"} < set(others)
+    assert {"Fast DDS Discovery Server", "Zenoh router"} < set(others)
     for name in others:
         wanted = f"recovery must be False for the protocol '{name}': its processes announce"
         with pytest.raises(ValueError, match=wanted):
             ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi())
+
+
+def test_listed_hosts_are_announced_to_at_every_port() -> None:
+    """As many frames as the table has, shared by the processes of a host, each of whom learns."""
+    table = ds.PROTOCOLS["Cyclone DDS peers"]
+    (row,) = spread(table)
+    spdp = table.messages[row]
+    assert (spdp.name, spdp.per_unit) == ("SPDP", 9)
+    (cell, _), found = (
+        plan(UNLIKE, table, RADIO.wifi(), recovery=True).cell(np.random.SeedSequence(0)),
+        ds.simulate(UNLIKE, table, RADIO.wifi(), queue=None, runs=3, until=7),
+    )
+    hosts = Hosts(np.array([2, 2, 2, 1, 1, 3]), np.array([10, 10, 10, 40, 40, 0]))
+    remote = 11 - hosts.processes[hosts.host_of]
+    assert cell.each[:, row] == pytest.approx(9 * spdp.frames * 5 / remote)
+    assert np.isfinite(found.convergence_time).all()
+    crowded = ds.Fleet.swarm(2, 10, 1)
+    with pytest.raises(ValueError, match=r"at most 9 processes on average, as many .* got 10"):
+        ds.simulate(crowded, table, RADIO.wifi())
 
 
 def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:

@@ -3,12 +3,15 @@
 import numpy as np
 
 from discostorm.capture import tcp
-from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, number, take
+from discostorm.capture._bytes import Array, Bytes, Columns, Numbers, codes, number, stack, take
 from discostorm.capture.link import LINKS
 
 #: What an aside is about.
-KINDS = ("ARP request", "ARP reply", "unreachable", "connection", "refused", "unanswered", "half")
-_REQUEST, _REPLY, UNREACHABLE, TAKEN, REFUSED, UNANSWERED, HALF = range(7)
+KINDS = (
+    *("ARP request", "ARP reply", "unreachable"),
+    *("connection", "refused", "unanswered", "half", "exchange"),
+)
+_REQUEST, _REPLY, UNREACHABLE, TAKEN, REFUSED, UNANSWERED, HALF, EXCHANGE = range(8)
 LAST_OF_ARP = _REPLY
 #: Where the type of a frame stands, by link type, and how long the header is.
 _TYPE_AT = {"Ethernet": (12, 14), "Linux cooked": (14, 16), "Linux cooked v2": (0, 20)}
@@ -81,6 +84,9 @@ def connections(streams: tcp.Streams) -> Columns:
         kept[table["stream"][mask]] = True
     answers, acknowledges, resets = flags
     asks = np.flatnonzero((table["flags"][first] & (tcp.SYN | _ACK)) == tcp.SYN)
+    open_ = (table["flags"][first] & (tcp.SYN | tcp.RST)) == 0
+    open_ &= open_[streams.reverse] & (streams.reverse != np.arange(len(first)))
+    exchanged = _ends_of(EXCHANGE, table, first[open_])
     back = streams.reverse[asks]
     here = back != asks
     answered = answers[back] & here
@@ -88,13 +94,29 @@ def connections(streams: tcp.Streams) -> Columns:
     kind[resets[back] & here & ~answered] = REFUSED
     kind[answered] = HALF
     kind[answered & acknowledges[asks]] = TAKEN
-    of = first[asks]
-    found = rows(
-        TAKEN,
-        frame=table["frame"][of],
-        source=table["source"][of],
-        target=table["target"][of],
-        port=table["to_port"][of],
-    )
+    found = _ends_of(TAKEN, table, first[asks])
     found["kind"] = kind.astype(np.uint8)
-    return found
+    return stack([found, exchanged])
+
+
+def exchanges(datagrams: Columns) -> Columns:
+    """Return who sends datagrams to whom and gets some back, one a direction."""
+    names = ("source", "target", "from_port", "to_port")
+    there = [datagrams[name].astype(np.int64) for name in names]
+    if not len(there[0]):
+        return none()
+    _, first = codes(there[0] << 32 | there[2], there[1] << 32 | there[3])
+    ends = {tuple(int(key[row]) for key in there): row for row in first.tolist()}
+    both = [row for (a, b, m, n), row in ends.items() if (b, a, n, m) in ends and a != b]
+    return _ends_of(EXCHANGE, datagrams, np.array(both, np.int64))
+
+
+def _ends_of(kind: int, table: Columns, chosen: Array) -> Columns:
+    """Return rows of asides of a kind with frame, ends and port of chosen packets."""
+    return rows(
+        kind,
+        frame=table["frame"][chosen],
+        source=table["source"][chosen],
+        target=table["target"][chosen],
+        port=table["to_port"][chosen],
+    )

@@ -7,8 +7,6 @@ import numpy as np
 from discostorm.capture._bytes import Array, Bytes, Columns, buffer, codes, take, times_before, view
 
 MISSING = "IP datagrams of which fragments are missing"
-#: What a file lacks of what was sent.
-LACKS = (MISSING,)
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
 _LIFETIME = 60_000_000_000
 #: So often it is tried to put together what overlaps and has holes.

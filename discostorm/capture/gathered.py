@@ -4,11 +4,13 @@ from collections import Counter
 
 import numpy as np
 
-from discostorm.capture import asides, fragments, ip, link, pcap, rtps
+from discostorm.capture import asides, fragments, ip, link, pcap, rtps, tcp
 from discostorm.capture._bytes import Bytes, Columns, Numbers, codes, number, stack, take
 
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
+#: What a file lacks of what was sent, as notes call it.
+LACKS = (fragments.MISSING, tcp.GAPS)
 
 
 class KnownProcess:
@@ -47,16 +49,13 @@ class Gathered:
         self.pieces: list[Columns] = []
         #: What says who is asked for, and what could not be delivered: see `asides`.
         self.asides: list[Columns] = []
-        #: What tells packets that the capture shows twice; none if it cannot.
+        #: What tells packets that the capture shows twice.
         self.sights: list[Columns] = []
         self.loopback: list[bool] = []
         #: How many packets are of UDP and of TCP.
         self.mix: Counter[str] = Counter()
         #: Which process is in which domain.
         self.domains: set[tuple[int, int]] = set()
-        self.several = len(packets.links) > 1 or any(
-            link.LINKS.get(kind) in link.SEVERAL_VIEWS for kind in packets.links
-        )
 
     def packets_of(self, begin: int, end: int) -> None:
         """Read the packets of a part of the file."""
@@ -124,8 +123,8 @@ class Gathered:
                 self.notes[f"datagrams of {name}, which are encrypted"] += count
 
     def see(self, data: Bytes, found: Columns) -> None:
-        """Keep what tells whether a packet was seen before, if it may be seen twice."""
-        if self.several and len(found["at"]):
+        """Keep what tells whether a packet was seen before."""
+        if len(found["at"]):
             # There are at least eight bytes of a header in front of an empty payload.
             tail = number(data, found["at"] + found["size"] - 8, "=u8")
             keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
@@ -237,12 +236,17 @@ class Gathered:
                 process.host = where  # somebody else tells of it
                 process.since = int(found["frame"][datagram])
 
+    @property
+    def cut(self) -> int:
+        """How many packets were cut when they were captured."""
+        packets = self.packets.table
+        return int(np.count_nonzero(packets["size"] < packets["length"]))
+
     def lost(self) -> list[str]:
         """Return what the file lacks of what was sent, so that it cannot be read."""
-        packets = self.packets.table
-        cut = int(np.count_nonzero(packets["size"] < packets["length"]))
-        lost = [f"{cut} packets were cut when they were captured (snaplen)"] if cut else []
-        return lost + [f"{n} {what}" for what, n in self.notes.items() if what in fragments.LACKS]
+        cut = f"{self.cut} packets were cut when they were captured (snaplen)"
+        lost = [cut] if self.cut else []
+        return lost + [f"{n} {what}" for what, n in self.notes.items() if what in LACKS]
 
     def fragments(self) -> None:
         """Read what IP fragments make."""

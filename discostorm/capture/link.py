@@ -237,5 +237,3 @@ READERS: dict[str, Reader] = {
     "IEEE 802.11 with radiotap": _radiotap,
 }
 LINKS = {int(row["id"]): row["what"] for row in read_data("vendors/link_types.csv")}
-#: Link types that may show a packet several times: at each interface, or up and again down.
-SEVERAL_VIEWS = ("Linux cooked", "Linux cooked v2", "IEEE 802.11", "IEEE 802.11 with radiotap")

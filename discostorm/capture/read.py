@@ -23,6 +23,7 @@ NANOSECOND = 1e-9
 _AT_A_TIME = 1 << 15
 #: What is seen twice is seen within this time [ns]: on several interfaces, or up and down.
 _TWICE = 1_000_000_000
+AGAIN = "packets seen again, on another interface or way, or mirrored; they are not compared"
 #: A clock that goes back by more than the first was set, or on by the second may have been [ns].
 _BACK, _ON = 1_000_000_000, 30_000_000_000
 WAYS = ("", "up", "down")
@@ -111,6 +112,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _last=last - first - sum(step for _, step in jumps),
         _others=_others(found, rows, len(time)),
         _lost=tuple(found.lost()),
+        _cut=found.cut,
     )
 
 
@@ -144,7 +146,11 @@ def _complete(part: Columns) -> Columns:
 
 
 def _copies(found: Gathered, size: int) -> Array:
-    """Return of each frame whether it shows what another one showed before."""
+    """Return of each frame whether it shows what another one showed before.
+
+    That is so on another interface or way, and where a mirror port or a merged file has it twice:
+    who numbers packets does not use a number again that soon (RFC 6864, 4.1).
+    """
     copies = np.zeros(size, bool)
     if not found.sights:
         return copies
@@ -155,20 +161,20 @@ def _copies(found: Gathered, size: int) -> Array:
     many = np.flatnonzero(np.bincount(code)[code] > 1)
     order = many[np.lexsort((sights["frame"][many], code[many]))]
     group, view, frame = code[order], sights["view"][order], sights["frame"][order]
-    time, retry = found.packets.table["time"][frame], sights["retry"][order]
+    time = found.packets.table["time"][frame]
+    told = (sights["id"][order] > 0) & (sights["check"][order] > 0)
+    again = (sights["retry"] > 0)[order] | told
     now, since, place = -1, 0, 0
-    for which, when, where, again, number_ in zip(
-        group.tolist(), time.tolist(), view.tolist(), retry.tolist(), frame.tolist(), strict=True
+    for which, when, where, numbered, number_ in zip(
+        group.tolist(), time.tolist(), view.tolist(), again.tolist(), frame.tolist(), strict=True
     ):
-        same = which == now and when - since <= _TWICE and (where != place or again)
+        same = which == now and when - since <= _TWICE and (where != place or numbered)
         if same:
             copies[number_] = True
         else:
             now, since, place = which, when, where
     if count := int(np.count_nonzero(copies)):
-        found.notes["packets seen again, on another interface or way; they are not compared"] += (
-            count
-        )
+        found.notes[AGAIN] += count
     return copies
 
 
@@ -334,7 +340,10 @@ def _notes(
         )
     notes += [f"{count} {what}" for what, count in found.notes.items()]
     if encrypted := int((messages["kind"] == "Encrypted").sum()):
-        notes.append(f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind")
+        notes.append(
+            f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
+            "discovery, though user data may be among them"
+        )
     if silent := sum(1 for one in processes if not one.announced and not one.serves):
         notes.append(
             f"{silent} of {len(processes)} processes of which no announcement was "

@@ -58,6 +58,8 @@ class Capture:
     _asides : pandas.DataFrame
         What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
         connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+    _cut : int
+        How many packets were cut when they were captured [1].
     _jumps : tuple of tuple
         Where the clock that stamped the packets jumped: the frame, and by how much [s].
     _first, _last : float
@@ -77,6 +79,7 @@ class Capture:
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
     _asides: pd.DataFrame = field(compare=False)
+    _cut: int = field(compare=False)
     _jumps: tuple[tuple[int, float], ...] = ()
     _first: float = 0.0
     _last: float = 0.0
@@ -385,6 +388,7 @@ class Capture:
                 others=self._others,
                 jumps=self._jumps,
                 lost=self._lost,
+                cut=self._cut / max(self.packets, 1),
             )
         )
 

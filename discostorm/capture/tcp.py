@@ -20,6 +20,8 @@ from discostorm.capture._bytes import (
 )
 
 FIN, SYN, RST = 1, 2, 4
+#: What a capture may lack, as notes call it.
+GAPS = "gaps in TCP streams of Zenoh, of what was not captured"
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,7 @@ def read_zenoh(gathered: Gathered, copies: Array) -> None:
     if gathered.datagrams:
         rest = [_but_scouting(gathered, *part, known) for part in gathered.datagrams]
         gathered.datagrams = []
+        gathered.asides += [asides.exchanges(found) for _, found in rest]
         _read_datagrams(gathered, rest, known)
     if gathered.segments:
         parts, gathered.segments = gathered.segments, []

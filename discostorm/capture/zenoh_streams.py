@@ -8,7 +8,7 @@ import numpy as np
 
 from discostorm.capture import zenoh
 from discostorm.capture._bytes import Array, Bytes, Columns, Places, number, view
-from discostorm.capture.tcp import Content, Streams
+from discostorm.capture.tcp import GAPS, Content, Streams
 
 #: The extension of a fragment that tells its priority.
 _PRIORITY = 0x31
@@ -175,7 +175,7 @@ def batches(
     if cut:
         notes["bytes of Zenoh streams next to gaps or to their ends"] += cut
     if gaps := len(content.runs) - len({stream for _, _, stream, _ in content.runs}):
-        notes["gaps in TCP streams of Zenoh, of what was not captured"] += gaps
+        notes[GAPS] += gaps
     columns = {"at": begins, "end": ends, "stream": owners}
     return {name: np.array(column, np.int64) for name, column in columns.items()}
 

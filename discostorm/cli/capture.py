@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,8 +12,9 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
+from discostorm.cli.calculator import Link, link_of, spoken as spoken_by
 from discostorm.cli.fleets import called, compared, robot_option, standard_input
-from discostorm.cli.health import show_answer, show_tables, told
+from discostorm.cli.health import NO_ENDPOINTS, is_encrypted, show_answer, show_tables, told
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
@@ -69,7 +71,8 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
     "--write-fleet",
     "written",
     **A_FILE,
-    help="Write the captured fleet, with wired hosts, as a fleet file (TOML).",
+    help="Write the captured fleet, with wired hosts, as a fleet file (TOML), and give the link "
+    "that opens the calculator with it.",
 )
 @click.option(
     "--picture",
@@ -128,10 +131,14 @@ def capture(
         ]
         seconds = {protocol.name: found.compared_seconds(protocol, window) for protocol in tables}
         sums = found.sums(wired=on_wires)
-        if written is not None:
-            _write_fleet(written, found.fleet(wired=on_wires), called(file))
-        groups = found.fleet(wired=on_wires).groups if members is None and spoken else ()
         diagnosis = found.diagnosis()
+        seen = found.fleet(wired=on_wires) if spoken else None
+        if written is not None:
+            if is_encrypted(diagnosis):
+                raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
+            _write_fleet(written, found.fleet(wired=on_wires), called(file))
+        link = None if seen is None or is_encrypted(diagnosis) else link_of(seen, spoken_by(found))
+        groups = () if members is not None or seen is None else seen.groups
         if picture is not None:
             path = Path(_checks.path("--picture", picture, "a file"))
             try:
@@ -156,12 +163,15 @@ def capture(
             "sums": _whole_rows(sums.reset_index()),
             "messages": rows,
             "notes": list(found.notes),
+            "calculator": None if link is None else link.address,
         }
         click.echo(as_text(answer))
     elif output.for_people:
         show_answer(diagnosis)
         show_tables(diagnosis, output)
         _show_capture(found, groups, rows, output)
+        if is_encrypted(diagnosis):
+            click.echo(f"Note: {NO_ENDPOINTS}.")
         _show_sums(found, sums, seconds if rows else {})
         if on_wires is None and (serving := found.serving()):
             click.echo(
@@ -170,6 +180,8 @@ def capture(
             )
         if against is None and rows:
             _name_own_tables(found)
+        if written is not None:
+            _name_uses(written, link)
 
 
 assert capture.help
@@ -194,6 +206,8 @@ def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 
 def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
     """Write a fleet file that `plan` and the others take; all of it, or nothing."""
+    if name == "-":
+        raise BadInput("--write-fleet: - is no file; give a name, such as fleet.toml")
     path = Path(_checks.path("--write-fleet", name, "a file"))
     lines = [f"# Seen in {visible(_checks.brief(source))}."]
     for group in fleet.described():
@@ -267,6 +281,18 @@ def _name_own_tables(found: Capture) -> None:
     if own:
         options = " or ".join(f'--against "{name}"' for name in own)
         click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
+
+
+def _name_uses(written: str, link: Link | None) -> None:
+    """Say what takes the fleet that was written."""
+    command = ["discostorm", "plan", written]
+    if link is not None and link.middleware is not None:
+        command += ["--protocol", link.middleware]
+    click.echo(f"Wrote {visible(_checks.brief(written))}. Next: {visible(shlex.join(command))}")
+    if link is not None:
+        click.echo(f"In the calculator: {link.address}")
+        for note in link.notes:
+            click.echo(f"Note: {note}.")
 
 
 def _count(value: float | None) -> str:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
 
 import click
 
 import discostorm as ds
-from discostorm import _checks, staggered, words
+from discostorm import _checks, staggered, timeline, words
 from discostorm.cli.fleets import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, packed, protocol_option, radio_options
 from discostorm.cli.output import (
@@ -27,6 +27,8 @@ from discostorm.wifi import Wifi
 
 #: When discovery would be complete without user data, a column.
 ALONE = "convergence_without_data_s"
+#: How the package says that it does not simulate the recovery of a table.
+REFUSED = "recovery must be False for the protocol"
 #: What delays are called in the table of topics.
 TOLD = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
@@ -58,13 +60,46 @@ class Runs:
         }
 
     def time(self, taken: float) -> str:
-        """Return a time in words; infinity is what was not seen."""
+        """Return a time in words; infinity is what was not seen, NaN what is not simulated."""
+        if taken != taken:
+            return "not simulated"
         if taken < float("inf"):
             return seconds(taken)
         if self.no_recovery:  # nothing more will be sent
             return "never, as frames were lost"
+        return self.not_within
+
+    @property
+    def not_within(self) -> str:
+        """What is said of a time that did not come."""
         after = " after the last start" if self.window else ""
         return f"not within {_checks.exactly(self.until)} s{after}"
+
+    def answer(self, found: ds.Simulation) -> str:
+        """Return in a sentence or two when the robots know each other."""
+        runs = words.many(self.runs, "run")
+        known = sorted(found.convergence_time.tolist())
+        in_time = [time for time in known if time < float("inf")]
+        if not in_time:
+            return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
+        late = len(known) - len(in_time)
+        missing = f", in {late} of them {self.not_within}" if late else ""
+        return (
+            f"Your robots know each other after {words.durations(*_ends(in_time))} "
+            f"({runs}{missing})."
+        )
+
+
+def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
+    """Return what is known where recovery is not simulated: how long the channel is busy."""
+    taken = float(timeline.drain_time(protocol, fleet, wifi=wifi))
+    busy = f"for {words.duration(taken)}" if taken < float("inf") else "indefinitely"
+    lost = words.percents(*_ends(found.lost.tolist()))
+    return (
+        f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
+        f"robots do not see each other. Here {lost} of the frames are lost, and nothing sends them "
+        "again; with recovery it takes longer."
+    )
 
 
 @says_what_matches
@@ -109,7 +144,8 @@ def simulate(
 
     FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
     messages answer messages and the middleware repairs what is lost. A time that did not come
-    is null in JSON, and empty in CSV.
+    is null in JSON, and empty in CSV. Recovery through servers and routers is not simulated:
+    for these the answer is the drain time.
 
     If FLEET lists topics ([[groups.data]]), they are sent beside discovery, and each run is
     repeated without them. A second table tells how late samples were, and which frames arrived.
@@ -129,26 +165,29 @@ def simulate(
     found: dict[str, ds.Simulation] = {}
     alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
+    fleet = _whole(members.fleet)
     with bad_input():
         arguments = how.arguments()
         for protocol in protocols:
             try:
-                found[protocol.name] = ds.simulate(members.fleet, protocol, wifi, **arguments)
-                if members.fleet.has_data:
-                    fleet = members.fleet.without_data()
-                    alone[protocol.name] = ds.simulate(fleet, protocol, wifi, **arguments)
+                found[protocol.name] = ds.simulate(fleet, protocol, wifi, **arguments)
+                if fleet.has_data:
+                    alone[protocol.name] = ds.simulate(
+                        fleet.without_data(), protocol, wifi, **arguments
+                    )
             except ImportError as error:
                 raise BadInput(str(error)) from error
             except ValueError as error:
-                option = "--no-recovery must be given"
-                said = str(error).replace("recovery must be False", option, 1)
-                if len(protocols) == 1 or option not in said:
-                    raise ValueError(said) from error
-                refused[protocol.name] = said
-        if not found:
-            raise ValueError(next(iter(refused.values())))
-    for name, why in refused.items():
-        click.echo(visible(f"Note: {name} is not simulated: {why}"), err=True)
+                if fleet.has_data or not str(error).startswith(REFUSED):
+                    raise
+                refused[protocol.name] = str(error).partition(": ")[2]
+                found[protocol.name] = ds.simulate(
+                    fleet, protocol, wifi, **arguments | {"recovery": False}
+                )
+    if refused:
+        told = words.listed(list(refused))
+        why = next(iter(refused.values()))
+        click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
         answers = [
             one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
@@ -156,10 +195,17 @@ def simulate(
         ]
         click.echo(as_text(answers if len(protocols) > 1 else answers[0]))
         return
+    if output.for_people and len(found) == 1:
+        ((name, one),) = found.items()
+        modeled = not how.no_recovery and name not in refused
+        said = how.answer(one) if modeled else drain(protocols[0], fleet, wifi, one)
+        click.echo(visible(words.wrapped(said)) + "\n")
     shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
+        if name in refused:
+            table["convergence_time_s"] = None if output.as_csv else float("nan")
         if name in alone:
             place = list(table).index("convergence_time_s") + 1
             table.insert(place, ALONE, alone[name].convergence_time)
@@ -186,6 +232,27 @@ def simulate(
         click.echo("\nData until discovery was complete, median of the runs:\n")
         print_rows(_late(found), output, {"arrived": percent}, {"frames": "frames sent"})
     print_channel(wifi, output)
+
+
+def _whole(fleet: ds.Fleet) -> ds.Fleet:
+    """Return a fleet with whole numbers of endpoints, as frames are; say if it had others."""
+    rounded = [float(round(group.endpoints)) for group in fleet.groups]
+    for group, endpoints in zip(fleet.groups, rounded, strict=True):
+        if endpoints != group.endpoints:
+            name = f" of {group.name}" if group.name else ""
+            click.echo(
+                visible(
+                    f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
+                    f"simulated as {endpoints:g}."
+                ),
+                err=True,
+            )
+    groups = zip(fleet.groups, rounded, strict=True)
+    return replace(fleet, groups=tuple(replace(group, endpoints=n) for group, n in groups))
+
+
+def _ends(values: list[float]) -> tuple[float, float]:
+    return min(values), max(values)
 
 
 def _late(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:

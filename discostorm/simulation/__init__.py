@@ -92,8 +92,8 @@ def simulate(
     recovery : bool, optional
         Whether messages answer messages and the middleware repairs what is lost, as
         `discostorm.simulation.recovery` says; not for tables whose processes announce
-        themselves to servers, routers or listed hosts, such as "Fast DDS Discovery Server",
-        "Zenoh router" or "Cyclone DDS peers". If not, each host sends all that its
+        themselves to servers or routers, such as "Fast DDS Discovery Server" or "Zenoh router".
+        If not, each host sends all that its
         schedules say by the clock, nothing answers and nothing is repeated but by Wi-Fi.
     runs : int, optional
         Independent runs [1]. They go side by side through joblib, which

@@ -7,7 +7,7 @@ that, from what it answers and from its schedule.
 import numpy as np
 
 from discostorm import _checks
-from discostorm.messages import HOPS, HOST, PAIR, Message, Protocol, Role
+from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Records
 from discostorm.simulation.traffic import Shares, ticks
@@ -18,6 +18,8 @@ RTO_FIRST = 1.0
 #: Least and most of the timer [s] (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
 RTO_LEAST, RTO_MOST = 0.2, 120.0
 
+#: What a process sends to a host for each port that a process there may have.
+HOST_BY_HOST = UNITS["process and other host"]
 #: What a message is to the inner loops; announcements they tell by what they inform of.
 _ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _cell.ACKNACK}
 
@@ -38,8 +40,8 @@ def check_table(protocol: Protocol) -> None:
         )
     if not _announcements(protocol):
         raise ValueError(
-            f"{refused}its processes announce themselves to servers, routers or listed hosts "
-            "instead of to each other, and who learns what from these, and when, is not simulated"
+            f"{refused}its processes announce themselves to servers or routers instead of to each "
+            "other, and who learns what from these, and when, is not simulated"
         )
     _check_answers(protocol)
     _check_repair(protocol)
@@ -80,11 +82,34 @@ def _of_role(protocol: Protocol, role: Role) -> list[Message]:
 def _announcements(protocol: Protocol) -> list[Message]:
     """Return what the clock sends to those that are not known: to all or, if nothing is, to each.
 
-    What goes to servers, routers or listed hosts makes nobody known to each other.
+    What goes to servers or routers makes nobody known to each other.
     """
     by_clock = [m for m in _of_role(protocol, "announcement") if m.answers is None and m.frames]
     to_all = [m for m in by_clock if m.cast == "multicast"]
-    return to_all or [m for m in by_clock if m.unit == PAIR and m.hops == HOPS]
+    to_each = (PAIR, HOST_BY_HOST)
+    return to_all or [m for m in by_clock if m.unit in to_each and m.hops == HOPS]
+
+
+def spread(protocol: Protocol) -> list[int]:
+    """Return the rows with which processes announce themselves to all ports of listed hosts."""
+    announcements = _announcements(protocol)
+    return [
+        row
+        for row, message in enumerate(protocol.messages)
+        if message in announcements and message.unit == HOST_BY_HOST
+    ]
+
+
+def check_ports(protocol: Protocol, shares: Shares) -> None:
+    """Refuse more processes on a host than are announced to it: these would not be found."""
+    for row in spread(protocol):
+        if (least := shares.each[:, row].min()) < 1:
+            message = protocol.messages[row]
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {message.name!r}: hosts must have at most "
+                f"{message.per_unit:g} processes on average, as many as have a port, to be "
+                f"simulated with recovery; got {message.per_unit / least:g}"
+            )
 
 
 def clock_only(protocol: Protocol) -> Protocol:

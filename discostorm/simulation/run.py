@@ -15,10 +15,12 @@ from discostorm.simulation.engine import MEMORY, OVER, advance
 from discostorm.simulation.exchange import PARTS
 from discostorm.simulation.middleware import (
     check_items,
+    check_ports,
     check_table,
     clock_only,
     fill_kinds,
     repair_record,
+    spread,
 )
 from discostorm.simulation.places import MOST_DECIBELS, THRESHOLD
 from discostorm.simulation.result import CAUSES, COUNTS, Run
@@ -177,10 +179,13 @@ def set_up(
         heard = from_decibels(heard)
     radio = radio_record(wifi, queue, eifs, threshold)
     discovery, protocol = protocol, with_user_data(protocol, fleet, recovery)
-    kinds, shares = kind_records(protocol, wifi, hosts), shares_of(protocol, hosts)
-    repairs, table = None, discovery
     if recovery:
         check_table(protocol)
+    ports = spread(protocol) if recovery else ()
+    kinds, shares = kind_records(protocol, wifi, hosts, ports), shares_of(protocol, hosts, ports)
+    repairs, table = None, discovery
+    if recovery:
+        check_ports(protocol, shares)
         fill_kinds(protocol, kinds)
         check_items(protocol, kinds, shares)
         repairs, table = repair_record(protocol), clock_only(discovery)

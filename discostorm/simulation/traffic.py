@@ -8,7 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -181,8 +181,11 @@ class Shares:
         return np.ceil(most).astype(np.int64)
 
 
-def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
-    """Return how many frames of each message each process sends, and to whom."""
+def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
+    """Return how many frames of each message each process sends, and to whom.
+
+    What rows of ``spread`` send to hosts goes to their processes, on average as many to each.
+    """
     everyone = tuple(hosts.every)
     sets = {everyone: 0}
     remote = hosts.every.size - hosts.processes[hosts.host_of]
@@ -192,6 +195,8 @@ def shares_of(protocol: Protocol, hosts: Hosts) -> Shares:
         unit = message.unit
         sent = unit.senders(hosts) * (message.per_unit * message.frames)
         taking = unit.receivers(hosts)
+        if row in spread:
+            taking, sent = hosts.every, sent * (hosts.processes.size - 1) / remote
         if taking is None:
             to_all[:, row] = sent
             each[:, row] = sent / remote
@@ -252,7 +257,9 @@ def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
     return float((shares.each[:, row] * (taking.sum() - own)).sum())
 
 
-def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
+def kind_records(
+    protocol: Protocol, wifi: Wifi, hosts: Hosts, spread: Collection[int] = ()
+) -> Records:
     """Return the rows of a protocol's table; refuse what cannot be simulated."""
     if len(protocol.messages) > _MOST_MESSAGES:
         raise ValueError(
@@ -260,7 +267,7 @@ def kind_records(protocol: Protocol, wifi: Wifi, hosts: Hosts) -> Records:
             f"got {len(protocol.messages)}"
         )
     fast, slow = paddings(wifi)
-    shares, inside = shares_of(protocol, hosts), _inside(protocol, hosts)
+    shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
     records = np.zeros(len(protocol.messages), _cell.KIND)
     records["set"], records["whole"] = shares.sets, shares.whole
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):

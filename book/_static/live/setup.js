@@ -68,7 +68,12 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
 
   // Return the messages' rows, which the inner loops read, and how many of each a process sends.
   function traffic(table, recovering, wifi, all) {
-    const found = shares(table, all);
+    const { spread = [] } = recovering;
+    const found = shares(table, all, spread);
+    for (const row of spread) {
+      const [{ name, alone }, least] = [table.messages[row], Math.min(...found.shares[row].each)];
+      if (least < 1) refuse(`${name}: hosts must have at most ${alone} processes on average; got ${alone / least}`);
+    }
     const most = 2 ** constants.ITEM_BITS;
     const sets = [all.processes.map(() => 1)];
     const of = found.shares.map(({ taking }) => {

@@ -75,13 +75,15 @@ function liveTraffic() {
   }
 
   // Return how many of a message each process sends, to each and to all, and who receives them.
-  function share({ unit, multicast }, times, all) {
-    const sent = senders(unit, all).map((number) => number * times);
+  // What is spread goes to all processes of the hosts it is for, as many to each on average.
+  function share({ unit, multicast }, times, all, spread = false) {
+    let sent = senders(unit, all).map((number) => number * times);
     const count = all.processes.length;
     if (!RECEIVES[unit[1]]) {
       return { each: sent.map((number, i) => number / (count - all.processes[i].size)), toAll: sent };
     }
-    const taking = all.processes.map(RECEIVES[unit[1]]);
+    if (spread) sent = sent.map((number, i) => (number * (all.sizes.length - 1)) / (count - all.processes[i].size));
+    const taking = all.processes.map(spread ? () => 1 : RECEIVES[unit[1]]);
     const here = all.sizes.map(() => 0);
     taking.forEach((takes, i) => (here[all.processes[i].host] += takes));
     const many = sum(taking);
@@ -95,8 +97,8 @@ function liveTraffic() {
   }
 
   // Return the shares of all messages, and the octets of a frame of each.
-  function shares(table, all) {
-    const found = table.messages.map((message) => share(message, message.sent, all));
+  function shares(table, all, spread = []) {
+    const found = table.messages.map((message, row) => share(message, message.sent, all, spread.includes(row)));
     const octets = table.messages.map(() => 0);
     for (const [row, carrier, payload] of table.inside) {
       const alone = frames(share(table.messages[row], table.messages[row].alone, all));

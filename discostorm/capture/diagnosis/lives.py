@@ -203,6 +203,8 @@ def _joiners(
             late = [one for one in ones if alive[one].first >= first]
             if first - before < LATE or not _told(team, hosts[host][0]):
                 continue
+            if began_late and not any(pair.sent for pair in team.pairs if pair.of in late):
+                continue  # heard late, but of those that had told all before the capture
             who = tuple(_by_host(seen, late))
             times = [pair.complete for pair in team.pairs if {pair.of, pair.by} & set(late)]
             whole = max(times, default=np.inf)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from ipaddress import ip_address
 
 import numpy as np
 
 from discostorm import words
 from discostorm.capture.diagnosis.finding import Finding, listed
-from discostorm.capture.diagnosis.reach import PATIENCE, Reach, reach
+from discostorm.capture.diagnosis.reach import PATIENCE, Reach, reach, unheard
 from discostorm.capture.diagnosis.seen import Seen
 from discostorm.capture.diagnosis.teams import Team
 
@@ -25,10 +25,10 @@ AT_FIRST, QUICK = 6, 1.5
 AGAIN = 3
 
 
-def network(seen: Seen, team: Team) -> Iterator[Finding]:
-    """Yield what is wrong between the hosts of a team."""
+def network(seen: Seen, team: Team, holes: Collection[tuple[str, str]] = ()) -> Iterator[Finding]:
+    """Yield what is wrong between the hosts of a team; ``holes`` as in `reach`."""
     yield from _interfaces(seen, team)
-    found = reach(seen, team)
+    found = reach(seen, team, holes)
     if len(found.hosts) < 2:
         yield from _alone(seen, team, found)
     elif not found.expected.any():
@@ -74,7 +74,7 @@ def _network_of(address: str, bits: int) -> int:
 def _alone(seen: Seen, team: Team, found: Reach) -> Iterator[Finding]:
     hosts = set(team.hosts) - seen.serving
     served = len({pair.of for pair in team.pairs}) > 0
-    if not found.hosts or len(hosts) != 1 or served or len(seen.host_life) > 1:
+    if not found.hosts or len(hosts) != 1 or served or len(seen.host_life) > 1 or unheard(seen):
         return
     first, last = seen.host_life[found.hosts[0]]
     if last - first >= PATIENCE:

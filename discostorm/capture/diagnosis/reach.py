@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
 
 from discostorm.capture._bytes import Array
-from discostorm.capture.diagnosis.seen import Seen
+from discostorm.capture.diagnosis.seen import ENCRYPTED, HANDSHAKE, KEYS, Seen
 from discostorm.capture.diagnosis.teams import Team, clients, scouting
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 PATIENCE = 4.0
 #: Who is silent for this long is taken to be there all the same [s]: announcements are rare.
 RARE = 10.0
+#: So many answers to a host tell that it spoke.
+ANSWERS = 3
 
 
 @dataclass(frozen=True)
@@ -53,8 +56,11 @@ class Reach:
         return found
 
 
-def reach(seen: Seen, team: Team) -> Reach:
-    """Return which host of a team hears which."""
+def reach(seen: Seen, team: Team, holes: Collection[tuple[str, str]] = ()) -> Reach:
+    """Return which host of a team hears which.
+
+    ``holes`` are the hosts of whose messages to others the capture lacks some, with these.
+    """
     hosts = _announcing(seen, team)
     place = {host: index for index, host in enumerate(hosts)}
     size = len(hosts)
@@ -63,7 +69,23 @@ def reach(seen: Seen, team: Team) -> Reach:
         _rtps(seen, place, heard, taken, tried)
     else:
         _zenoh(seen, place, heard, taken, tried)
-    return Reach(hosts, _expected(seen, hosts), heard, taken, tried)
+    expected = _expected(seen, hosts)
+    for of, by in holes:
+        if of in place and by in place:
+            expected[place[of], place[by]] = False
+    return Reach(hosts, expected, heard, taken, tried)
+
+
+def unheard(seen: Seen) -> dict[str, int]:
+    """Return the hosts that others answer, and of which the capture shows nothing itself."""
+    rows = seen.rows
+    answers = seen.of("submessage", "ACKNACK") & (seen.number > 1)
+    first = seen.of("submessage", "InitSyn") | seen.of("kind", "Scout", "Hello", "Join")
+    answers |= seen.of("protocol", "Zenoh") & (seen.process >= 0) & ~first
+    answers &= ~seen.multicast
+    spoke = {*rows["sender"].astype(str).unique(), *seen.host}
+    count = rows["receiver"][answers].astype(str).value_counts()
+    return {str(host): int(n) for host, n in count.items() if host not in spoke and n >= ANSWERS}
 
 
 def _announcing(seen: Seen, team: Team) -> tuple[str, ...]:
@@ -114,12 +136,20 @@ def _rtps(seen: Seen, place: dict[str, int], heard: Array, taken: Array, tried: 
     sender, receiver = _ends(seen, place, plain)
     _set(heard, sender, receiver)
     answers = seen.of("submessage", "ACKNACK")[directed]
-    got = answers & ((seen.number[directed] > 1) | (seen.missing[directed] > 0))
+    # Keys follow the handshake, each step of which answers the one before.
+    got = seen.of("kind", KEYS, ENCRYPTED)[directed]
+    got |= answers & ((seen.number[directed] > 1) | (seen.missing[directed] > 0))
     _set(taken, by[got], of[got])
-    asks = seen.of("submessage", "HEARTBEAT", "DATA") & ~seen.of("kind", "SPDP") & ~seen.multicast
+    # A handshake is confirmed by its next step alone, which may fail for other reasons.
+    asks = seen.of("submessage", "HEARTBEAT", "DATA") & ~seen.of("kind", "SPDP", HANDSHAKE)
+    asks &= ~seen.multicast
     # A Heartbeat that tells of nothing is answered by nothing that tells it was heard.
     sender, receiver = _ends(seen, place, np.flatnonzero(asks & (seen.number > 0)))
     _set(tried, receiver, sender)
+    # With DDS Security nothing is confirmed to who has none.
+    secured = np.zeros(len(place), bool)
+    secured[[one for one in of_process[[*seen.secured]] if one >= 0]] = True
+    tried &= secured[:, None] == secured
 
 
 def _zenoh(seen: Seen, place: dict[str, int], heard: Array, taken: Array, tried: Array) -> None:
@@ -136,7 +166,8 @@ def _zenoh(seen: Seen, place: dict[str, int], heard: Array, taken: Array, tried:
     from_, to = ends
     answered = np.isin(kind, ["connection", "half", "refused"])
     _set(taken, to[answered], from_[answered])
-    whole = kind == "connection"
+    # What was open before the capture began was taken, too, whatever it carries.
+    whole = np.isin(kind, ["connection", "exchange"])
     _set(taken, from_[whole], to[whole])
     calls = np.isin(kind, ["connection", "half", "refused", "unanswered"])
     _set(tried, to[calls], from_[calls])

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 import numpy as np
 
+from discostorm import words
 from discostorm.capture.diagnosis.finding import Finding, listed
-from discostorm.capture.diagnosis.pairs import acknowledgements, groups
-from discostorm.capture.diagnosis.seen import ACKNACK, DATA, HEARTBEAT, Seen
+from discostorm.capture.diagnosis.pairs import Pair, acknowledgements, groups
+from discostorm.capture.diagnosis.reach import PATIENCE, unheard
+from discostorm.capture.diagnosis.seen import (
+    DATA,
+    ENCRYPTED,
+    HEARTBEAT,
+    Seen,
+)
 
 
 def began_late(seen: Seen) -> set[int]:
@@ -19,10 +27,16 @@ def began_late(seen: Seen) -> set[int]:
     acks = acknowledgements(seen)
     data = seen.of("kind", DATA) & (seen.process >= 0) & (seen.number > 0)
     writer = seen.rows["writer"].to_numpy(np.int64)
-    sent = {(one, which) for one, which, _ in groups(data, seen.process, writer)}
+    # What a process tells long after it was heard first, and not from its first sample on, comes
+    # after a start that the capture lacks.
+    start = {
+        (one, which)
+        for one, which, rows in groups(data, seen.process, writer)
+        if seen.number[rows].min() == 1 or seen.time[rows[0]] - seen.life[0][one] < LONG_AFTER
+    }
     found: set[int] = set()
     for (_, of, which), (_, bases) in acks.items():
-        if len(bases) and bases[0] > 1 and (of, which) not in sent:
+        if len(bases) and bases[0] > 1 and (of, which) not in start:
             found.add(of)
     return found | _settled(seen)
 
@@ -33,7 +47,7 @@ def _settled(seen: Seen) -> set[int]:
     A start has Heartbeats or acknowledgements of endpoints, or an acknowledgement of nothing yet.
     """
     speaks = seen.process >= 0
-    starts = seen.of("kind", DATA, HEARTBEAT, ACKNACK)
+    starts = seen.of("kind", DATA, HEARTBEAT)
     starts |= seen.of("submessage", "ACKNACK") & (seen.number <= 1)
     knows = ~seen.multicast & seen.of("protocol", "RTPS")
     known, starting = (
@@ -44,20 +58,46 @@ def _settled(seen: Seen) -> set[int]:
 
 def record(seen: Seen, late: set[int]) -> Iterator[Finding]:
     """Yield what the capture cannot show, and why."""
-    if seen.view is not None:
-        yield Finding(
-            "view of one host", (seen.view,), "all unicast that was captured is from or to it"
-        )
+    yield from _encrypted(seen)
     yield from _late(seen, late)
     yield from _lost(seen, late)
+    if seen.view is not None:
+        yield Finding(
+            "view of one host",
+            (seen.view,),
+            f"all unicast that was captured is from or to {seen.view}",
+        )
     for frame, step in seen.jumps[:TOLD]:
         kind = "clock back" if step < 0 else "clock on"
         way = "back" if step < 0 else "on"
         yield Finding(kind, (), f"packet {frame}: its time is {abs(step):,.1f} s {way}")
 
 
+def _encrypted(seen: Seen) -> Iterator[Finding]:
+    """Yield that what processes announce is encrypted, and how many have each other's keys."""
+    untold = seen.processes["endpoints"].to_numpy() == 0
+    hidden = seen.of("kind", ENCRYPTED) & (seen.process >= 0)
+    by = [one for one in np.unique(seen.process[hidden]).tolist() if untold[one]]
+    if not by:
+        return
+    hosts = dict.fromkeys(str(seen.host[one]) for one in by)
+    pairs = {(one, other) for one, other in seen.keyed if seen.host[one] != seen.host[other]}
+    ought = sum(seen.host[one] != seen.host[other] for one, other in permutations(seen.secured, 2))
+    yield Finding(
+        "encrypted",
+        tuple(hosts),
+        f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed([*hosts])}; in "
+        f"{len(pairs)} of {ought} pairs of processes on different hosts one told the other its "
+        "keys",
+    )
+
+
 #: So many jumps of the clock are told.
 TOLD = 3
+#: What is told so long after a process was heard first is not of its start [s].
+LONG_AFTER = 1.0
+#: Who waits for a confirmation asks again after two of the pauses before, soon, at the latest [s].
+PAUSES, LEAST, MOST = 2.5, 3.0, 9.0
 
 
 def _late(seen: Seen, late: set[int]) -> Iterator[Finding]:
@@ -85,19 +125,34 @@ def _late(seen: Seen, late: set[int]) -> Iterator[Finding]:
 
 def _lost(seen: Seen, late: set[int]) -> Iterator[Finding]:
     said = list(seen.lost)
-    holes = _holes(seen, late)
+    holes: dict[str, int] = {}
+    for (of, _), count in holes_of(seen, late).items():
+        holes[of] = max(holes.get(of, 0), count)
     if holes:
-        count = sum(holes.values())
         said.append(
-            f"{count} samples that tell of endpoints of {listed(sorted(holes))} were confirmed, "
-            "and are not in the capture"
+            f"the capture lacks {words.many(sum(holes.values()), 'sample')} about endpoints of "
+            f"{listed(sorted(holes))} that others confirmed"
+        )
+    silent = unheard(seen)
+    for host, count in silent.items():
+        said.append(
+            f"{count} messages to {host} answer what it sent, and nothing that it sent is in the "
+            "capture"
         )
     if said:
-        yield Finding("capture lost part", tuple(sorted(holes)), "; ".join(said))
+        hosts = tuple(sorted({*holes, *silent}))
+        yield Finding("capture lost part", hosts, "; ".join(said))
 
 
-def _holes(seen: Seen, late: set[int]) -> dict[str, int]:
-    """Return how many samples of each host were confirmed that the capture lacks.
+def unread(seen: Seen) -> tuple[str, ...]:
+    """Return the hosts that speak in sessions, and none of whose processes the capture shows."""
+    known = set(seen.host)
+    told = seen.rows["sender"][seen.of("protocol", "Zenoh") & ~seen.multicast & (seen.process < 0)]
+    return tuple(host for host in told.astype(str).unique() if host not in known)
+
+
+def holes_of(seen: Seen, late: set[int]) -> dict[tuple[str, str], int]:
+    """Return, by host and who confirms, how many samples were confirmed that the capture lacks.
 
     A process that had begun before the capture is left out, and so is what a Gap jumps over.
     """
@@ -105,21 +160,61 @@ def _holes(seen: Seen, late: set[int]) -> dict[str, int]:
     gaps = seen.of("submessage", "GAP") & (seen.process >= 0)
     writer = seen.rows["writer"].to_numpy(np.int64)
     sent = {
-        (one, which): np.unique(seen.number[rows])
-        for one, which, rows in groups(data, seen.process, writer)
+        (one, which): rows for one, which, rows in groups(data, seen.process, writer) if len(rows)
     }
     jumped = {(one, which) for one, which, _ in groups(gaps, seen.process, writer)}
-    most: dict[tuple[int, int], int] = {}
-    for (_, of, which), (_, bases) in acknowledgements(seen).items():
-        if bases.min() <= 1 or (of, which) in sent:
-            most[of, which] = max(most.get((of, which), 0), int(bases.max()) - 1)
-    found: dict[str, int] = {}
-    for (of, which), last in most.items():
+    found: dict[tuple[str, str], int] = {}
+    nothing = np.zeros(0, np.int64)
+    for (by, of, which), (_, bases) in acknowledgements(seen).items():
         if of in late or (of, which) in jumped:
             continue
-        numbers = sent.get((of, which), np.zeros(0, np.int64))
-        lacking = last - int((numbers <= last).sum())
+        rows = sent.get((of, which), nothing)
+        if bases.min() > 1 and not len(rows):
+            continue
+        last = int(bases.max()) - 1
+        told = rows[(seen.peer[rows] < 0) | (seen.peer[rows] == by)]
+        lacking = last - int((np.unique(seen.number[told]) <= last).sum())
         if lacking > 0:
-            host = str(seen.host[of])
-            found[host] = found.get(host, 0) + lacking
+            ends = str(seen.host[of]), str(seen.host[by])
+            found[ends] = max(found.get(ends, 0), lacking)
     return found
+
+
+def asked_no_more(seen: Seen, pair: Pair) -> bool:
+    """Return whether a process tells all it has, and stops asking whether that arrived.
+
+    Its Heartbeats go on until all is confirmed: if they end, a confirmation is not in the capture.
+    """
+    if not pair.sent:
+        return False
+    beats = seen.of("kind", HEARTBEAT) & (seen.process == pair.of)
+    times = seen.time[beats & ((seen.peer == pair.by) | (seen.peer < 0))]
+    if not len(times):
+        return False
+    end = min(float(seen.life[1][one]) for one in (pair.of, pair.by))
+    pause = float(np.diff(times).max(initial=0.0))
+    return end - float(times[-1]) > (max(PAUSES * pause, LEAST) if pause else MOST)
+
+
+def unconfirmed(seen: Seen, lacking: list[Pair]) -> Iterator[Finding]:
+    """Yield that confirmations are not in the capture."""
+    hosts = tuple(dict.fromkeys(str(seen.host[pair.by]) for pair in lacking))
+    yield Finding(
+        "capture lost part",
+        hosts,
+        f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture lacks "
+        "these confirmations",
+    )
+
+
+def ended_early(seen: Seen, pending: list[Pair]) -> Iterator[Finding]:
+    """Yield that processes did not know each other yet when the capture ended, soon after."""
+    hosts = tuple(dict.fromkeys(str(seen.host[pair.by]) for pair in pending))
+    if pending:
+        pairs = words.many(len(pending), "pair")
+        yield Finding(
+            "capture ended early",
+            hosts,
+            f"when the capture ended, {pairs} of processes had not completed, which had been there "
+            f"for less than {PATIENCE:.0f} s",
+        )

@@ -7,13 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm import _checks
+from discostorm import _checks, words
 from discostorm.capture.diagnosis import tables
 from discostorm.capture.diagnosis.finding import Finding, kinds, listed
 from discostorm.capture.diagnosis.lives import events, lives, restarted
 from discostorm.capture.diagnosis.network import network
 from discostorm.capture.diagnosis.pairs import Pair
-from discostorm.capture.diagnosis.record import began_late, record
+from discostorm.capture.diagnosis.reach import unheard
+from discostorm.capture.diagnosis.record import (
+    asked_no_more,
+    began_late,
+    ended_early,
+    holes_of,
+    record,
+    unconfirmed,
+    unread,
+)
 from discostorm.capture.diagnosis.seen import DATA, Seen
 from discostorm.capture.diagnosis.teams import Team, teams
 from discostorm.capture.diagnosis.traffic import loss, servers, storm
@@ -23,6 +32,13 @@ if TYPE_CHECKING:
 
 #: What is quiet for so long at the end of a capture is over [s].
 QUIET = 1.0
+#: From this share of cut packets on, what is missing tells nothing [1].
+MOST_CUT = 0.1
+#: What to do if there is no discovery in a capture.
+RECORD_ANEW = (
+    "Record on the interface that the robots use, before their nodes start, and without ports in "
+    f"the filter: {words.RECORD.format(file='discovery.pcap')}."
+)
 #: So many rows what was sent has at most, in JSON [1].
 TIMELINE = 2000
 #: What is told of endpoints, and said to open sessions.
@@ -137,11 +153,14 @@ class Diagnosis:
             sentences += [_sentence(first.evidence), _sentence(first.advice)]
         else:
             limits = [one for one in self.findings if one.about == "capture"]
+            limits = [one for one in limits if not one.kind.startswith("clock")]
             gone = [one for one in self.findings if one.kind == "crash"]
             if gone:
                 sentences += [_sentence(gone[0].evidence), _sentence(gone[0].advice)]
             elif limits and (self.complete is None or len(self._hosts) < 2):
                 sentences += [_sentence(limits[0].evidence), _sentence(limits[0].advice)]
+            elif self.complete is None:
+                sentences.append(RECORD_ANEW)
         return " ".join(filter(None, sentences))
 
     def _state(self) -> str:
@@ -149,7 +168,11 @@ class Diagnosis:
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
-            return f"Discovery is not healthy: {self.wrong[0].what}{also}."
+            good = "complete and over, but " if self.over else "complete, but "
+            good = good if self.complete else ""
+            bad = ["healthy", *["complete"] * (self.complete is False)]
+            bad += ["over"] * (self.over is False)
+            return f"Discovery is {good}not {' and not '.join(bad)}: {self.wrong[0].what}{also}."
         if self.complete is False:
             lacking = f"{len(self._incomplete)} of {self.pairs} pairs of processes"
             return f"Discovery is not complete: {lacking} do not know all of each other."
@@ -158,7 +181,7 @@ class Diagnosis:
                 return "The capture shows no discovery of DDS or Zenoh."
             return f"The capture does not show whether discovery is complete ({count})."
         state = "healthy, complete and over" if self.over else "healthy and complete, but not over"
-        when = f" after {self.complete_at:.1f} s" if np.isfinite(self.complete_at) else ""
+        when = f" {_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
         return f"Discovery is {state}: {count} know each other{when}{self._last()}."
 
     def _last(self) -> str:
@@ -186,6 +209,13 @@ class Diagnosis:
         }
 
 
+def _after(time: float) -> str:
+    """Return when something was, with the digits that tell."""
+    if time < 0.01:
+        return "within 10 ms"
+    return f"after {time:.1f} s" if time >= 1.0 else f"after {time:.2f} s"
+
+
 def _number(value: Any) -> Any:
     return value if not isinstance(value, float) or np.isfinite(value) else None
 
@@ -211,7 +241,8 @@ def diagnose(seen: Seen) -> Diagnosis:
     alive = lives(seen)
     gone = {one for starts in restarted(seen, alive).values() for one in starts[:-1]}
     happened = list(events(seen, found_teams, late))
-    wrong = [finding for team in found_teams for finding in network(seen, team)]
+    holes = holes_of(seen, late)
+    wrong = [finding for team in found_teams for finding in network(seen, team, holes)]
     wrong += _domains(found_teams)
     wrong += [*servers(seen)]
     limits = list(record(seen, late))
@@ -219,11 +250,25 @@ def diagnose(seen: Seen) -> Diagnosis:
         pair for team in found_teams for pair in team.pairs if tables.due(seen, pair, alive, gone)
     ]
     lacking = [pair for pair in pairs if pair.complete == np.inf]
+    late_ones = [
+        pair
+        for team in found_teams
+        for pair in team.pairs
+        if tables.pending(seen, pair, alive, gone)
+    ]
+    limits += ended_early(seen, late_ones)
+    if lacking and all(asked_no_more(seen, pair) for pair in lacking):
+        limits += unconfirmed(seen, lacking)
     wrong += [one for one in happened if one.about == "fleet"]
     lossy = list(loss(seen))
+    if seen.cut > MOST_CUT:
+        wrong, lossy = _domains(found_teams), []
     if any(one.kind == "heavy loss" for one in lossy):
         # So many losses can look like a direction that does not work.
         wrong = [one for one in wrong if one.kind != "one direction of pairs"]
+    strange = [pair for pair in lacking if {pair.of, pair.by} & seen.secured]
+    if strange and not wrong:
+        wrong.append(_strange(seen, strange, len(pairs)))
     if lacking and not wrong and not lossy and not limits:
         wrong.append(_incomplete(seen, lacking, len(pairs)))
     wrong += [*lossy, *storm(seen)]
@@ -235,7 +280,9 @@ def diagnose(seen: Seen) -> Diagnosis:
     end = float(seen.time.max(initial=0.0))
     return Diagnosis(
         findings=(*wrong, *(one for one in happened if one.about == "event"), *limits),
-        complete=_complete(pairs, lacking, bool(wrong), limits),
+        complete=None
+        if not wrong and (unheard(seen) or unread(seen))
+        else _complete(pairs, lacking, bool(wrong), limits),
         over=bool(seen.duration - telling.max(initial=0.0) > QUIET and end > 0)
         if len(telling) or pairs
         else None,
@@ -260,9 +307,25 @@ def _complete(
     if all(np.isnan(pair.complete) for pair in pairs):
         return None
     lost = any(one.kind in ("capture lost part", "capture began late") for one in limits)
-    if lacking and lost and not wrong:
+    if wrong:
+        return not lacking
+    began = any(one.kind in ("capture began late", "capture ended early") for one in limits)
+    if began or (lacking and lost):
         return None
     return not lacking
+
+
+def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
+    by = dict.fromkeys(
+        f"{seen.host[min(pair.of, pair.by)]} with {seen.host[max(pair.of, pair.by)]}"
+        for pair in strange
+    )
+    return Finding(
+        "not authenticated",
+        tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
+        f"in {len(strange)} of {pairs} pairs of processes the one never told the other its keys: "
+        f"{listed([*by])}",
+    )
 
 
 def _incomplete(seen: Seen, lacking: list[Pair], pairs: int) -> Finding:

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 #: Of RTPS what SEDP's messages are called: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
+#: Of DDS Security: the handshake, the keys that follow it, and what these encrypt.
+HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
+SECURED = (HANDSHAKE, KEYS, ENCRYPTED)
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,8 @@ class Seen:
         See `Capture`.
     lost : tuple of str
         What the capture itself says that it lacks: cut packets, fragments that are missing.
+    cut : float
+        The share of its packets that were cut [1].
     """
 
     rows: pd.DataFrame
@@ -51,6 +56,7 @@ class Seen:
     others: dict[str, int]
     jumps: tuple[tuple[int, float], ...]
     lost: tuple[str, ...]
+    cut: float
 
     @cached_property
     def time(self) -> Array:
@@ -103,6 +109,18 @@ class Seen:
     def missing(self) -> Array:
         """How many samples each message says that it lacks."""
         return self.rows["missing"].to_numpy(np.int64)
+
+    @cached_property
+    def keyed(self) -> frozenset[tuple[int, int]]:
+        """Which process told which other one its keys."""
+        told = self.of("kind", KEYS) & (self.process >= 0) & (self.peer >= 0)
+        ends = np.unique(np.column_stack((self.process[told], self.peer[told])), axis=0)
+        return frozenset((one, other) for one, other in ends.tolist())
+
+    @cached_property
+    def secured(self) -> frozenset[int]:
+        """Which processes use DDS Security."""
+        return frozenset(np.unique(self.process[self.of("kind", *SECURED)]).tolist()) - {-1}
 
     @cached_property
     def life(self) -> tuple[Array, Array]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from discostorm import words
 from discostorm.capture._bytes import Array
 from discostorm.capture.diagnosis.finding import Finding, listed
 from discostorm.capture.diagnosis.pairs import groups
@@ -162,7 +163,7 @@ def _discovery_servers(seen: Seen, end: float, down: dict[str, list[str]]) -> No
         since = float(seen.time[later].min()) if later.any() else end
         if int(later.sum()) < 5 * TIMES or end - since < 3.0:
             continue
-        said = [f"{asking} hosts sent it {int(later.sum())} messages without an answer"]
+        said = [f"{words.many(asking, 'host')} sent it {int(later.sum())} messages without answer"]
         said.append("it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s")
         if count := int(((asides["kind"] == "unreachable") & (asides["receiver"] == host)).sum()):
             said.append(f"{count} times its host said that nobody has the port (ICMP)")
@@ -187,7 +188,8 @@ def _routers(seen: Seen, down: dict[str, list[str]]) -> None:
             continue
         how = failed["kind"].astype(str).value_counts()
         told = listed([f"{count} {name}" for name, count in how.items()])
-        said = [f"connections to port {PORT} by {failed['sender'].nunique()} hosts: {told}"]
+        callers = words.many(failed["sender"].nunique(), "host")
+        said = [f"connections to port {PORT} by {callers}: {told}"]
         if np.isfinite(taken):
             said.append(f"the last one was taken after {taken:.1f} s")
         down[host] = said
@@ -202,7 +204,7 @@ def _nobody_there(seen: Seen, down: dict[str, list[str]]) -> None:
     for host in map(str, requests["receiver"].unique()):
         mine = requests[(requests["receiver"] == host).to_numpy()]
         if len(mine) >= TIMES and host not in replies | spoken:
+            asking = words.many(mine["sender"].nunique(), "host")
             down[host] = [
-                f"{mine['sender'].nunique()} hosts ask {len(mine)} times by ARP who has this "
-                "address, and nobody answers"
+                f"{asking} asked {len(mine)} times by ARP for this address, and no answer came"
             ]
