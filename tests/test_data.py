@@ -47,6 +47,7 @@ DESCRIBED = {
             "bands",
             "beyond_counts",
             "restart_counts",
+            "watch",
         ),
     ),
     "README.md": (
