@@ -17,7 +17,7 @@ OUT ?= build/figures
 GRID ?= grid
 # Where the book is on its host, for `make serve`.
 BASE ?= /
-MEASURED = $(if $(filter grid mitigations shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
+MEASURED = $(if $(filter grid mitigations security shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING, Literal
 
@@ -152,6 +152,14 @@ def points_of(
     return tuple(found)
 
 
+def beyond(name: str) -> tuple[Point, ...]:
+    """Return the points of ``lab/beyond.csv``, larger than the grid's, of a product's table."""
+    row = products().get(name)
+    if row is None:
+        return ()
+    return points_of(row["product"], row["variant"], int(row["least_processes"]), "beyond_")
+
+
 #: How many times the measured range a fleet is at most [1]: within it, up to twice, and beyond. No
 #: number of hosts is told from the second on: not measured.
 CLASSES = (1.0, 2.0, np.inf)
@@ -180,6 +188,10 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
     """
     of_hosts, of_all, _ = captured
     return max(1, int(CLASSES[1] * min(of_hosts, of_all / processes)))
+
+
+#: What is said of a band of a fleet that is larger than any that was measured.
+BEYOND = "; how far it is off for a fleet of this size was not measured"
 
 
 @dataclass(frozen=True)
@@ -221,7 +233,7 @@ class Band:
         where = {1.0: "within that range", 2.0: "of up to twice that range"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
-        beyond = "; how far it is off for a fleet of this size was not measured" * self.beyond
+        beyond = BEYOND * self.beyond
         return (
             f"In {self.points} swarms {where} that the table was not fitted to, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime it says, "
@@ -254,24 +266,37 @@ def band(
         Of the held-out points of fleets as large as this one, or of the largest there were; None
         if nothing was held out.
     """
-    every = [row for row in read_data("measured/bands.csv") if row["protocol"] == protocol]
-    rows = [row for row in every if row["window"] == window]
+    rows = bands_of(protocol, window)
     if not rows:
         return None
     many, endpoints = size_of(fleet, captured)
     # Beyond twice the range none had more hosts: those of twice the range are the nearest.
     needed = max(min(many, CLASSES[1]), endpoints)
-    row = next((row for row in rows if float(row["up_to"]) >= needed), rows[-1])
-    most = [max(1.0, *(float(row[name]) for row in rows)) for name in _MOST]
-    return Band(
-        low=float(row["low"]),
-        high=float(row["high"]),
-        typical=float(row["typical"]),
-        points=int(row["points"]),
-        up_to=float(row["up_to"]),
-        most_hosts=most[0],
-        most_endpoints=most[1],
-        beyond=many > most[0] or endpoints > most[1],
+    found = next((row for row in rows if row.up_to >= needed), rows[-1])
+    return replace(found, beyond=many > found.most_hosts or endpoints > found.most_endpoints)
+
+
+@cache
+def bands_of(protocol: str, window: Literal["startup", "steady"] = "startup") -> tuple[Band, ...]:
+    """Return the bands of a table, one for each class of sizes measured, the smallest first."""
+    rows = [
+        row
+        for row in read_data("measured/bands.csv")
+        if (row["protocol"], row["window"]) == (protocol, window)
+    ]
+    most = [max(1.0, *(float(row[name]) for row in rows)) for name in _MOST if rows]
+    return tuple(
+        Band(
+            low=float(row["low"]),
+            high=float(row["high"]),
+            typical=float(row["typical"]),
+            points=int(row["points"]),
+            up_to=float(row["up_to"]),
+            most_hosts=most[0],
+            most_endpoints=most[1],
+            beyond=False,
+        )
+        for row in rows
     )
 
 

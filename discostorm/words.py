@@ -167,8 +167,8 @@ def capitalized(sentence: str) -> str:
     return sentence[:1].upper() + sentence[1:]
 
 
-#: Units that stay with their number.
-_UNIT = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
+#: Units that stay with their number: a regular expression.
+UNIT = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
 
 
 def unbroken(text: str) -> str:
@@ -179,7 +179,7 @@ def unbroken(text: str) -> str:
     >>> unbroken("2 hosts, 3 s, 11 Mbit/s").count("\N{NO-BREAK SPACE}")
     2
     """
-    return re.sub(rf"(?<=\d) (?={_UNIT})", "\N{NO-BREAK SPACE}", text)
+    return re.sub(rf"(?<=\d) (?={UNIT})", "\N{NO-BREAK SPACE}", text)
 
 
 def wrapped(line: str, width: int = 79) -> str:

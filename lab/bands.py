@@ -18,7 +18,16 @@ import numpy as np
 
 from discostorm.book.comparison import airtime_counted, airtime_expected
 from discostorm.data import data_path, read_data
-from discostorm.measured import CLASSES, WINDOWS, arrangements, points, points_of, products, size_of
+from discostorm.measured import (
+    CLASSES,
+    WINDOWS,
+    arrangements,
+    beyond,
+    points,
+    points_of,
+    products,
+    size_of,
+)
 from discostorm.protocols.as_built import as_built
 
 DIGITS = 3
@@ -27,14 +36,10 @@ RESTARTS = ("restart", "join")
 
 def bands() -> Iterator[dict[str, Any]]:
     """Yield a row for each table, window and class of sizes: what was measured beside the table."""
-    for name, row in (products() | arrangements()).items():
+    for name in products() | arrangements():
         table = as_built(name)
         assert table.captured is not None
-        held = [point for point in points(name) if point.use == "test"]
-        if name in products():
-            held += points_of(
-                row["product"], row["variant"], int(row["least_processes"]), "beyond_"
-            )
+        held = [point for point in points(name) + beyond(name) if point.use == "test"]
         for window in WINDOWS:
             ratios = defaultdict(list)
             for point in held:

@@ -3,13 +3,13 @@
 set -eu
 
 packages="cyclonedds-dev cyclonedds-tools ethtool fastdds-tools g++ iproute2 libfastcdr-dev"
-packages="$packages libfastrtps-dev nftables procps python3-venv tcpdump util-linux"
+packages="$packages libfastrtps-dev nftables openssl procps python3-venv tcpdump util-linux"
 if [ "${1-}" = --debian ]; then
     echo "$packages"
     exit
 fi
 missing=
-for program in ethtool fast-discovery-server g++ idlc ip nsenter setpriv sysctl tcpdump unshare; do
+for program in ethtool fast-discovery-server g++ idlc ip nsenter openssl setpriv sysctl tcpdump unshare; do
     command -v "$program" >/dev/null 2>&1 || missing="$missing $program"
 done
 for header in dds/dds.h fastdds/dds/domain/DomainParticipant.hpp fastcdr/Cdr.h; do

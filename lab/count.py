@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from run import SECURITY
 
 import discostorm as ds
 from discostorm.capture import files, ip, link
@@ -30,6 +31,9 @@ RUNS = (
     *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
     "idle",
 )
+#: With DDS Security: ordered pairs of processes on different hosts of which the one never told the
+#: other its keys.
+STRANGERS = "strangers"
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
 #: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
@@ -52,6 +56,8 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
         max(one[what] - begun for one, begun in zip(told["times"], after, strict=True))
         for what in ("begin", "endpoints")
     )
+    # Profiles are in a folder of the lab.
+    places = re.compile(r"/\S*?(?=build/lab/)")
     shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
     return {
         "run": run,
@@ -63,7 +69,9 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
         "late_s": f"{late - told['start']:.4f}",
         "made_s": f"{made - told['start']:.4f}",
         "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
-        "environment": " ".join(f"{key}={value}" for key, value in told["env"].items()),
+        "environment": " ".join(
+            f"{key}={places.sub('', value)}" for key, value in told["env"].items()
+        ),
         "idle": told.get("idle", ""),
         "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
     }
@@ -146,6 +154,8 @@ def main() -> int:
         run = hashlib.sha256(capture.read_bytes()).hexdigest()[:DIGITS] if arranged else number
         told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
         runs.append(described(run, capture, told))
+        if told["variant"] in SECURITY:
+            runs[-1][STRANGERS] = len(ds.read_capture(capture).diagnosis().incomplete())
         rows = list(counted(run, capture, told, notes))
         if not rows:
             print(f"{capture}: there is no message in it", file=sys.stderr)
@@ -159,8 +169,10 @@ def main() -> int:
     given.out.mkdir(parents=True, exist_ok=True)
     kind = "mitigation_" if arranged else ""
     kind = "shared_" if told["names"] == "shared" else kind
+    secured = (STRANGERS,) * any(STRANGERS in row for row in runs)
+    kind = "security_" if secured else kind
     kind = kind if given.kind is None else given.kind
-    write(given.out / f"{kind}runs.csv", RUNS, runs)
+    write(given.out / f"{kind}runs.csv", (*RUNS, *secured), runs)
     write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
     print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)
     return 0

@@ -2,7 +2,8 @@
 
 `data/vendors/as_built.csv` says which messages a product sends, for what and when. What it does
 not say, how many for each unit, is fitted here, as are sizes and parts of frames, to one half of
-the points: those that `runs.csv` marks with `fit`. So are those of `mitigations.csv`.
+the points: those that `runs.csv` and `beyond_runs.csv` mark with `fit`. So are those of
+`mitigations.csv`.
 """
 
 import argparse
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 from discostorm.book.comparison import misses, times
 from discostorm.data import data_path, read_data
-from discostorm.measured import WINDOWS, Point, arrangements, points, products
+from discostorm.measured import WINDOWS, Point, arrangements, beyond, points, products
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule
@@ -259,7 +260,7 @@ def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
 def fitted(family: str) -> Iterator[list[str]]:
     """Yield the rows of the table of a family."""
     for name in NAMES[family]():
-        seen = [point for point in points(name) if point.use == "fit"]
+        seen = [point for point in points(name) + beyond(name) if point.use == "fit"]
         kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
         for row in read_data(f"vendors/{family}.csv"):
             if row["protocol"] == name:

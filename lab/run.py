@@ -80,6 +80,17 @@ ARRANGEMENTS: dict[
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
     ("zenoh", "star"): (ZENOH, {}, [(101, ZENOH_ROUTER), (0, [*ZENOH_ROUTER, "star"])]),
 }
+# With DDS Security, by a governance of keystore.sh that says what is protected.
+KEYSTORE = BUILD / "keystore"
+SECURITY = {"secure": "ros2", "secure_discovery": "discovery"}
+SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]] = {
+    (product, variant): (command, {name: f"{scheme}{KEYSTORE}/{file}_{governance}.xml"}, [])
+    for product, command, name, scheme, file in (
+        ("fast_dds", FAST_DDS, "FASTRTPS_DEFAULT_PROFILES_FILE", "", "fast_dds"),
+        ("cyclone_dds_0.10", CYCLONE_DDS, "CYCLONEDDS_URI", "file://", "cyclone_dds"),
+    )
+    for variant, governance in SECURITY.items()
+}
 #: Who began it may have ended before the signal at its death was asked for.
 ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
 ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
@@ -106,7 +117,7 @@ def staged(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     if "arrangement" not in point:
         return shipped
     product, _, variant = point["arrangement"].partition("-")
-    return {(product, variant): (shipped | ARRANGEMENTS)[product, variant]}
+    return {(product, variant): (shipped | ARRANGEMENTS | SECURED)[product, variant]}
 
 
 def jobs(
@@ -255,7 +266,7 @@ def main() -> int:
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
     parser.add_argument("--spacing", type=float, default=SPACING, help="s between two starts")
     given = parser.parse_args()
-    known = {f"{product}-{variant}" for product, variant in PRODUCTS | ARRANGEMENTS}
+    known = {f"{product}-{variant}" for product, variant in PRODUCTS | ARRANGEMENTS | SECURED}
     if unknown := set(given.only) - known:
         parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(known))}")
     if not (BUILD / ".ready").exists():

@@ -23,4 +23,5 @@ done
 for program in fast_dds fast_dds_data fast_dds_load watch_fast_dds; do
     c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/$program.cpp -lfastrtps -lfastcdr
 done
+sh lab/keystore.sh build/lab/keystore
 touch build/lab/.ready

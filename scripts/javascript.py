@@ -8,7 +8,7 @@ import sympy as sp
 from discostorm._numeric import share
 
 #: Characters from which on it is worth a name.
-SHORT = 40
+SHORT = 16
 
 
 class Code(str):
@@ -101,7 +101,7 @@ def said_once(value: Value) -> tuple[dict[str, Value], Value]:
             rest = [named(inner) for inner in part]
         if many[whole] == 1 or len(whole) < SHORT:
             return rest
-        names[whole] = Code(f"shared{len(names) + 1}")
+        names[whole] = Code(f"s{len(names) + 1}")  # short: pages carry them
         said[names[whole]] = rest
         return names[whole]
 

@@ -11,6 +11,7 @@ from sweep_setting import PAPER, SEED, Setting, rounded, spread
 from sweep_tables import BESIDE, each
 
 import discostorm as ds
+from discostorm.book import trace
 from discostorm.data import data_path
 from discostorm.simulation import disc, powers
 from discostorm.simulation.places import THRESHOLD
@@ -20,19 +21,8 @@ from discostorm.simulation.traffic import ticks
 
 def events() -> list[dict[str, object]]:
     """Return every transmission of one small burst: three robots, one process each."""
-    found = ds.simulate(
-        ds.Fleet.swarm(3, 1, 2),
-        ds.DDS,
-        Setting("DDS", 3).wifi,
-        queue=None,
-        recovery=False,
-        seed=SEED,
-    )
-    assert found.lost[0] == 0
-    table = found.transmission_table()
-    for column in ("start_s", "end_s"):
-        table[column] = [f"{value:.7f}" for value in table[column]]  # whole ticks
-    return records(table)
+    assert trace.SEED == SEED
+    return records(trace.table(trace.SMALL))
 
 
 def records(table: pd.DataFrame) -> list[dict[str, object]]:

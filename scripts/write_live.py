@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from calculator_inputs import CHANNELS
 from javascript import Code, Value, said_once, written
-from write_calculator import CHANNELS
 
 import discostorm as ds
+from discostorm.book import sweeps
 from discostorm.messages import Message, Protocol
 from discostorm.simulation import cell as _cell, engine, traffic
 from discostorm.simulation.middleware import spread
@@ -32,7 +33,8 @@ TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
 FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
 #: With full A-MPDUs, too: a radio has one entry in the calculator, and two ends here.
 AGGREGATED = [full for wifi in CHANNELS if (full := both_ends(wifi)[0]) != wifi]
-RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS)}
+#: The last is that of the chapters' sweeps.
+RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS, sweeps.channel())}
 
 #: Any fleet: what is exported depends on none.
 ANY = ds.Fleet.swarm(4, 2, 3)
@@ -76,6 +78,7 @@ def constants() -> dict[str, Value]:
     return events | {
         "NEVER": int(_cell.NEVER),
         "TICK": TICK,
+        "KIND_BITS": _cell.KIND_BITS,
         "PROCESS_BITS": _cell.PROCESS_BITS,
         "ITEM_BITS": _cell.ITEM_BITS,
         "OCTETS": traffic._MOST_OCTETS,

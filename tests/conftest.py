@@ -51,7 +51,7 @@ class ByFileOrPage(LoadScopeScheduling):
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
-        simulating = ("air", "hybrid", "landing", "live", "recovery")
+        simulating = ("air", "hybrid", "landing", "live", "own_starts", "recovery", "trace")
         if "simulat" in nodeid or file.endswith(tuple(f"test_{name}.py" for name in simulating)):
             return "simulation"  # compiled by one of the processes, and not by each
         if file.endswith(("test_links.py", "test_chapters.py")):

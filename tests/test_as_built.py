@@ -129,6 +129,7 @@ def test_units_by_hand() -> None:
         "ordered pair of processes on different hosts and third process": len(thirds),
         "endpoint, process on another host and third process": 10 * len(thirds),
         "matched writer and process on another host": 5 * len(pairs),
+        "matched writer, process on another host and third process": 5 * len(thirds),
         "unmatched endpoint and process on another host": 0,
         "host": 3,
         "ordered pair of hosts": 6,

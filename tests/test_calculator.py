@@ -24,10 +24,12 @@ from playwright.sync_api import Browser, Page, expect
 from test_browser import AXE, BARRIERS
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import measured, timeline, words
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
+from discostorm.planner.changes import Setting
+from discostorm.planner.reboot import Reboot, reboot
 from discostorm.robots import laptop, robots
 
 pytestmark = pytest.mark.book
@@ -38,6 +40,7 @@ OWN = ("unicast_rate", "unicast_overhead", "multicast_rate", "multicast_overhead
 
 sys.path.insert(0, str(ROOT / "scripts"))
 write_calculator = importlib.import_module("write_calculator")
+inputs = importlib.import_module("calculator_inputs")
 PROTOCOLS = ds.PROTOCOLS
 
 PARTS = [row for row in read_data("fleets/robots.csv") if row["nodes"] != "0"]
@@ -165,7 +168,14 @@ def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[
         assert row["uplink_messages"] == pytest.approx(count if "up" in sent.hops else 0)
         numbers[f"{front} {message} messages"] = count
         numbers[f"{front} {message} airtime"] = row["uplink_s"] + row["downlink_s"]
+    again = reboot_of(entries)
+    if again is not None:
+        numbers |= {f"{front} reboot low": again.low, f"{front} reboot high": again.high}
     return numbers
+
+
+def reboot_of(entries: dict[str, str]) -> Reboot | None:
+    return reboot(Setting(fleet_of(entries), PROTOCOLS[entries["middleware"]], channel(entries)))
 
 
 def random_settings(many: int) -> list[dict[str, str]]:
@@ -259,7 +269,7 @@ def put(tab: Page, entries: dict[str, str]) -> None:
     tab.evaluate("entries => calculatorTest.fill(entries)", entries)
 
 
-ROBOT = robots()[write_calculator.START_ROBOT]
+ROBOT = robots()[inputs.START_ROBOT]
 START = {
     "robot": ROBOT.name,
     "middleware": "Fast DDS",
@@ -365,7 +375,56 @@ def test_says_where_a_products_table_is_extrapolated(
     hosts, processes, _ = PROTOCOLS["Fast DDS"].captured or (0, 0, 0)
     told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
-    assert (told in said) == beyond
+    assert (told in said) == (entries["middleware"] == "Fast DDS")
+    assert ("what is more than that is extrapolated" in said) == beyond
+
+
+#: Within the measured range, up to twice, beyond it, with many endpoints, and nothing held out.
+BANDS = [
+    {**PAPER, "hosts": "6"},
+    {**PAPER, "hosts": "8"},
+    {**PAPER, "hosts": "80"},
+    START,
+    {**START, "hosts": "2", "beside": "none"},
+    {**PAPER, "hosts": "6", "beside": "laptop"},
+    {**START, "hosts": "50", "endpoints": "1e6"},
+    {**PAPER, "hosts": "5", "wifi": "802.11ac 80 MHz 2x2"},
+    {**PAPER, "hosts": "3", "matching": "1", "beside": "own", "beside_processes": "9"},
+]
+
+
+@pytest.mark.parametrize("entries", BANDS)
+@pytest.mark.parametrize("middleware", ["Fast DDS", "Cyclone DDS", "Zenoh peer", "Zenoh router"])
+def test_says_the_error_band_and_the_reboot_of_the_plan(
+    tab: Page, entries: dict[str, str], middleware: str
+) -> None:
+    entries = {**entries, "robot": "own", "middleware": middleware}
+    put(tab, entries)
+    said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
+    table, fleet = PROTOCOLS[middleware], fleet_of(entries)
+    assert table.captured is not None
+    band = measured.band(middleware, fleet, table.captured)
+    assert band is not None
+    assert band.sentence() in said
+    again = reboot_of(entries)
+    assert (again is None) == (middleware not in ("Fast DDS", "Cyclone DDS"))
+    if again is None:
+        assert "reboots" not in said
+        return
+    own = again.group == fleet.names[0]
+    who = "robot" if own else "laptop" if entries["beside"] == "laptop" else "other"
+    took = words.durations(again.low, again.high)
+    assert f"One {who} reboots: {took} of airtime." in said
+
+
+def test_the_bands_meet_all_cases() -> None:
+    kinds = set()
+    for entries in BANDS:
+        fleet = fleet_of({**entries, "robot": "own"})
+        band = measured.band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
+        assert band is not None
+        kinds.add((band.up_to, band.beyond))
+    assert kinds >= {(1.0, False), (2.0, False), (2.0, True), (math.inf, False), (math.inf, True)}
 
 
 @pytest.mark.parametrize(
@@ -439,19 +498,19 @@ def test_the_planner_tries_what_the_page_says_beside_its_own() -> None:
 
 def test_a_robot_brings_its_numbers_and_where_they_are_from(tab: Page) -> None:
     for name, robot in robots().items():
-        tab.get_by_label("What runs on each").select_option(name)
+        tab.get_by_label("Type of robot").select_option(name)
         expect(tab.locator("#calc-processes")).to_have_value(f"{robot.processes:g}")
         expect(tab.locator("#calc-endpoints")).to_have_value(f"{robot.endpoints:.6g}")
         expect(tab.locator("#calc-robot-list li")).not_to_have_count(0)
     tab.locator("#calc-processes").fill("3")
-    expect(tab.get_by_label("What runs on each")).to_have_value("own")
+    expect(tab.get_by_label("Type of robot")).to_have_value("own")
     expect(tab.locator("#calc-robot-parts")).to_be_hidden()
 
 
 def test_all_fields_have_labels(tab: Page) -> None:
     put(tab, {"wifi": "own", "beside": "own"})
     fields = tab.locator("#calc-form").locator("input, select")
-    for name in ("Robots", "Access point", "Rate, unicast [Mbit/s]", "Processes on each of them"):
+    for name in ("Robots", "Access point", "Rate, unicast [Mbit/s]", "Processes per computer"):
         expect(tab.get_by_label(name, exact=True)).to_be_visible()
     unlabelled = fields.evaluate_all("all => all.filter(e => !e.labels.length).length")
     assert unlabelled == 0
@@ -503,9 +562,9 @@ BAD = [
     ("hosts", "Infinity", "got “Infinity”."),
     ("hosts", "0x10", "got “0x10”."),
     ("hosts", "<b>7</b>", "got “<b>7</b>”."),
-    ("processes", "0", "Processes on each must be a whole number of at least 1"),
-    ("endpoints", "-1", "Endpoints of each process must be a number of at least 0"),
-    ("beside_hosts", "0.5", "How many must be a whole number of at least 1"),
+    ("processes", "0", "Processes per robot must be a whole number of at least 1"),
+    ("endpoints", "-1", "Endpoints per process must be a number of at least 0"),
+    ("beside_hosts", "0.5", "Computers must be a whole number of at least 1"),
     ("unicast_rate", "0", "Rate, unicast must be a number of Mbit/s above 0; got “0”."),
     ("unicast_rate", "1e400", "above 0; got “1e400”."),
     ("unicast_overhead", "-1", "must be a number of µs of at least 0; got “-1”."),
@@ -532,12 +591,14 @@ def test_bad_input_is_refused_next_to_its_field(
     expect(field).to_have_attribute("aria-invalid", "true")
     assert f"calc-{name}-error" in (field.get_attribute("aria-describedby") or "")
     expect(stale).to_be_visible()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "grayscale(1)")
     assert shown(tab) == same(before)  # the last good answer
     assert link(tab) == url
     field.fill(good)
     expect(error).to_be_empty()
     expect(field).not_to_have_attribute("aria-invalid", "true")
     expect(stale).to_be_hidden()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "none")
 
 
 @pytest.mark.parametrize(
@@ -751,7 +812,7 @@ def test_another_address_in_the_same_tab(tab: Page) -> None:
     tab.evaluate("location.hash = '#how-to-read-the-answer'")  # no state: nothing changes
     assert shown(tab) == same(expected(entries))
     tab.evaluate("location.hash = '#robot=One+bare+node&processes=2'")
-    expect(tab.get_by_label("What runs on each")).to_have_value("own")
+    expect(tab.get_by_label("Type of robot")).to_have_value("own")
 
 
 def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) -> None:
@@ -811,7 +872,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
         fleet_of(entries),
         protocol,
         full_ampdus(wifi) or wifi,
-        runs=write_calculator.RUNS,
+        runs=inputs.RUNS,
         recovery=recovery,
     )
     numbers = shown(tab)
@@ -835,7 +896,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
     else:
         assert "not complete within" in told.lower()
     tab.get_by_text("Each run", exact=True).click()
-    expect(tab.locator("#calc-runs tbody tr")).to_have_count(write_calculator.RUNS)
+    expect(tab.locator("#calc-runs tbody tr")).to_have_count(inputs.RUNS)
 
 
 def test_every_access_point_and_middleware_can_be_simulated(tab: Page) -> None:

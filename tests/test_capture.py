@@ -381,7 +381,8 @@ def test_what_is_encrypted_or_in_a_tunnel_is_noted(read: Read) -> None:
     )
     assert list(capture.messages()["kind"]) == ["Encrypted", "Encrypted"]
     assert set(capture.notes) == {
-        "2 messages of RTPS encrypted by DDS Security: of unknown kind",
+        "2 messages of RTPS encrypted by DDS Security: of unknown kind, counted as discovery, "
+        "though user data may be among them",
         "1 of 1 processes of which no announcement was captured: their endpoints are not known",
         "1 datagrams of DTLS, which are encrypted",
         "1 datagrams of QUIC, which are encrypted",

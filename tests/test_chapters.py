@@ -57,7 +57,9 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
         headings = [
             "".join(cell["source"]) for cell in cells(page) if cell["cell_type"] == "markdown"
         ]
-        assert any(re.search(r"^## The answer$", text, re.M) for text in headings)
+        # One screen needs no second answer.
+        answered = any(re.search(r"^## The answer$", text, re.M) for text in headings)
+        assert answered != page.endswith("06_does_it_reproduce")
         assert re.search(r"^\*\*What is next\.\*\* .+", headings[-1], re.M)
         return
     code = [cell for cell in cells(page) if cell["cell_type"] == "code"]
@@ -175,8 +177,10 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
         assert f"  {escape(found.name)} " in html
     remedies = [remedy for found in plan.told().values() for remedy in found]
     assert html.count('class="plan-card"') == len(remedies)
+    assert "`" not in html
+    read = re.sub(r"</?code>", "", html)
     for remedy in remedies:
-        assert escape(remedy.caution()) in html
+        assert escape(remedy.caution()).replace("`", "") in read
         for piece in remedy.snippets:
             assert escape(piece.text) in html
 

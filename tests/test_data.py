@@ -24,6 +24,7 @@ SOURCES = {
     "measured/runs.csv": "sha256",
     "measured/mitigation_runs.csv": "sha256",
     "measured/shared_runs.csv": "sha256",
+    "measured/security_runs.csv": "sha256",
     "measured/beyond_runs.csv": "sha256",
     "measured/restart_runs.csv": "sha256",
 }
@@ -40,12 +41,14 @@ DESCRIBED = {
             "outages",
             "published",
             "reasons",
+            "security_counts",
             "shared_counts",
             "user_data",
         ),
         *(
             "bands",
             "beyond_counts",
+            "refits",
             "restart_counts",
             "watch",
         ),

@@ -15,6 +15,7 @@ from click.testing import CliRunner
 import discostorm as ds
 from discostorm.capture import Capture
 from discostorm.capture.diagnosis.finding import kinds, remedies
+from discostorm.capture.diagnosis.result import TIMELINE
 from discostorm.capture.diagnosis.seen import without_jumps
 from discostorm.capture.live import Packets
 from discostorm.cli import main
@@ -367,6 +368,45 @@ def test_json_has_the_findings_with_what_to_paste() -> None:
     assert any("Peers" in piece["text"] for piece in finding["paste"])
     assert all(host["knows_all_s"] is None for host in answer["hosts"])
     assert len(answer["incomplete"]) == answer["pairs"] == 6
+
+
+def test_json_has_the_times_of_messages_in_a_bounded_table() -> None:
+    path = ILLS / "multicast_filtered-cyclone_dds_0_10.pcap.xz"
+    told = json.loads(run(str(path), "--json").output)["diagnosis"]["timeline"]
+    assert told.keys() == {"until_s", "step_s", "left_out", "rows"}
+    assert len(told["rows"]) <= TIMELINE
+    capture = ds.read_capture(path)
+    assert told["until_s"] == capture.messages()["time"].max()  # it never completed
+    assert sum(row["bytes"] for row in told["rows"]) == capture.messages()["bytes"].sum()
+
+
+def test_the_timeline_ends_a_little_after_the_startup() -> None:
+    diagnosis = ds.read_capture(data_path("captures/cyclone_links_fail.pcap.xz")).diagnosis()
+    timeline = diagnosis.timeline()
+    assert timeline.attrs == {"until_s": 2.0, "step_s": 0.0, "left_out": 0}
+    assert timeline["time_s"].is_monotonic_increasing
+    assert timeline["time_s"].max() <= 2.0 < 1.35 * diagnosis.complete_at
+    first = timeline.iloc[0]
+    assert (first["host"], first["receiver"], first["kind"]) == ("10.77.0.3", "239.255.0.1", "SPDP")
+    assert first["multicast"] is True or first["multicast"]
+
+
+@pytest.mark.parametrize("most", [300, 60, 7])
+def test_steps_of_the_timeline_keep_every_message(most: int) -> None:
+    diagnosis = ds.read_capture(data_path("captures/fast_dds.pcap.xz")).diagnosis()
+    whole, some = diagnosis.timeline(10**6), diagnosis.timeline(most)
+    assert whole.attrs["step_s"] == 0 < some.attrs["step_s"]
+    assert len(some) <= most < len(whole)
+    assert some["receiver"].isna().all()
+    left = whole["messages"].sum() - some["messages"].sum()
+    assert left == some.attrs["left_out"]
+    assert (left == 0) == (most > 7)
+    if most == 300:  # each host says as much, and each step is as short as it can be
+        sums = [one.groupby(["host", "kind"])["bytes"].sum() for one in (whole, some)]
+        assert sums[0].equals(sums[1])
+        assert diagnosis.timeline(len(some) - 1).attrs["step_s"] > some.attrs["step_s"]
+    with pytest.raises(ValueError, match="most must be a whole number"):
+        diagnosis.timeline(0)
 
 
 def test_small_captures_are_small() -> None:

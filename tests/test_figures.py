@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm import figures
+from discostorm.book.figures import paper_part
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     **{name: paper.draw for name, paper in figures.FIGURES.items()},
@@ -30,6 +31,11 @@ NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 #: Drawings that a notebook keeps: its name, the last line of the cell, and the same drawing.
 KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
     ("02_message_to_airtime", "figures.airtime()", figures.airtime),
+    (
+        "02_message_to_airtime",
+        "paper_part.airtime_blocks(7, 2, 10)",
+        lambda: paper_part.airtime_blocks(7, 2, 10),
+    ),
     ("03_hosts", "figures.fig2()", figures.fig2),
     ("04_processes", "figures.fig3()", figures.fig3),
     ("04_processes", "figures.bars(line_split)", lambda: figures.bars(line_split())),

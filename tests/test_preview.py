@@ -11,6 +11,7 @@ from urllib.request import urlopen
 from xml.etree import ElementTree
 
 import pytest
+from docutils import nodes
 from docutils.utils import new_document
 from sphinx.application import Sphinx
 from sphinx.errors import ConfigError
@@ -18,13 +19,19 @@ from sphinx.errors import ConfigError
 sys.path.insert(0, str(Path(__file__).parents[1] / "book/_ext"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 preview = __import__("preview")
+#: Of the page that is told of.
+PICTURE = "_static/previews/notebooks-08_any_wifi.png"
 server = __import__("serve").server
 
 
 def told(address: str) -> dict[str, str]:
     """Return what the preview of a page holds, in a book with this address."""
-    app = SimpleNamespace(config=SimpleNamespace(html_baseurl=address, project="x", html_title="y"))
-    context: dict[str, Any] = {"pathto": lambda *_: "../", "title": "Any Wi-Fi"}
+    config = SimpleNamespace(
+        html_baseurl=address, project="x", html_title="y", root_doc="book/index"
+    )
+    app = SimpleNamespace(config=config)
+    title = '<span class="section-number">8. </span>Any <em>Wi-Fi</em> &amp; more'
+    context: dict[str, Any] = {"pathto": lambda *_: "../", "title": title}
     page = new_document("page")
     preview._add(cast(Sphinx, app), "notebooks/08_any_wifi", "page.html", context, page)
     found = re.findall(r'(?:property|name)="([\w:]+)" content="([^"]*)"', context["metatags"])
@@ -35,13 +42,35 @@ def told(address: str) -> dict[str, str]:
 def test_once_the_address_is_known_page_and_picture_are_absolute(address: str) -> None:
     tags = told(address)
     assert tags["og:url"] == "https://example.org/storm/notebooks/08_any_wifi.html"
-    assert tags["og:image"] == "https://example.org/storm/_static/preview.png"
+    assert tags["og:image"] == "https://example.org/storm/" + PICTURE
 
 
 def test_while_no_address_is_known_none_is_made_up() -> None:
     tags = told("")
     assert "og:url" not in tags
-    assert tags["og:image"] == "../_static/preview.png"
+    assert tags["og:image"] == "../" + PICTURE
+
+
+def test_a_title_has_no_markup() -> None:
+    assert told("")["og:title"] == "8. Any Wi-Fi &amp; more"
+
+
+def test_a_description_says_what_a_page_is_about_and_not_a_label() -> None:
+    page = new_document("page")
+    section = nodes.section("", nodes.title("", "A title"), nodes.paragraph("", "In a text:"))
+    text = "Each robot costs more than the one before it. " * 9
+    page += section
+    section += nodes.paragraph("", "In short. " + text)
+    said = preview._description(page)
+    assert said.startswith("Each robot")
+    assert said.endswith(" …")
+    assert len(said) <= preview.MOST + 2
+
+
+def test_a_card_has_the_size_that_is_told_and_words_on_it() -> None:
+    card = preview._card("A title " * 20, "A text. " * 60, "The book")
+    assert card.size == preview.SIZE
+    assert len(card.getcolors()) > 3
 
 
 @pytest.mark.parametrize("address", ["example.org/storm", "/storm/", "file:///storm"])

@@ -109,6 +109,7 @@ def test_what_a_host_lost_is_a_whole_number_of_what_it_sent() -> None:
         ("mitigation_counts", 11_041, 1_627_128, 807_704.92, 228_518_378),
         ("beyond_counts", 1_200, 920_973, 587_755.98, 131_942_803),
         ("restart_counts", 2_350, 675_165, 455_752.03, 89_188_862),
+        ("security_counts", 2_570, 461_573, 380_435.89, 231_578_560),
         ("shared_counts", 1_575, 84_742, 51_336.94, 10_545_026),
     ],
 )

@@ -4,31 +4,54 @@ Once the book has an address, so has each page: here, in ``sitemap.xml``, and in
 which Sphinx writes.
 """
 
+import re
+from html import unescape
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 from urllib.parse import urlsplit
 
+import matplotlib
 from docutils import nodes
+from PIL import Image, ImageDraw, ImageFont
 from sphinx.application import Sphinx
 from sphinx.errors import ConfigError
 
 from discostorm import DDS
 from discostorm.book import storm
+from discostorm.figures import color_of
 
+#: The picture of the first page; those of the others lie in the folder.
 PICTURE = "_static/preview.png"
+FOLDER = "_static/previews"
 SIZE = (1200, 630)
+#: Fonts that Matplotlib brings, of a title and of a text, and letters in a line of them.
+_TITLE, _TEXT = ("DejaVuSans-Bold.ttf", 66, 26), ("DejaVuSans.ttf", 34, 52)
 
 #: Characters of a description that search engines and messengers show.
 MOST = 200
 
 
+#: Characters that a paragraph has at least which says what a page is about.
+_LEAST = 40
+
+
 def _description(doctree: nodes.document) -> str:
     """Return the first sentences of a page, as long as they fit."""
     for paragraph in doctree.findall(nodes.paragraph):
-        if isinstance(paragraph.parent, nodes.section):
-            text = " ".join(paragraph.astext().split())
+        text = " ".join(paragraph.astext().split()).removeprefix("In short. ")
+        if isinstance(paragraph.parent, nodes.section) and len(text) >= _LEAST:
             return text if len(text) <= MOST else text[:MOST].rsplit(" ", 1)[0] + " …"
     return ""
+
+
+#: Title and description of each page, by its picture.
+_PAGES: dict[str, tuple[str, str]] = {}
+
+
+def _plain(html: str) -> str:
+    """Return a title without its markup."""
+    return " ".join(unescape(re.sub(r"<[^>]*>", "", html)).split())
 
 
 def _base(address: str) -> str:
@@ -50,16 +73,22 @@ def _add(
         return
     base = _base(app.config.html_baseurl)
     to_root = context["pathto"]("", 1).removesuffix(".").rstrip("/") + "/"
-    title = nodes.Text(context.get("title", app.config.html_title)).astext()
+    title = _plain(context.get("title", app.config.html_title))
+    picture = PICTURE
+    if pagename != app.config.root_doc:
+        picture = f"{FOLDER}/{pagename.replace('/', '-')}.png"
+        _PAGES[picture] = (title, _description(doctree))
     told = {
         ("property", "og:type"): "article",
         ("property", "og:site_name"): app.config.html_title,
         ("property", "og:title"): title,
         ("property", "og:description"): _description(doctree),
-        ("property", "og:image"): (base or to_root) + PICTURE,
+        ("property", "og:image"): (base or to_root) + picture,
         ("property", "og:image:width"): str(SIZE[0]),
         ("property", "og:image:height"): str(SIZE[1]),
-        ("property", "og:image:alt"): "Robots around an access point, and a bar of airtime",
+        ("property", "og:image:alt"): title
+        if pagename != app.config.root_doc
+        else "Robots around an access point, and a bar of airtime",
         ("name", "twitter:card"): "summary_large_image",
         ("name", "description"): _description(doctree),
     }
@@ -78,6 +107,31 @@ def _draw(app: Sphinx, exception: Exception | None) -> None:
     if exception is None and app.builder.format == "html":
         figure = storm.preview(DDS, SIZE)
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
+        (Path(app.outdir) / FOLDER).mkdir(exist_ok=True)
+        for path, (title, text) in _PAGES.items():
+            _card(title, text, app.config.html_short_title).save(Path(app.outdir) / path)
+
+
+def _card(title: str, text: str, book: str) -> Image.Image:
+    """Return the picture of a page: its title, what it says first, and the book's name."""
+    card = Image.new("RGB", SIZE, "white")
+    pen = ImageDraw.Draw(card)
+    pen.rectangle((0, 0, 18, SIZE[1]), fill=color_of(DDS))
+    fonts = Path(matplotlib.get_data_path(), "fonts/ttf")
+    down = 70
+    for (file, size, letters), said, most, color in (
+        (_TITLE, title, 3, "black"),
+        (_TEXT, text, 5, "#3c4146"),
+    ):
+        font = ImageFont.truetype(str(fonts / file), size)
+        lines = wrap(said, letters, max_lines=most, placeholder=" …")
+        for line in lines:
+            pen.text((80, down), line, fill=color, font=font)
+            down += round(1.25 * size)
+        down += 30
+    font = ImageFont.truetype(str(fonts / _TITLE[0]), 28)
+    pen.text((80, SIZE[1] - 70), book, fill=color_of(DDS), font=font)
+    return card.quantize(32)
 
 
 def _map(app: Sphinx, exception: Exception | None) -> None:

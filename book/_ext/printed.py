@@ -28,23 +28,25 @@ _TOWERS, _NARROW = 480, 26
 #: Letters beyond which more room makes a column no shorter than the table is.
 _SENTENCE = 100
 #: Points: what is kept on one page of a table, what the rules of a row take, and those of a table.
-_TOGETHER, _RULES, _AROUND = 230.0, 4.0, 36.0
+_TOGETHER, _RULES, _AROUND = 120.0, 4.0, 36.0
 #: Where a long word of a table may be broken, and what such a word is.
 _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
+#: Where text is as it is.
+_NO_TEXT = (nodes.literal, nodes.literal_block, nodes.raw, nodes.math, nodes.math_block)
 #: Sections that the contents need not name.
 _IN_EVERY_CHAPTER = ("Exercises", "The answer")
 #: Percent of a figure's size on the screen, in which its letters are no larger than the text's.
-_SCALE = 88
+_SCALE = 78
 #: Points that a line of code takes, and the frame around it; lines of it that stay together.
-_CODE_LINE, _CODE_FRAME, _CODE_LINES = 10.9, 20.0, 12
+_CODE_LINE, _CODE_FRAME, _CODE_LINES = 9.8, 20.0, 7
 #: What stands between blocks and is not seen.
 _UNSEEN = (nodes.Invisible, nodes.raw)
 #: Points that a heading takes, those with the lines that are to follow it, and those of a chapter's
 #: last section that begins where it ends.
-_HEADING, _BEGINNING, _ENDING = 45.0, 90.0, 310.0
+_HEADING, _BEGINNING, _ENDING = 45.0, 80.0, 160.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
-_MORE = "In the HTML edition figures carry their data, code unfolds, and what can be tried is tried"
+_MORE = "The HTML edition adds data, code, further tables, and figures to try"
 
 
 def _latex(text: str) -> nodes.raw:
@@ -57,7 +59,7 @@ def _cells(chapter: nodes.Node) -> list[nodes.container]:
 
 
 def _leave_out_what_is_folded(chapter: start_of_file) -> None:
-    """Take folded code from a chapter, keep what it shows."""
+    """Take folded code from a chapter, and the tables in a fold; keep figures and equations."""
     for cell in _cells(chapter):
         if "tag_facts" in cell["classes"] and not _is_announced(cell):
             cell.parent.remove(cell)  # what the text below states
@@ -65,11 +67,18 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> None:
             source = cell.children[0]
             if isinstance(source, nodes.Element) and source.get("nb_element") == "cell_code_source":
                 cell.remove(source)
+            kept = _is_announced(cell) or next(cell.findall(_is_numbered), None)
+            if cell["hide_mode"] == "all" and not kept:
+                cell.children = []
             if not cell.children:
                 cell.parent.remove(cell)
         elif cell.get("hide_mode") == "output":
             for output in cell.findall(nodes.literal_block):
                 _shorten(output)
+
+
+def _is_numbered(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.figure | nodes.math_block)
 
 
 def _shorten(block: nodes.literal_block) -> None:
@@ -178,8 +187,7 @@ def _fit(table: nodes.table, sizes: tuple[tuple[float, str], ...] = _SIZES) -> N
             entry.children = []  # an empty paragraph would be a line of its own
     for text in list(table.findall(nodes.Text)):
         if not isinstance(text.parent, nodes.math):
-            kept = words.unbroken(text)
-            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, kept)))
+            text.parent.replace(text, nodes.Text(_LONG.sub(_breakable, text)))
     letters = [max(map(_letters, column)) for column in zip(*_rows(table), strict=True)]
     if sum(letters) > _TOWERS:
         sizes = _SIZES[-1:]
@@ -374,6 +382,9 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _describe_and_scale(figure)
     for block in list(tree.findall(nodes.literal_block)):
         _keep_the_beginning(block)
+    for text in list(tree.findall(nodes.Text)):
+        if not isinstance(text.parent, _NO_TEXT):
+            text.parent.replace(text, nodes.Text(words.unbroken(text)))
     for table in list(tree.findall(nodes.table)):
         _fit(table, _SIZES[2:] if table in sheet else _SIZES)
     if name != app.config.root_doc:
@@ -402,8 +413,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         part = rf"\part{{{caption}}}" if caption else ""
         landing += _latex(rf"\setcounter{{secnumdepth}}{{{depth}}}{part}")
         entries = [chapters[chapter] for _, chapter in contents["entries"]]
-        # Behind the page that names a part a chapter begins on its own.
-        for chapter in entries[bool(caption) :]:
+        for chapter in entries:
             chapter.insert(0, _latex(r"\runon" + "\n"))
         landing += entries
 

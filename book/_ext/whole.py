@@ -1,5 +1,5 @@
-"""Say where lines of a page may end: not in names such as Wi-Fi or Fig. 2; in a table, between
-parts of code.
+"""Say where lines of a page may end: not in names such as Wi-Fi or Fig. 2, nor between a number and
+its unit; in a table, between parts of code.
 
 A hyphen or a space that lines do not end at would be another character, which neither a search
 nor a reader who copies the name would expect. So these are marks around the text, not in it.
@@ -10,7 +10,10 @@ import re
 from docutils import nodes
 from sphinx.application import Sphinx
 
-_WHOLE = re.compile(r"\b((?:Wi-Fi|ns-3|[A-Z]{1,3}-[A-Z]+s?|(?:Fig|Sec)\. [\dIV][\w.-]*)\b)")
+from discostorm import words
+
+_NAME = r"(?:Wi-Fi|ns-3|[A-Z]{1,3}-[A-Z]+s?|(?:Fig|Sec)\. [\dIV][\w.-]*)\b"
+_WHOLE = re.compile(rf"\b({_NAME}|\d[\d.,]* {words.UNIT})")
 #: Letters of code up to which it is not parted.
 _SHORT = 12
 _PARTS = re.compile(r"(?<=\w[_/])(?=\w)|(?<=\w)(?=\.\w)")

@@ -33,9 +33,10 @@ window.addEventListener("load", async () => {
     box.className = FIGURE.slice(1);
     link.href = image.src;
     link.title = "Open the figure at its own size";
-    (linked ?? image).replaceWith(box);
+    const picture = image.closest("picture") ?? image; // with another one for phones
+    (linked ?? picture).replaceWith(box);
     box.append(link);
-    link.append(image);
+    link.append(picture);
   }
 
   await window.MathJax?.startup?.promise;
@@ -128,6 +129,16 @@ window.addEventListener("load", async () => {
     }
   });
   for (const box of boxes) observer.observe(box); // also when it is unfolded
+});
+
+// The page that is shown is in sight in the contents, below the links that stay at its head.
+window.addEventListener("load", () => {
+  const contents = document.querySelector(".bd-sidebar-primary");
+  const first = contents?.querySelector(".bd-sidenav__home-link + ul");
+  const shown = contents?.querySelector(".toctree-l1.active > a");
+  if (!shown || !first || first.contains(shown)) return;
+  const over = first.getBoundingClientRect().bottom + 16 - shown.getBoundingClientRect().top;
+  if (over > 0) contents.scrollTop -= over;
 });
 
 // A notebook is saved, whatever type the server gives it.

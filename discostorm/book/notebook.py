@@ -13,23 +13,41 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import sympy as sp
+from IPython.core.getipython import get_ipython
+from IPython.core.pylabtools import print_figure
 from IPython.display import SVG, Markdown, display
+from matplotlib.figure import Figure
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 from discostorm import figures, words
 from discostorm.data import data_path
-from discostorm.messages import Protocol
+from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm.paper import claims
 from discostorm.planner import Plan, Remedy
 
+#: Under what a notebook keeps each figure once more, beside it: for phones, where pages show it,
+#: see ``book/_ext/pictures.py``.
+NARROW = "narrow"
+
 
 def setup() -> None:
-    """Make figures come out in the looks of the book, as vectors, the same every time."""
+    """Make figures come out in the looks of the book, as vectors, the same every time.
+
+    Each of them also for a phone.
+    """
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
     plt.style.use(figures.SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
+    if (shell := get_ipython()) and shell.display_formatter:
+        shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, _both)
+
+
+def _both(figure: Figure) -> tuple[str, dict[str, str]]:
+    """Return a figure as SVG, and what is kept beside it."""
+    wide = print_figure(figure, "svg", bbox_inches=None)
+    return wide, {NARROW: print_figure(figures.narrowed(figure), "svg", bbox_inches=None)}
 
 
 def latex(expression: sp.Expr) -> str:
@@ -131,7 +149,8 @@ class Advice:
 
 def _prose(text: str) -> str:
     """Return a sentence as HTML, with the book's apostrophes, and units that stay with numbers."""
-    return escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    html = escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", html)
 
 
 def _card(remedy: Remedy) -> str:
@@ -142,7 +161,7 @@ def _card(remedy: Remedy) -> str:
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
     what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
     pieces = "".join(
-        f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"
+        f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f'<div class="highlight"><pre tabindex="0">{escape(piece.text)}</pre></div></details>'
         for piece in remedy.snippets
     )
@@ -401,6 +420,11 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
     return Markdown("\n".join(["```text", *fitting, "```"]))
 
 
+def payload_meaning(protocol: Protocol, message: Message) -> str:
+    """Return what the payload symbol of a message stands for."""
+    return f"payload of {message.name}, a message of {protocol.name}"
+
+
 def notation(*protocols: Protocol) -> Markdown:
     """Show the notation, and after it the payload symbol of each message of the protocols."""
     rows = [
@@ -410,7 +434,7 @@ def notation(*protocols: Protocol) -> Markdown:
     rows += [
         (
             message.payload_symbol,
-            f"payload of {message.name}, a message of {protocol.name}",
+            payload_meaning(protocol, message),
             "B",
             message.payload.source,
         )

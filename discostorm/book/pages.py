@@ -5,30 +5,40 @@ without JavaScript, on paper, in the PDF or in Jupyter.
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import sympy as sp
 from IPython.display import HTML
 from matplotlib.figure import Figure
 
 from discostorm import figures
+from discostorm.book import staged, sweeps, trace
 from discostorm.book.facts import unfounded
-from discostorm.book.figures import meaning
+from discostorm.book.figures import convergence, meaning
+from discostorm.book.notebook import payload_meaning
 from discostorm.messages import ONCE, Protocol
 from discostorm.model import utilization
-from discostorm.notation import N_E, N_H, N_P
+from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI, R_UNI
+from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 
 #: Endpoints that all processes of a robot have together: the fewest and the most to choose [1].
 LINE = (4, 100)
 #: Where the line begins: the paper's endpoints, in the most processes that Sec. IV-B names [1].
 LINE_PROCESSES = 8
+#: Where a reader's own starts begin: robots [1] and middleware.
+OWN = (10, "Fast DDS")
 #: Of the queue: endpoints of a process, fewest and most [1]; periods of announcements [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
+#: Of the blocks of airtime: fewest and most hosts, processes of each and endpoints of each [1].
+BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+#: How values of the radio are shown: the unit of the notation, and what it is multiplied by.
+_SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
 
 
 def carried(name: str, data: Any, *files: str) -> HTML:
@@ -173,13 +183,159 @@ def _queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> di
     }
 
 
+def scrub() -> HTML:
+    """Let the reader step through a start, frame by frame."""
+    scripts = ("chapter", "trace", "lanes_of_start", "scrub")
+    sheets = ("chapters/pages.css", "chapters/live.css")
+    files = (*sheets, "live/live.js", *(f"chapters/{name}.js" for name in scripts))
+    return carried("scrub", trace.export(), *files)
+
+
+def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
+    """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
+    files = ("pages.css", "live.css", "chapter.js", "own.js")
+    chapters = (f"chapters/{name}" for name in files)
+    return carried("own", _own(rows, names), "live/live.js", *chapters)
+
+
+def _own(rows: pd.DataFrame, names: Sequence[str]) -> dict[str, Any]:
+    """Return where the panels are, what is simulated, and what the stored runs found."""
+    (processes,), (endpoints,) = set(rows["processes"]), set(rows["endpoints"])
+    (frames,), (seconds,) = set(rows["queue_frames"]), set(rows["queue_s"])
+    (until,), (runs,) = set(rows["until_s"]), set(rows["runs"])
+    hosts, name = OWN
+    stored = rows.set_index(["protocol", "hosts"]).sort_index()
+    columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
+    return {
+        **_places(convergence.quartiles(rows, names)),
+        "begin": [names.index(name), hosts],
+        "never": convergence.NEVER,
+        "runs": runs,
+        "processes": processes,
+        "endpoints": endpoints,
+        "setting": {
+            "radio": sweeps.channel().name,
+            "queue": [frames, seconds],
+            "until": until,
+        },
+        "middleware": [
+            {
+                "name": name,
+                "color": figures.property_of(PROTOCOLS[name]),
+                # Of each number of robots the quartiles [s], and how many converged.
+                "stored": [
+                    [
+                        hosts,
+                        *(x if np.isfinite(x) else None for x in row[columns].tolist()),
+                        int(row["converged"]),
+                    ]
+                    for hosts, row in stored.loc[name].iterrows()
+                ],
+            }
+            for name in names
+        ],
+    }
+
+
+def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
+    """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
+    sheets = ("chapters/pages.css", "chapters/blocks.css")
+    scripts = ("chapters/chapter.js", "chapters/blocks.js")
+    return carried("blocks", _blocks(hosts, processes, endpoints), *sheets, *scripts)
+
+
+def _blocks(hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
+    """Return what each message costs, how many there are as factors, and what symbols mean."""
+    start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
+    frames = figures.airtime_data().set_index(["message", "direction"])
+    values: dict[sp.Symbol, float] = {}
+    meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
+    protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
+    for protocol in figures.PAPER_PROTOCOLS:
+        values |= protocol.values() | PAPER.values()
+        messages = []
+        for message in protocol.messages:
+            payload = message.payload_symbol
+            (header,) = message.frame_symbolic.free_symbols - {payload}
+            down = (R_MULTI, O_MULTI) if message.cast == "multicast" else (R_UNI, O_UNI)
+            links = {"up": (R_UNI, O_UNI), "down": down}
+            for symbol in (header, *links["up"], *links["down"]):
+                factor, unit = _SHOWN[meanings[symbol].unit]
+                shown = f"{float(f'{factor * float(values[symbol]):.6g}'):g} {unit}"
+                symbols[symbol.name] = [meanings[symbol].meaning, shown]
+            size = f"{float(values[payload]):g} B"
+            symbols[payload.name] = [payload_meaning(protocol, message), size]
+            messages.append(
+                {
+                    "name": message.name,
+                    "count": _factors(message.load()),
+                    "header": header.name,
+                    "payload": payload.name,
+                    **{
+                        direction: {
+                            "rate": rate.name,
+                            "overhead": overhead.name,
+                            "seconds": [
+                                _short(frames.loc[(message.name, direction), part])
+                                for part in ("overhead_s", "bits_s")
+                            ],
+                        }
+                        for direction, (rate, overhead) in links.items()
+                    },
+                }
+            )
+        color = figures.property_of(protocol)
+        protocols.append({"name": protocol.name, "color": color, "messages": messages})
+    return {
+        "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
+        "symbols": symbols,
+        "protocols": protocols,
+    }
+
+
+def _factors(load: sp.Expr) -> list[list[Any]]:
+    """Return the factors of a number of messages: a symbol, what is taken off it, and a power."""
+    factors = []
+    for factor in sp.Mul.make_args(sp.factor(load)):
+        base, power = factor.as_base_exp()
+        number, symbol = base.as_coeff_Add()
+        name = "" if base.is_Number else symbol.name
+        factors.append([name, -int(number), int(power)])
+    order = ["", *(symbol.name for symbol in BLOCKS)]
+    return sorted(factors, key=lambda factor: order.index(factor[0]))
+
+
+def failures() -> HTML:
+    """Let the reader kill a server or router, and see who hears whom in each run of the lab."""
+    data = [
+        {
+            "title": title,
+            "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
+            "routers": routers,
+            "relations": staged.relations(name),
+            "stagings": staged.stagings(name),
+        }
+        for name, (title, victim, routers) in staged.ARRANGEMENTS.items()
+    ]
+    sheets = ("chapters/pages.css", "chapters/failures.css")
+    scripts = ("chapters/chapter.js", "chapters/failures.js")
+    return carried("failures", data, *sheets, *scripts)
+
+
 def _short(value: Any) -> float:
     """Return a number without its last bits, which differ between processors."""
     return float(f"{float(value):.12g}")
 
 
 def _places(figure: Figure) -> dict[str, Any]:
-    """Return the size of a figure [px], and where its panels are with the values at their ends."""
+    """Return the size of a figure [px], and where its panels are with the values at their ends.
+
+    Under ``narrow`` the same of the figure for phones, which it has become afterwards.
+    """
+    return {**_placed(figure), "narrow": _placed(figures.narrowed(figure))}
+
+
+def _placed(figure: Figure) -> dict[str, Any]:
     with figures.style():
         figure.draw_without_rendering()
     panels = []

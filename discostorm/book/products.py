@@ -319,3 +319,66 @@ def later(name: str, phase: str) -> float:
             both.append([values / np.median(values) for values in (point.ready, sent)])
     ranks = np.concatenate(both, axis=1).argsort().argsort()
     return float(np.asarray(np.corrcoef(ranks))[0, 1])
+
+
+def refits() -> pd.DataFrame:
+    """Return how far measured models were off before and after the fit to the wider grid.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row a ``model`` and class of ``swarms`` ("in the grid", "up to twice as large", "many
+        endpoints"): how many were ``held_out`` [1], and the mean distance from 1 of the airtime of
+        a startup as a part of what the model says, with the fit of ``before`` and ``after`` [1].
+    """
+    names = dict(
+        zip(
+            measured.CLASSES,
+            ("in the grid", "up to twice as large", "many endpoints"),
+            strict=True,
+        )
+    )
+    rows = [row for row in read_data("measured/refits.csv") if row["use"] == "test"]
+    off: dict[tuple[str, str], list[tuple[float, float]]] = {
+        (model, of): []
+        for model in dict.fromkeys(r["protocol"] for r in rows)
+        for of in names.values()
+    }
+    for row in rows:
+        model = row["protocol"]
+        every = measured.points(model) + measured.beyond(model)
+        fleet = next(point.fleet for point in every if point.name == row["point"])
+        size = max(measured.size_of(fleet, PROTOCOLS[model].captured or (1, 1, 1)))
+        of = next(name for most, name in names.items() if size <= most)
+        taken, before, after = (float(row[f"{what}_s"]) for what in ("measured", "before", "after"))
+        off[model, of].append((abs(taken / before - 1), abs(taken / after - 1)))
+    return pd.DataFrame(
+        {"model": model, "swarms": of, "held_out": len(each)}
+        | dict(zip(("before", "after"), np.mean(each, axis=0).tolist(), strict=True))
+        for (model, of), each in off.items()
+    )
+
+
+#: Between the ends of a range.
+TO = "\N{EN DASH}"
+
+
+def restarts() -> pd.DataFrame:
+    """Return what a process takes that restarts, and a host that joins: ranges, in words.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row a ``model`` and ``event``: the ``runs`` [1], airtime as a ``share`` of the startup of
+        all, and as a multiple of what its own ``pairs`` of processes take in that.
+    """
+    return pd.DataFrame(
+        {
+            "model": row["protocol"],
+            "event": {"restart": "one process restarts", "join": "one host joins"}[row["event"]],
+            "runs": int(row["runs"]),
+            "share": f"{float(row['least_share']):.0%}{TO}{float(row['most_share']):.0%}",
+            "pairs": f"{float(row['low']):.1f}{TO}{float(row['high']):.1f}",
+        }
+        for row in read_data("measured/restarts.csv")
+    )

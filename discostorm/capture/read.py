@@ -340,7 +340,10 @@ def _notes(
         )
     notes += [f"{count} {what}" for what, count in found.notes.items()]
     if encrypted := int((messages["kind"] == "Encrypted").sum()):
-        notes.append(f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind")
+        notes.append(
+            f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
+            "discovery, though user data may be among them"
+        )
     if silent := sum(1 for one in processes if not one.announced and not one.serves):
         notes.append(
             f"{silent} of {len(processes)} processes of which no announcement was "

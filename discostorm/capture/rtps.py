@@ -39,6 +39,13 @@ _SERVER = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
 _SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: The kind of a locator of UDP over IPv4.
 _UDP_4 = 1
+#: What DDS Security puts before a submessage or a message that it signs or encrypts, and what is
+#: encrypted (DDS Security 1.1, 9.5.2.1): the kinds of transformation, and the key that both ends
+#: derive from their handshake, by which they then tell each other all other keys.
+_PREFIXES, _BODY, _SIGNED, _ENCRYPTED, _SHARED_KEY = (0x31, 0x33), 0x30, (1, 3), (2, 4), 0
+#: The encrypted length of an INFO_DST, the longest of what is no message of its own.
+_INFO = 20
+_TELLS_KEYS = 0xFF0202C3
 _MOST_PARAMETERS = 512
 
 SUBMESSAGES = {int(row["id"], 16): row for row in read_data("vendors/rtps_submessages.csv")}
@@ -78,7 +85,7 @@ def kind_names() -> tuple[str, ...]:
             row = SUBMESSAGES.get(kind, {})
             suffix = row.get("message") or f"0x{kind:02x}"
             if suffix == "Encrypted":
-                names.append(suffix)
+                names.append(suffix + " key exchange" * (group == "Key exchange"))
             elif suffix == "data":
                 names.append("User data" if group == "User" else group)
             else:
@@ -149,7 +156,9 @@ def messages(
     after = np.minimum(after, wire_end[which])
     kind = data[place]
     source, target = _prefixes(data, at, which, place, kind)
-    chosen = np.flatnonzero(_IS_MESSAGE[kind])
+    no_message, keys = _secured(data, place, kind)
+    chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~no_message)
+    keys = keys[chosen]
     which, place, after, kind = which[chosen], place[chosen], after[chosen], kind[chosen]
     source, target = source[chosen], target[chosen]
     # The bytes of a datagram are those of its messages: each has what stands before it, too.
@@ -165,6 +174,7 @@ def messages(
         for where in (_READER_AT, _WRITER_AT)
         for value in [number(data, np.minimum(place + where[kind], last), ">u4")]
     )
+    writer = np.where(keys, np.uint32(_TELLS_KEYS), writer)
     group, entity = _groups(reader, writer)
     sequence = _sequence(data, place + _NUMBER_AT[kind], last, kind, little)
     found_messages = {
@@ -193,6 +203,23 @@ def messages(
         little[announcing],
     )
     return found_messages, announced
+
+
+def _secured(data: Bytes, place: Places, kind: Array) -> tuple[Array, Array]:
+    """Return which submessages are prefixes of no message, and of which encrypted keys follow.
+
+    What is signed alone follows as it is; an INFO submessage is no message, encrypted or not.
+    """
+    prefix = np.isin(kind, _PREFIXES)
+    how = data[np.where(prefix, place + 7, 0)]
+    signed = prefix & np.isin(how, _SIGNED)
+    after = np.roll(place, -1)
+    length = number(data, after + 2, "<u2")
+    length = np.where(data[after + 1] & 1, length, length.byteswap())
+    hidden = prefix & np.isin(how, _ENCRYPTED) & (np.roll(kind, -1) == _BODY)
+    key = number(data, np.where(prefix, place + 8, 0), ">u4")
+    keys = hidden & (kind == _PREFIXES[0]) & (key == _SHARED_KEY)
+    return signed | (hidden & (length <= _INFO)), keys
 
 
 def _sequence(data: Bytes, at: Places, last: Places, kind: Array, little: Array) -> Array:
@@ -285,7 +312,9 @@ def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
     source = (entity & 0xC0) >> 6
     group = np.where(known, _KNOWN_GROUP[place], _OTHER_GROUP[source])
     group[entity == 0] = GROUPS.index(_UNKNOWN)
-    other = np.where(source == 0, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
+    other = np.where(
+        (source == 0) & (entity != 0), ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other")
+    )
     return group, np.where(known, _KNOWN_NAME[place], other).astype(np.uint8)
 
 

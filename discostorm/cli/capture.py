@@ -14,7 +14,7 @@ import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.calculator import Link, link_of, spoken as spoken_by
 from discostorm.cli.fleets import called, compared, robot_option, standard_input
-from discostorm.cli.health import show_answer, show_tables, told
+from discostorm.cli.health import NO_ENDPOINTS, is_encrypted, show_answer, show_tables, told
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
@@ -131,12 +131,14 @@ def capture(
         ]
         seconds = {protocol.name: found.compared_seconds(protocol, window) for protocol in tables}
         sums = found.sums(wired=on_wires)
+        diagnosis = found.diagnosis()
         seen = found.fleet(wired=on_wires) if spoken else None
         if written is not None:
+            if is_encrypted(diagnosis):
+                raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
             _write_fleet(written, found.fleet(wired=on_wires), called(file))
-        link = None if seen is None else link_of(seen, spoken_by(found))
+        link = None if seen is None or is_encrypted(diagnosis) else link_of(seen, spoken_by(found))
         groups = () if members is not None or seen is None else seen.groups
-        diagnosis = found.diagnosis()
         if picture is not None:
             path = Path(_checks.path("--picture", picture, "a file"))
             try:
@@ -168,6 +170,8 @@ def capture(
         show_answer(diagnosis)
         show_tables(diagnosis, output)
         _show_capture(found, groups, rows, output)
+        if is_encrypted(diagnosis):
+            click.echo(f"Note: {NO_ENDPOINTS}.")
         _show_sums(found, sums, seconds if rows else {})
         if on_wires is None and (serving := found.serving()):
             click.echo(

@@ -22,6 +22,16 @@ if TYPE_CHECKING:
 MOST = 12
 #: Families of middleware, by what they speak.
 FAMILIES = {"RTPS": "DDS", "Zenoh": "Zenoh"}
+#: What a table of messages and a fleet lack where announcements are encrypted.
+NO_ENDPOINTS = (
+    "DDS Security encrypts SEDP, so that endpoints are unknown (shown as 0); capture the same "
+    "fleet without security to count them"
+)
+
+
+def is_encrypted(diagnosis: Diagnosis) -> bool:
+    """Return whether the endpoints of processes are encrypted."""
+    return any(finding.kind == "encrypted" for finding in diagnosis.findings)
 
 
 def pasted(finding: Finding, capture: Capture) -> tuple[Snippet, ...]:

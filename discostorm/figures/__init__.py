@@ -1,9 +1,10 @@
 """Figures: functions that return a matplotlib Figure, and the data that they draw.
 
 `fig2`, `fig3` and `fig4` are the paper's; `save_all` writes them as SVG, PDF and PNG, with CSV: the
-command ``discostorm figures``. There are more drawings: `airtime`, of one frame of each message;
-and, of any protocol, `bars`, of what each message adds to utilization, `remedies`, of what a plan
-would change, and `who_tells_whom`, of the way that each message takes.
+command ``discostorm figures``. `narrowed` draws any figure again for a phone. There are more
+drawings: `airtime`, of one frame of each message; and, of any protocol, `bars`, of what each
+message adds to utilization, `remedies`, of what a plan would change, and `who_tells_whom`, of the
+way that each message takes.
 """
 
 from discostorm.figures.files import (
@@ -26,6 +27,7 @@ from discostorm.figures.looks import (
     style,
 )
 from discostorm.figures.messages import airtime, airtime_data, bars, bars_data, who_tells_whom
+from discostorm.figures.narrow import NARROW, narrowed
 from discostorm.figures.paper import (
     FIG2_ENDPOINTS,
     FIG2_PROCESSES,
@@ -56,6 +58,7 @@ __all__ = [
     "FIG4_PROCESSES",
     "FIGURES",
     "MESSAGE_COLORS",
+    "NARROW",
     "PAPER_PROTOCOLS",
     "SHEETS",
     "STYLES",
@@ -73,6 +76,7 @@ __all__ = [
     "fig4",
     "fig4_data",
     "files_of_all",
+    "narrowed",
     "palette_of",
     "phases_data",
     "property_of",

@@ -321,6 +321,9 @@ UNITS = {
     "endpoint, process on another host and third process": Unit(
         "endpoint", "remote process", "third process"
     ),
+    "matched writer, process on another host and third process": Unit(
+        "matched writer", "remote process", "third process"
+    ),
     "matched writer and process on another host": Unit("matched writer", "remote process"),
     "host": Unit("host"),
     "ordered pair of hosts": Unit("host", "other host"),

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from discostorm.data import read_data
+from discostorm.messages import Protocol
 from discostorm.planner.changes import Setting
 from discostorm.planner.known import known_as
 from discostorm.planner.spans import burst_of
@@ -47,12 +48,11 @@ def reboot(base: Setting) -> Reboot | None:
     lease, and a host that joins, took `low` to `high` times what their own pairs take in it
     (``data/measured/restarts.csv``); a robot that reboots is one or the other.
     """
-    of = known_as(base.protocol)
-    rows = [row for row in read_data("measured/restarts.csv") if of and row["protocol"] == of.name]
+    measured = factors(base.protocol)
     fleet = base.fleet
     everyone = float(fleet.processes())
     own = sum(float(group.hosts) * float(group.processes) ** 2 for group in fleet.groups)
-    if not rows or everyone**2 <= own:
+    if measured is None or everyone**2 <= own:
         return None
     found = {
         name: 2 * float(group.processes) * (everyone - float(group.processes))
@@ -62,7 +62,19 @@ def reboot(base: Setting) -> Reboot | None:
     group = max(found, key=lambda name: found[name])
     share = found[group] / (everyone**2 - own)
     least, most = burst_of(base).ends
-    low, high = min(float(row["low"]) for row in rows), max(float(row["high"]) for row in rows)
+    low, high = measured
     return Reboot(
         group, least * share * low, most * share * high, share, "data/measured/restarts.csv"
     )
+
+
+def factors(protocol: Protocol) -> tuple[float, float] | None:
+    """Return the least and the most that restarts and joins took [1]; None if none was measured.
+
+    As multiples of what the pairs of processes that take part in it have of a start of all.
+    """
+    of = known_as(protocol)
+    rows = [row for row in read_data("measured/restarts.csv") if of and row["protocol"] == of.name]
+    if not rows:
+        return None
+    return min(float(row["low"]) for row in rows), max(float(row["high"]) for row in rows)

@@ -348,6 +348,20 @@
     return rows && { low: rows[0][1], high: rows[1][2], hosts: [...new Set(rows.map(([n]) => n))] };
   }
 
+  /** What it takes when one robot reboots, as `discostorm.planner.reboot` has it; null if that was not measured. */
+  function rebootOf(name, channel, swarm) {
+    const factors = MODEL.protocols[name].reboot;
+    const { N_H, N_P, N_H1, N_P1 } = swarm;
+    const everyone = N_H * N_P + N_H1 * N_P1;
+    const pairs = everyone ** 2 - (N_H * N_P ** 2 + N_H1 * N_P1 ** 2);
+    if (!factors.length || pairs <= 0) return null;
+    // Of both kinds the one that takes part in more pairs.
+    const [own, other] = [N_P, N_H1 ? N_P1 : 0].map((processes) => 2 * processes * (everyone - processes));
+    const start = spanOf(name, channel, swarm, "burst");
+    const [low, high] = [Math.min, Math.max].map((end, i) => (end(start.full, start.single) * Math.max(own, other) * factors[i]) / pairs);
+    return { low, high, other: other > own };
+  }
+
   function answerOf(name, channel, swarm) {
     const single = atOneEnd(name, channel, swarm);
     if (!channel.full) return { ...single, full: single, middle: null, known: null };
@@ -455,7 +469,7 @@
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], remedies: remediesOf(settings) };
+    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], remedies: remediesOf(settings), reboot: rebootOf(front.name, settings.channel, settings.swarm) };
   }
 
   // ---- showing it ----
@@ -558,14 +572,23 @@
       byId("numbers"),
       make("p", { class: "calc-title" }, "Robots that fit"),
       make("ul", {}, ...fit),
+      ...rebooting(answer),
       make("p", { class: "calc-hint" }, assumed(answer)),
     );
+  }
+
+  /** What one robot takes that reboots, or one of the others if these have more processes. */
+  function rebooting({ reboot, front }) {
+    if (!reboot) return [];
+    const { low, high, other } = reboot;
+    const who = other ? (chosen("beside") === LAPTOP ? "laptop" : "other") : "robot";
+    return [make("p", {}, make("b", {}, `One ${who} reboots: `), make("data", { value: String(low), "data-of": `${front.name} reboot low`, hidden: "" }), exact(high, durations(low, high), `${front.name} reboot high`), " of airtime.")];
   }
 
   /** How many fit, in words: beyond twice what a product was captured with, only that more do. */
   function robotsThatFit(one, { settings: { swarm } }, largest) {
     const [hosts = Infinity, processes = Infinity] = one.protocol.measured;
-    const most = Math.max(1, Math.floor(2 * Math.min(hosts, processes / swarm.N_P)));
+    const most = Math.max(1, Math.floor(MODEL.told * Math.min(hosts, processes / swarm.N_P)));
     return largest > most ? `more than ${count(most)} (not measured)` : count(largest);
   }
 
@@ -580,11 +603,22 @@
       Math.max(swarm.N_E, swarm.N_H1 && swarm.N_E1),
     ];
     const [hosts, processes, endpoints] = front.protocol.measured;
-    const beyond = all.some((many, i) => many > front.protocol.measured[i])
+    const beyond = all.some((many, i) => many > front.protocol.measured[i]) ? "; what is more than that is extrapolated" : "";
+    const captured = hosts
       ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
-        `and ${plural(endpoints, "endpoint")} in a process; what is more than that is extrapolated.`
+        `and ${plural(endpoints, "endpoint")} in a process${beyond}.${bandOf(front.protocol, all)}`
       : "";
-    return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${beyond}`;
+    return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${captured}`;
+  }
+
+  /** How far a measured table was off where it was not fitted, as `discostorm.measured.band` has it. */
+  function bandOf({ band, measured: [hosts, processes, endpoints] }, [ofHosts, ofAll, ofProcess]) {
+    if (!band.length) return "";
+    const many = Math.max(ofHosts / hosts, ofAll / processes);
+    const ends = ofProcess / Math.max(endpoints, 1);
+    const needed = Math.max(Math.min(many, MODEL.told), ends);
+    const [, mostHosts, mostEnds, sentence] = band.find(([upTo]) => upTo >= needed) ?? band.at(-1);
+    return ` ${sentence}${many > mostHosts || ends > mostEnds ? MODEL.beyond : ""}.`;
   }
 
   /** How it then starts, if that is better: surely, or perhaps. */
@@ -611,7 +645,7 @@
         for (const { where, version, text } of paste) {
           const copy = make("button", { type: "button" }, "Copy");
           copy.addEventListener("click", () => copied(copy, text));
-          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `What to paste: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
+          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `To copy: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
         }
         return item;
       }),

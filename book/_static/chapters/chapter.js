@@ -21,12 +21,13 @@ const CHAPTER = (() => {
   const within = (value, low, high) => Math.min(high, Math.max(low, value));
 
   // Lay a picture over that of the figure, which is as large as it likes. `size` is that of the
-  // stored picture; `panels` are parts of it, with the values at their ends.
-  function over(figure, { size: [width, height], panels: boxes }) {
-    const picture = make("svg", { class: "line-picture", viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" });
+  // stored picture; `panels` are parts of it, with the values at their ends; `narrow` has the same of
+  // the picture for phones. When one takes the place of the other, `redraw` is called.
+  function over(figure, { narrow, ...wide }, redraw = () => {}) {
+    const picture = make("svg", { class: "line-picture", "aria-hidden": "true" });
     const across = (part, [from, to]) => from + part * (to - from);
     const share = (value, [from, to]) => (value - from) / (to - from);
-    const panels = boxes.map(({ x, y, xlim, ylim }, index) => ({
+    const placed = ({ size: [width, height], panels: boxes }) => boxes.map(({ x, y, xlim, ylim }, index) => ({
       index,
       xlim,
       ylim,
@@ -42,10 +43,25 @@ const CHAPTER = (() => {
         return [across(share(a, x), xlim), across(share(b, y), ylim)];
       },
     }));
-    for (const { index, left, right, top, bottom } of panels) {
-      const box = { x: left, y: top, width: right - left, height: bottom - top };
-      picture.append(make("clipPath", { id: `${figure.id}-clip-${index}` }, make("rect", box)));
-    }
+    const panels = placed(wide);
+    const clips = panels.map(() => make("rect"));
+    for (const [index, clip] of clips.entries()) picture.append(make("clipPath", { id: `${figure.id}-clip-${index}` }, clip));
+    const phone = matchMedia("(width < 37.5rem)"); // as _ext/pictures.py says
+    const fit = () => {
+      const shown = narrow && phone.matches && figure.querySelector("picture") ? narrow : wide;
+      picture.setAttribute("viewBox", `0 0 ${shown.size.join(" ")}`);
+      for (const [index, panel] of placed(shown).entries()) {
+        Object.assign(panels[index], panel);
+        const { left, right, top, bottom } = panel;
+        const box = { x: left, y: top, width: right - left, height: bottom - top };
+        for (const [name, value] of Object.entries(box)) clips[index].setAttribute(name, value);
+      }
+    };
+    fit();
+    phone.addEventListener("change", () => {
+      fit();
+      redraw();
+    });
     const inside = ({ index }, ...children) =>
       picture.append(make("g", { "clip-path": `url(#${figure.id}-clip-${index})` }, ...children));
     addEventListener("load", () => {

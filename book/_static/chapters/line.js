@@ -18,7 +18,7 @@
 
   // ---- what is drawn ----
 
-  const { picture, panels, inside } = CHAPTER.over(figure, DATA);
+  const { picture, panels, inside } = CHAPTER.over(figure, DATA, () => show({}));
   const maps = panels.slice(0, -1);
   const [below] = panels.slice(-1);
   const lines = maps.map((panel) => {

@@ -47,7 +47,7 @@
     return { corners, clear };
   }
 
-  const { picture, panels, inside } = CHAPTER.over(figure, DATA);
+  const { picture, panels, inside } = CHAPTER.over(figure, DATA, () => show({}));
   const [panel] = panels;
   const end = panel.xlim[1];
   const curve = make("path", { class: "line-line" });

@@ -45,8 +45,8 @@ const Live = (() => {
   // Simulate a setting (setup.js lists its options); a run under way is stopped. `each` is called with
   // each share of the run: what it is at, and at each of some `looks` after `steps`. `until` "complete" ends
   // with discovery; with `log` shares have the rows of what was sent, and looks say how many of these were
-  // before. Return a promise of what was found, and a function that stops the run.
-  function run(setting, { each = () => {}, steps = 100_000, looks = 1, until = "over", log = false } = {}) {
+  // before; with `trace`, for radios without aggregation, they also have what these carried (run.js). Return a promise of what was found, and a function that stops the run.
+  function run(setting, { each = () => {}, steps = 100_000, looks = 1, until = "over", log = false, trace = false } = {}) {
     current?.stop();
     let stopped = false;
     let at = null; // the worker that has it
@@ -68,7 +68,7 @@ const Live = (() => {
           if (data.error) failed(new Error(data.error));
           else done(data.result);
         };
-        at.postMessage({ setting, steps, looks, until, log });
+        at.postMessage({ setting, steps, looks, until, log, trace });
       });
     })();
     own.stop = () => {

@@ -6,7 +6,7 @@ function liveRun(module, data) {
   const { layouts, arrays: TYPES, constants } = data;
   const LINE = 64; // where arrays begin, in lines of a processor's cache [B]
   const PAGE = 65536; // in which memory grows [B]
-  const { OVER, MEMORY, TICK } = constants;
+  const { OVER, MEMORY, TICK, KIND_BITS, PROCESS_BITS, ITEM_BITS } = constants;
 
   return class Run {
     constructor(setting) {
@@ -111,6 +111,27 @@ function liveRun(module, data) {
       const found = Float64Array.from(rows, Number);
       this.put("now", 0, "logged", 0);
       return found;
+    }
+
+    // Return the transmissions of the last step, more numbers each: the six, the processes that the frame is from
+    // and for, which of the like messages between them it is, and when it came to the station [ticks]; then, after the
+    // step, frames lost by cause, and those that wait at each station. Of radios that send one message in a frame.
+    traced() {
+      const [sent, parts] = [this.sent(), [KIND_BITS, PROCESS_BITS, PROCESS_BITS, ITEM_BITS]];
+      const lost = constants.CAUSES.map((name) => this.now(name));
+      const waiting = Array.from({ length: this.now("hosts") + 1 }, (_, station) => Number(this.get("stations", station, "length")));
+      const rows = [];
+      for (let row = 0; row < sent.length; row += 6) {
+        const station = sent[row + 2];
+        let frame = this.get("window", station, "frame");
+        const [, to, from, item] = parts.map((bits) => {
+          const part = Number(BigInt.asUintN(bits, frame));
+          frame >>= BigInt(bits);
+          return part;
+        });
+        rows.push(...sent.subarray(row, row + 6), from, to, item, Number(this.get("window", station, "came")), ...lost, ...waiting);
+      }
+      return rows;
     }
 
     // Return what the run is at: time [s], part of discovery that is done [1], frames lost for good and

@@ -9,14 +9,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from discostorm import lambdify, uncertainty
-from discostorm.figures import color_of, style
+from discostorm.figures import NARROW, color_of, style
 from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
 
-#: Inches: as wide as a phone shows without scrolling.
-NARROW = 4.45
 #: What all parameters at their best or worst ends are called.
 TOGETHER = "all together"
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}

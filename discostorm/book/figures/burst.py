@@ -1,10 +1,12 @@
 """Figures of the burst on the air: frames, drain times, queues."""
 
+from collections.abc import Sequence
 from itertools import product
 
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS, WIDTH, style
 from discostorm.palette import lights
@@ -64,6 +66,70 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
         axis.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, borderaxespad=0.2)
         _headline(figure, "All robots collide first; then their frames take turns")
     return figure
+
+
+def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figure:
+    """Draw the queues of a small burst over time, and who has heard of whom at some times.
+
+    Parameters
+    ----------
+    events : pandas.DataFrame
+        Transmissions: start_s, end_s, station, message, outcome, from, to, and frames waiting.
+    times : sequence of float
+        When the endpoint announcements that have arrived are counted, beside at the end [s].
+    """
+    names = {f"waiting_{name.replace(' ', '_')}": name for name in set(events["station"])}
+    robots = sorted(set(names.values()) - {"access point"})
+    arrived = events.query(
+        "station == 'access point' and message == 'SEDP' and outcome == 'success'"
+    )
+    every = len(arrived) // len(robots) // (len(robots) - 1)
+    last = events["end_s"].max()
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.9))
+        grid = figure.add_gridspec(2, len(times) + 1, height_ratios=(3, 2))
+        axis = figure.add_subplot(grid[0, :])
+        for (waiting, name), line in zip(sorted(names.items()), ("-", "-", "--", ":"), strict=True):
+            color = _NEUTRAL["charcoal"] if name == "access point" else COLORS["DDS"]
+            label = name.replace("host", "robot")
+            after = events.groupby("start_s").last()
+            axis.step(
+                after["end_s"] * 1e3, after[waiting], line, where="post", color=color, label=label
+            )
+        axis.set(xlabel="time after startup [ms]", ylabel="frames waiting", xlim=(0, last * 1e3))
+        axis.set_ylim(0, None)
+        axis.legend(loc="upper left")
+        for column, time in enumerate((*times, last)):
+            known = pd.crosstab(*(arrived[arrived["end_s"] <= time][end] for end in ("to", "from")))
+            share = 100 * known.reindex(index=robots, columns=robots, fill_value=0) // every
+            panel = figure.add_subplot(grid[1, column])
+            _known(panel, share)
+            panel.set_title(f"after {time * 1e3:.0f} ms", loc="left", fontsize=9)
+        _headline(figure, "The burst moves from the robots' queues into the access point's")
+    return figure
+
+
+def _known(axis: Axes, share: pd.DataFrame) -> None:
+    """Draw who has heard how much of whom: a cell fills from below."""
+    count = len(share)
+    for reader, writer in product(range(count), repeat=2):
+        if reader == writer:
+            text = "\N{EN DASH}"
+        else:
+            part = int(share.to_numpy()[reader, writer])
+            text = f"{part}"
+            box = Rectangle(
+                (writer, reader + 1), 1, -part / 100, color=COLORS["DDS"], alpha=0.35, lw=0
+            )
+            axis.add_patch(box)
+        axis.text(writer + 0.5, reader + 0.5, text, ha="center", va="center", fontsize=9)
+    ticks = [f"{number + 1}" for number in range(count)]
+    places = [number + 0.5 for number in range(count)]
+    axis.set(xlim=(0, count), ylim=(count, 0), xlabel="of robot", ylabel="robot knows [%]")
+    axis.set_xticks(places, ticks)
+    axis.set_yticks(places, ticks)
+    axis.tick_params(length=0)
+    axis.grid(visible=False)
 
 
 def drain(rows: pd.DataFrame) -> Figure:

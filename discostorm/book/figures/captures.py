@@ -12,8 +12,8 @@ from discostorm.figures import WIDTH, style
 from discostorm.palette import lights
 
 _COLORS = lights("captured")
-#: What is drawn of a lane, from its top: kinds of message, where, in which color, and how tall.
-_ROWS = {
+#: What is drawn of a lane, from its top: kinds of message, where in it, and in which color.
+ROWS = {
     "SPDP": (("SPDP",), -0.24, _COLORS["SPDP"]),
     "SEDP": (("SEDP",), 0.0, _COLORS["SEDP"]),
     "Heartbeat, ACKNACK": (("Heartbeat", "ACKNACK"), 0.24, "0.35"),
@@ -63,7 +63,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
                 axis.barh(
                     place, until - complete, left=complete, height=0.82, color=_AFTER, zorder=0
                 )
-                for kinds, offset, color in _ROWS.values():
+                for kinds, offset, color in ROWS.values():
                     times = rows["time_s"][rows["kind"].isin(kinds)]
                     axis.plot(times, [place + offset] * len(times), "|", color=color, ms=7, mew=1.6)
                 said = f"{complete:.2f} s"
@@ -78,7 +78,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
         axis.tick_params(axis="y", length=0)
         shown: list[Line2D | Patch] = [
             Line2D([], [], marker="|", ls="", color=color, mew=1.6, ms=8, label=label)
-            for label, (_, _, color) in _ROWS.items()
+            for label, (_, _, color) in ROWS.items()
         ]
         shown.append(Patch(color=_AFTER, label="knows all others"))
         figure.legend(handles=shown, loc="outside lower center", ncols=4)

@@ -99,6 +99,49 @@ def _cell(axis: Axes, column: int, line: int, row: pd.Series, norm: LogNorm) -> 
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", color=color, fontsize=size)
 
 
+#: Where runs are drawn that did not converge: above two minutes, in powers of ten.
+NEVER = 2.4
+
+
+def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
+    """Draw the middle half of the runs by robots, a panel a middleware.
+
+    Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
+
+    Parameters
+    ----------
+    rows : pandas.DataFrame
+        The sweep ``convergence``, of one frame error rate.
+    names : sequence of str
+        Which protocols.
+    """
+    columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
+    with style():
+        figure = Figure(figsize=(WIDTH, 3.3))
+        panels = figure.subplots(1, len(names), sharey=True)
+        for axis, name in zip(panels, names, strict=True):
+            own = rows[rows["protocol"] == name].sort_values("hosts")
+            places = np.arange(len(own))
+            low, middle, high = (
+                np.minimum(np.log10(own[column].to_numpy()), NEVER) for column in columns
+            )
+            color = COLORS[name]
+            axis.vlines(places, low, high, color=color, lw=9, alpha=0.35)
+            axis.plot(places, middle, "_", color=color, ms=8, mew=2.5)
+            axis.axhline(np.log10(120), color=_STATE["bad"], lw=1)
+            if axis is panels[-1]:
+                at = (0, np.log10(120))
+                axis.annotate("two minutes", at, (0, -3), textcoords="offset points", va="top")
+            axis.set(xlabel="robots", xlim=(-0.7, len(own) - 0.3), ylim=(-1.7, NEVER + 0.25))
+            axis.set_xticks(places, [str(count) for count in own["hosts"]], fontsize=8)
+            axis.set_title(name, loc="left", fontsize=9.5)
+        ticks = [-1, 0, 1, 2]
+        panels[0].set_yticks([*ticks, NEVER], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
+        panels[0].set_ylabel("time until converged [s]")
+        _headline(figure, "Half of the ten runs lie within each bar")
+    return figure
+
+
 def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window from which robots draw their starts.
 

@@ -168,7 +168,7 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
             weight="bold",
         )
         above, below = figure.subplots(2, 1, sharex=True)
-        for product, line in zip(products, _LINES, strict=True):
+        for number, (product, line) in enumerate(zip(products, _LINES, strict=True)):
             rows = data[data["product"] == product.name]
             color = color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
@@ -178,7 +178,7 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
                 exact["hosts"], exact["idle_after_s"], "o", color=color, fillstyle="none", ms=4
             )
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
-            end = bound[bound["steady state"] < 1.35].iloc[-1]
+            end = bound[bound["steady state"] < 1.35 - 0.1 * number].iloc[-1]
             under = end["steady state"] < 1.3  # it ends at the right edge: there is room below
             below.text(
                 end["hosts"] + (0.5 if under else -0.6), end["steady state"] - 0.24 * under,

@@ -9,10 +9,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
+from discostorm import figures
 from discostorm.data import read_data
-from discostorm.figures import MESSAGE_COLORS, WIDTH, style
+from discostorm.figures import MESSAGE_COLORS, WIDTH, color_of, style
 from discostorm.messages import Protocol
+from discostorm.model import breakdown
 from discostorm.paper.enumeration import EVERYONE, Process, Sent, walk
+from discostorm.protocols import PROTOCOLS
+
+#: Airtime from which on a block has room for its name [s].
+_NAMED = 0.03
 
 
 def process_name(process: Process | str) -> str:
@@ -150,4 +156,49 @@ def frame_parts() -> Figure:
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("length on the air [B]")
         axis.legend(loc="lower right")
+    return figure
+
+
+def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
+    """Return the terms of equation (12): overhead and bits of each message, up and down [s]."""
+    frames = figures.airtime_data()
+    counts = [
+        breakdown(PROTOCOLS[name], hosts, processes, endpoints)["uplink_messages"]
+        for name in frames["protocol"].unique()
+    ]
+    # Each goes down as often as it goes up: a multicast once for all.
+    number = frames["message"].map(pd.concat(counts))
+    return frames.assign(
+        messages=number,
+        overhead_s=number * frames["overhead_s"],
+        bits_s=number * frames["bits_s"],
+    )
+
+
+def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
+    """Draw the terms of equation (12) as blocks, one on the other, beside the line of a second."""
+    data = airtime_blocks_data(hosts, processes, endpoints)
+    names, totals = list(data["protocol"].unique()), []
+    with style():
+        figure = Figure(figsize=(WIDTH, 4.4))
+        axis = figure.subplots()
+        for place, name in enumerate(names):
+            color, top = color_of(PROTOCOLS[name]), 0.0
+            for row in data[data["protocol"] == name].to_dict("records"):
+                airtime = row["overhead_s"] + row["bits_s"]
+                part = 0.8 * row["overhead_s"] / airtime
+                left = place - 0.4
+                axis.bar(left, airtime, part, top, align="edge", color=color, alpha=0.35)
+                axis.bar(left + part, airtime, 0.8 - part, top, align="edge", color=color)
+                axis.bar(left, airtime, 0.8, top, align="edge", fc="none", ec="white", lw=1)
+                if airtime > _NAMED:
+                    text = f"{row['message']} {row['direction']}: {airtime:.3f} s"
+                    axis.text(left + 0.02, top + airtime / 2, text, va="center", fontsize=8)
+                top += airtime
+            totals.append(f"{name}: {top:.3f} s")
+        axis.axhline(1, color="black", lw=1.6)
+        axis.text(len(names) - 0.55, 1.01, "one second", ha="right", va="bottom", fontsize=8)
+        axis.set_xticks(range(len(names)), totals)
+        axis.set(xlim=(-0.55, len(names) - 0.45), ylim=(0, 1.1), ylabel="airtime [s]")
+        axis.grid(visible=False, axis="x")
     return figure

@@ -254,12 +254,18 @@ def noticed_data() -> pd.DataFrame:
 
 
 def failures() -> Figure:
-    """Draw who hears whom after a failure as swim lanes, and how long it goes unnoticed."""
+    """Draw who hears whom after a failure as swim lanes."""
     with style():
-        figure = Figure(figsize=(6.2, 7.6))
-        above, below = figure.subplots(2, 1, height_ratios=[1.75, 1])
-        _draw_lanes(above, failures_data())
-        _draw_noticed(below, noticed_data())
+        figure = Figure(figsize=(6.2, 4.9))
+        _draw_lanes(figure.subplots(), failures_data())
+    return figure
+
+
+def noticed() -> Figure:
+    """Draw how long the others keep a robot that has failed on their lists, as bars."""
+    with style():
+        figure = Figure(figsize=(6.2, 3.0))
+        _draw_noticed(figure.subplots(), noticed_data())
     return figure
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm.capture._bytes import Array
-from discostorm.capture.diagnosis.seen import Seen
+from discostorm.capture.diagnosis.seen import ENCRYPTED, HANDSHAKE, KEYS, Seen
 from discostorm.capture.diagnosis.teams import Team, clients, scouting
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
@@ -136,12 +136,20 @@ def _rtps(seen: Seen, place: dict[str, int], heard: Array, taken: Array, tried: 
     sender, receiver = _ends(seen, place, plain)
     _set(heard, sender, receiver)
     answers = seen.of("submessage", "ACKNACK")[directed]
-    got = answers & ((seen.number[directed] > 1) | (seen.missing[directed] > 0))
+    # Keys follow the handshake, each step of which answers the one before.
+    got = seen.of("kind", KEYS, ENCRYPTED)[directed]
+    got |= answers & ((seen.number[directed] > 1) | (seen.missing[directed] > 0))
     _set(taken, by[got], of[got])
-    asks = seen.of("submessage", "HEARTBEAT", "DATA") & ~seen.of("kind", "SPDP") & ~seen.multicast
+    # A handshake is confirmed by its next step alone, which may fail for other reasons.
+    asks = seen.of("submessage", "HEARTBEAT", "DATA") & ~seen.of("kind", "SPDP", HANDSHAKE)
+    asks &= ~seen.multicast
     # A Heartbeat that tells of nothing is answered by nothing that tells it was heard.
     sender, receiver = _ends(seen, place, np.flatnonzero(asks & (seen.number > 0)))
     _set(tried, receiver, sender)
+    # With DDS Security nothing is confirmed to who has none.
+    secured = np.zeros(len(place), bool)
+    secured[[one for one in of_process[[*seen.secured]] if one >= 0]] = True
+    tried &= secured[:, None] == secured
 
 
 def _zenoh(seen: Seen, place: dict[str, int], heard: Array, taken: Array, tried: Array) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 import numpy as np
 
@@ -10,7 +11,12 @@ from discostorm import words
 from discostorm.capture.diagnosis.finding import Finding, listed
 from discostorm.capture.diagnosis.pairs import Pair, acknowledgements, groups
 from discostorm.capture.diagnosis.reach import PATIENCE, unheard
-from discostorm.capture.diagnosis.seen import DATA, HEARTBEAT, Seen
+from discostorm.capture.diagnosis.seen import (
+    DATA,
+    ENCRYPTED,
+    HEARTBEAT,
+    Seen,
+)
 
 
 def began_late(seen: Seen) -> set[int]:
@@ -52,6 +58,7 @@ def _settled(seen: Seen) -> set[int]:
 
 def record(seen: Seen, late: set[int]) -> Iterator[Finding]:
     """Yield what the capture cannot show, and why."""
+    yield from _encrypted(seen)
     yield from _late(seen, late)
     yield from _lost(seen, late)
     if seen.view is not None:
@@ -64,6 +71,25 @@ def record(seen: Seen, late: set[int]) -> Iterator[Finding]:
         kind = "clock back" if step < 0 else "clock on"
         way = "back" if step < 0 else "on"
         yield Finding(kind, (), f"packet {frame}: its time is {abs(step):,.1f} s {way}")
+
+
+def _encrypted(seen: Seen) -> Iterator[Finding]:
+    """Yield that what processes announce is encrypted, and how many have each other's keys."""
+    untold = seen.processes["endpoints"].to_numpy() == 0
+    hidden = seen.of("kind", ENCRYPTED) & (seen.process >= 0)
+    by = [one for one in np.unique(seen.process[hidden]).tolist() if untold[one]]
+    if not by:
+        return
+    hosts = dict.fromkeys(str(seen.host[one]) for one in by)
+    pairs = {(one, other) for one, other in seen.keyed if seen.host[one] != seen.host[other]}
+    ought = sum(seen.host[one] != seen.host[other] for one, other in permutations(seen.secured, 2))
+    yield Finding(
+        "encrypted",
+        tuple(hosts),
+        f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed([*hosts])}; in "
+        f"{len(pairs)} of {ought} pairs of processes on different hosts one told the other its "
+        "keys",
+    )
 
 
 #: So many jumps of the clock are told.

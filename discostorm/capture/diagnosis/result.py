@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm import words
+from discostorm import _checks, words
 from discostorm.capture.diagnosis import tables
 from discostorm.capture.diagnosis.finding import Finding, kinds, listed
 from discostorm.capture.diagnosis.lives import events, lives, restarted
@@ -39,6 +39,8 @@ RECORD_ANEW = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
     f"the filter: {words.RECORD.format(file='discovery.pcap')}."
 )
+#: So many rows what was sent has at most, in JSON [1].
+TIMELINE = 2000
 #: What is told of endpoints, and said to open sessions.
 TELLING = (DATA, "Declare", "Init", "Open")
 
@@ -65,6 +67,8 @@ class Diagnosis:
         How many ordered pairs of processes on different hosts ought to be complete [1].
     _hosts, _incomplete : pandas.DataFrame
         What `hosts` and `incomplete` return copies of.
+    _rows : pandas.DataFrame
+        The messages that were diagnosed, of which `timeline` tells.
     """
 
     findings: tuple[Finding, ...]
@@ -74,6 +78,7 @@ class Diagnosis:
     pairs: int
     _hosts: pd.DataFrame = field(compare=False, repr=False)
     _incomplete: pd.DataFrame = field(compare=False, repr=False)
+    _rows: pd.DataFrame = field(compare=False, repr=False)
 
     @property
     def wrong(self) -> tuple[Finding, ...]:
@@ -112,6 +117,33 @@ class Diagnosis:
             [s], infinite if never, and how many endpoints were ``sent`` to it [1].
         """
         return self._incomplete.copy()
+
+    def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
+        """Return who sent what when, until a little after the startup.
+
+        It ends when 1.25 times `complete_at` have passed, and 2 s at least; with the capture if
+        that is not finite.
+
+        Parameters
+        ----------
+        most : int
+            The rows that it may have [1]. If there are more, messages are put together in steps of
+            time, as short as that allows, and whom they are sent to is left out.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
+            was captured [s]; ``host``, who sent them; ``receiver``, an address, and whether it is
+            ``multicast``, None in steps; ``ends``, whether they take back what they are about or
+            end a connection; ``messages`` [1] and ``bytes`` [B]. In its ``attrs``: ``until_s``,
+            when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
+            messages it leaves out [1], as even the hosts and kinds were too many.
+        """
+        _checks.whole("most", most, 1)
+        found, told = tables.timeline(self._rows, self.complete_at, most)
+        found.attrs |= told
+        return found
 
     def summary(self) -> str:
         """Return in one to three sentences how discovery is, why, and what to do."""
@@ -162,6 +194,7 @@ class Diagnosis:
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold: times that never came are null."""
+        timeline = self.timeline()
         return {
             "summary": self.summary(),
             "healthy": self.healthy,
@@ -172,6 +205,7 @@ class Diagnosis:
             "findings": [finding.to_dict() for finding in self.findings],
             "hosts": _records(self._hosts.reset_index()),
             "incomplete": _records(self._incomplete),
+            "timeline": timeline.attrs | {"rows": _records(timeline)},
         }
 
 
@@ -232,6 +266,9 @@ def diagnose(seen: Seen) -> Diagnosis:
     if any(one.kind == "heavy loss" for one in lossy):
         # So many losses can look like a direction that does not work.
         wrong = [one for one in wrong if one.kind != "one direction of pairs"]
+    strange = [pair for pair in lacking if {pair.of, pair.by} & seen.secured]
+    if strange and not wrong:
+        wrong.append(_strange(seen, strange, len(pairs)))
     if lacking and not wrong and not lossy and not limits:
         wrong.append(_incomplete(seen, lacking, len(pairs)))
     wrong += [*lossy, *storm(seen)]
@@ -253,6 +290,7 @@ def diagnose(seen: Seen) -> Diagnosis:
         pairs=len(pairs),
         _hosts=tables.hosts(seen, found_teams, alive),
         _incomplete=tables.incomplete(seen, lacking),
+        _rows=seen.rows,
     )
 
 
@@ -275,6 +313,19 @@ def _complete(
     if began or (lacking and lost):
         return None
     return not lacking
+
+
+def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
+    by = dict.fromkeys(
+        f"{seen.host[min(pair.of, pair.by)]} with {seen.host[max(pair.of, pair.by)]}"
+        for pair in strange
+    )
+    return Finding(
+        "not authenticated",
+        tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
+        f"in {len(strange)} of {pairs} pairs of processes the one never told the other its keys: "
+        f"{listed([*by])}",
+    )
 
 
 def _incomplete(seen: Seen, lacking: list[Pair], pairs: int) -> Finding:

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 #: Of RTPS what SEDP's messages are called: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
+#: Of DDS Security: the handshake, the keys that follow it, and what these encrypt.
+HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
+SECURED = (HANDSHAKE, KEYS, ENCRYPTED)
 
 
 @dataclass(frozen=True)
@@ -106,6 +109,18 @@ class Seen:
     def missing(self) -> Array:
         """How many samples each message says that it lacks."""
         return self.rows["missing"].to_numpy(np.int64)
+
+    @cached_property
+    def keyed(self) -> frozenset[tuple[int, int]]:
+        """Which process told which other one its keys."""
+        told = self.of("kind", KEYS) & (self.process >= 0) & (self.peer >= 0)
+        ends = np.unique(np.column_stack((self.process[told], self.peer[told])), axis=0)
+        return frozenset((one, other) for one, other in ends.tolist())
+
+    @cached_property
+    def secured(self) -> frozenset[int]:
+        """Which processes use DDS Security."""
+        return frozenset(np.unique(self.process[self.of("kind", *SECURED)]).tolist()) - {-1}
 
     @cached_property
     def life(self) -> tuple[Array, Array]:

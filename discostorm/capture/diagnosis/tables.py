@@ -1,4 +1,4 @@
-"""Tables of a diagnosis: a row a host, and the pairs that never completed."""
+"""Tables of a diagnosis: hosts, the pairs that never completed, and what was sent when."""
 
 from __future__ import annotations
 
@@ -16,6 +16,13 @@ from discostorm.capture.diagnosis.teams import Team
 if TYPE_CHECKING:
     import pandas as pd
 
+#: The end of a startup is shown with so much of what follows it, and at least so long [s].
+AFTER, SHOWN = 1.25, 2.0
+#: What is too much to tell apart is put together in steps of at least this [s].
+_STEP = 1e-3
+TIMELINE = (
+    "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
+)  # fmt: skip
 COLUMNS = ("products", "processes", "endpoints", "announced_s", "knows_all_s", "known_s")
 
 
@@ -109,3 +116,36 @@ def incomplete(seen: Seen, pairs: Iterable[Pair]) -> pd.DataFrame:
         for pair in pairs
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
+
+
+def timeline(
+    rows: pd.DataFrame, complete_at: float, most: int
+) -> tuple[pd.DataFrame, dict[str, float]]:
+    """Return what was sent when, and what is said of it all; see `Diagnosis.timeline`."""
+    until = float(rows["time"].max()) if len(rows) else 0.0
+    if np.isfinite(complete_at):
+        until = min(until, max(SHOWN, AFTER * complete_at))
+        rows = rows[rows["time"] <= until]
+    step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
+    groups = rows.groupby(keys, observed=True, sort=False)
+    if groups.ngroups > most:
+        # Who is spoken to is then left out: everybody speaks to everybody.
+        keys = ["sender", "kind", "ends"]
+        who = rows.groupby(keys, observed=True).ngroup().to_numpy()
+        bins = (rows["time"].to_numpy() / _STEP).astype(np.int64)
+        step = _STEP
+        found = np.unique(np.column_stack([bins, who]), axis=0)
+        while len(found) > most and found[:, 0].any():
+            found[:, 0] //= 2
+            found, step = np.unique(found, axis=0), 2 * step
+        bins = bins // round(step / _STEP)
+        groups = rows.assign(at=bins).groupby(["at", *keys], observed=True, sort=False)
+    each = {"time_s": ("time", "first"), "messages": ("bytes", "size"), "bytes": ("bytes", "sum")}
+    table = groups.agg(**each).reset_index().rename(columns={"sender": "host"})
+    for column in ("receiver", "multicast"):
+        table[column] = table[column].astype(object) if column in table else None
+    for column in ("host", "kind"):
+        table[column] = table[column].astype(object)
+    table = table.sort_values("time_s", kind="stable").iloc[:most][[*TIMELINE]]
+    left = len(rows) - int(table["messages"].sum())
+    return table, {"until_s": until, "step_s": step, "left_out": left}

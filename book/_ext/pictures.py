@@ -1,0 +1,119 @@
+"""Figures of pages: their size, the ones for phones, files to save, and how to cite them."""
+
+import json
+import posixpath
+import re
+from functools import cache
+from html import escape, unescape
+from pathlib import Path
+from typing import Any
+
+import yaml  # type: ignore[import-untyped]
+from sphinx.application import Sphinx
+
+from discostorm.book.notebook import NARROW
+
+#: As custom.js and custom.css call a screen narrow.
+_PHONE = "(width < 37.5rem)"
+_FIGURE = re.compile(
+    r'(?P<start><figure [^>]*id="(?P<name>fig-[\w-]+)"[^>]*>\s*(?:<a [^>]*>)?)'
+    r'(?P<image><img [^>]*?src="(?P<source>[^"]+\.svg)"[^>]*?)(?P<close>\s*/?>)'
+    r"(?P<rest>.*?)</figure>",
+    re.S,
+)
+_SIZE = re.compile(
+    r'<svg\b[^>]*?\s(width|height)="([\d.]+)(pt|px)?"[^>]*?\s(?:width|height)="([\d.]+)'
+)
+#: CSS pixels of a point.
+_PIXELS = {"pt": 4 / 3}
+
+
+def _size(svg: str) -> str:
+    """Return the size of a picture as attributes, so that nothing moves when it has come."""
+    found = _SIZE.search(svg)
+    if not found:
+        raise ValueError(f"a picture says not how large it is: {svg[:200]!r}")
+    first, one, unit, other = found.groups()
+    second = "width" if first == "height" else "height"
+    factor = _PIXELS.get(unit, 1)
+    sizes = {first: float(one) * factor, second: float(other) * factor}
+    return f'width="{sizes["width"]:.0f}" height="{sizes["height"]:.0f}"'
+
+
+def _narrow(app: Sphinx, page: str) -> dict[str, str]:
+    """Return the pictures for phones that a page keeps, by the figure's name."""
+    path = Path(app.srcdir) / f"{page}.ipynb"
+    if not path.exists():  # a page in Markdown is executed by the build
+        path = Path(app.outdir).parent / "jupyter_execute" / f"{page}.ipynb"
+    if not path.exists():
+        return {}
+    return {
+        cell["metadata"]["mystnb"]["figure"]["name"]: output["metadata"]["image/svg+xml"][NARROW]
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+        if "figure" in cell["metadata"].get("mystnb", {})
+        for output in cell.get("outputs", ())
+        if NARROW in output.get("metadata", {}).get("image/svg+xml", {})
+    }
+
+
+@cache
+def _cff(path: Path) -> dict[str, Any]:
+    read: dict[str, Any] = yaml.safe_load(path.read_text(encoding="utf-8"))
+    return read
+
+
+def citation(app: Sphinx, page: str, name: str, caption: str, title: str) -> str:
+    """Return how to cite a figure of a page, as text."""
+    cff = _cff(Path(app.srcdir) / "CITATION.cff")
+    authors = " and ".join(author["name"] for author in cff["authors"])
+    number = re.search(r'class="caption-number">([^<]*)', caption)
+    shown = unescape(number[1]).strip() if number else "Figure"
+    base = app.config.html_baseurl.rstrip("/")
+    where = f"{base}/{page}.html#{name}" if base else f"{page}.html#{name}"
+    doi = f" doi:{cff['doi']}." if "doi" in cff else ""
+    return (
+        f"{authors} ({cff['date-released'].year}). {shown} in “{title}”, {app.config.html_title},"
+        f" version {cff['version']}.{doi} {where}. License: CC BY 4.0."
+    )
+
+
+def _improve(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: Any) -> None:
+    body = context.get("body")
+    if not body or app.builder.format != "html":
+        return
+    narrow = _narrow(app, page)
+    folder = Path(app.outdir) / "_images"
+    to_images = context["pathto"]("_images", 1)
+    names = {file: source for source, file in app.builder.images.items()}
+
+    def improve(found: re.Match[str]) -> str:
+        name, file = found["name"], posixpath.basename(found["source"])
+        svg = (Path(app.srcdir) / names[file]).read_text(encoding="utf-8")
+        image = f"{found['image']} {_size(svg)}{found['close']}"
+        if name in narrow:
+            folder.mkdir(exist_ok=True)
+            (folder / f"{name}-narrow.svg").write_text(narrow[name], encoding="utf-8")
+            image = (
+                f'<picture><source media="{_PHONE}" srcset="{to_images}/{name}-narrow.svg" '
+                f"{_size(narrow[name])}>{image}</picture>"
+            )
+        # A script can read a script, but no picture, from a file.
+        folder.mkdir(exist_ok=True)
+        entry = f"{json.dumps(name)}: {json.dumps(svg)}"
+        text = f"window.PICTURES = {{ ...window.PICTURES, {entry} }};\n"
+        (folder / f"{name}.js").write_text(text, encoding="utf-8")
+        cite = escape(citation(app, page, name, found["rest"], unescape(context["title"])))
+        tools = (
+            f'<div class="ds-tools"><a href="{found["source"]}" download="{name}.svg">SVG</a>'
+            f'<button type="button" data-picture="{to_images}/{name}.js" hidden>PNG</button>'
+            f"<details><summary>Cite this figure</summary><p>{cite}</p></details></div>"
+        )
+        return f"{found['start']}{image}{found['rest']}{tools}\n</figure>"
+
+    context["body"] = _FIGURE.sub(improve, body)
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Connect to Sphinx."""
+    app.connect("html-page-context", _improve)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

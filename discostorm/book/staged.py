@@ -1,0 +1,130 @@
+"""The failures that the lab staged, run by run: who heard whom, and when not."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from discostorm import measured
+from discostorm.measured import death_times
+
+#: What failed in each: what it is called, what is killed, and who has a server or router.
+ARRANGEMENTS = {
+    "Fast DDS Discovery Server": ("one Discovery Server", "the server", "one"),
+    "Zenoh router": ("one central Zenoh router", "the router", "one"),
+    "Zenoh router per host": ("a router per robot", "robot 1's router", "each"),
+    "Zenoh router per host, one hub": ("a router per robot behind one hub", "the hub", "hub"),
+}
+#: A restart comes so long after its kill, as ``data/measured/README.md`` says [s].
+RESTART = 3.0
+#: What joins during such an event was not there before.
+_OUTAGE = r"outage of \d+ s"
+#: Who is silent for longer is not heard, likewise [s].
+SILENT = 2.0
+#: Two groups, or one with itself, by whom the rows of ``data/measured/deaths.csv`` are about, and
+#: what they are called: those that knew each other, and late joiners.
+_KNOWN = {
+    "survivors": ("survivors", "survivors", "{others}"),
+    "orphans": ("orphans", "orphans", "The two processes of robot 1"),
+    "orphans and survivors": ("orphans", "survivors", "Robot 1 and {others}"),
+}
+_LATE = {
+    "newcomer": ("newcomer", "survivors", "Late joiner and {others}"),
+    "newcomer, and orphans": ("newcomer", "orphans", "Late joiner and robot 1"),
+    "newcomer beside orphans": ("beside", "survivors", "Late joiner on robot 1 and {others}"),
+    "newcomer beside orphans, and orphans": (
+        *("beside", "orphans"),
+        "Late joiner on robot 1 and its neighbors",
+    ),
+}
+
+
+def relations(name: str) -> list[tuple[str, str, str]]:
+    """Return which two groups, or one with itself, were looked at, and what they are called."""
+    rows = measured.deaths()
+    there = set(rows[rows["arrangement"] == name]["who"])
+    others = "robots 2 to 4" if "orphans" in there else "robots 1 to 4"
+    named = [groups for who, groups in (_KNOWN | _LATE).items() if who in there]
+    texts = [text.format(others=others) for *_, text in named]
+    return [
+        (a, b, text[0].upper() + text[1:]) for (a, b, _), text in zip(named, texts, strict=True)
+    ]
+
+
+def stagings(name: str) -> list[dict[str, Any]]:
+    """Return what was staged with an arrangement: a server or router is killed and comes back.
+
+    Parameters
+    ----------
+    name : str
+        Of `ARRANGEMENTS`.
+
+    Returns
+    -------
+    list of dict
+        A row for each event of ``data/measured/deaths.csv`` and ``outages.csv``, with the times
+        after the failure at which the server or router was ``back``, a late joiner ``joins`` and
+        all was watched to the ``end`` [s], and the ``runs``: for each of the `relations`, from
+        when to when not all of them heard each other [s], None for to the end, or None if they
+        did throughout. Once a router is back, all late joiners are timed together.
+    """
+    every = pd.concat([measured.deaths("deaths"), measured.deaths("outages")])
+    of_name = every[every["arrangement"] == name]
+    return [
+        _staging(name, str(event), rows)
+        for event, rows in of_name.groupby("event", sort=False)
+        if event in ("server killed", "server restarts") or re.fullmatch(_OUTAGE, str(event))
+    ]
+
+
+def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
+    since = dict(zip(rows["phase"], rows["since_s"], strict=True))
+    back = since.get("return", RESTART)
+    known = set(zip(rows["phase"], rows["who"], strict=True))
+
+    def times(phase: str, who: str, quantity: str) -> NDArray[np.float64]:
+        return death_times(name, event, phase, who, quantity)
+
+    def spans() -> Iterator[list[list[float | None] | None]]:
+        for who in _KNOWN:
+            if ("death", who) not in known:
+                continue
+            lost, settled, silence = (
+                times("death", who, what) for what in ("unmatched", "settled", "silence")
+            )
+            again = settled
+            if "return" in since and np.isinf(settled).any():
+                among = "survivors" if who == "survivors" else "orphans"
+                again = np.where(np.isinf(settled), back + times("return", among, "found"), settled)
+            # All was well, or somebody lost another one first.
+            assert ((settled > 0) == np.isfinite(lost)).all()
+            assert ((settled > 0) | (silence < SILENT)).all()
+            yield [
+                [_time(begin), _time(end)] if gone else None
+                for gone, begin, end in zip(settled > 0, lost, again, strict=True)
+            ]
+        for who in _LATE:
+            if ("newcomer", who) not in known:
+                continue
+            begin = since["newcomer"]
+            again = begin + times("newcomer", who, "found")
+            if "return" in since:
+                late = back + times("return", "newcomer", "found")
+                again = np.where(np.isinf(again), late, again)
+            yield [[_time(begin), _time(end)] for end in again]
+
+    return {
+        "event": event,
+        "back": back,
+        "joins": since["newcomer"],
+        "end": (rows["since_s"] + rows["watched_s"]).max(),
+        "runs": [list(run) for run in zip(*spans(), strict=True)],
+    }
+
+
+def _time(value: float) -> float | None:
+    """Return a time as it is stored, to a hundredth of a second, or None if it never came."""
+    return round(float(value), 2) if np.isfinite(value) else None
