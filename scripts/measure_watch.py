@@ -9,7 +9,6 @@ import argparse
 import lzma
 import resource
 import struct
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -67,4 +66,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -50,6 +50,7 @@ DESCRIBED = {
             "beyond_counts",
             "refits",
             "restart_counts",
+            "watch",
         ),
     ),
     "README.md": (

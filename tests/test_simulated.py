@@ -1,7 +1,7 @@
 """The stored sweeps: a part of them comes out the same again, and their tables add up."""
 
 import csv
-import importlib.util
+import importlib
 import io
 import sys
 from dataclasses import asdict
@@ -17,12 +17,11 @@ from discostorm.model import burst
 from discostorm.simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[1]
-_spec = importlib.util.spec_from_file_location("sweeps", ROOT / "scripts" / "simulate.py")
-assert _spec is not None
-assert _spec.loader is not None
-simulate = importlib.util.module_from_spec(_spec)
-sys.modules["sweeps"] = simulate  # dataclasses look themselves up
-_spec.loader.exec_module(simulate)
+sys.path.insert(0, str(ROOT / "scripts"))
+sweep_ladder = importlib.import_module("sweep_ladder")
+sweep_others = importlib.import_module("sweep_others")
+sweep_setting = importlib.import_module("sweep_setting")
+sweep_tables = importlib.import_module("sweep_tables")
 
 
 #: What tells a setting of ns-3's table, besides whether it aggregates.
@@ -39,44 +38,46 @@ def text(row: dict[str, object]) -> dict[str, str]:
     return next(csv.DictReader(file))
 
 
-@pytest.mark.parametrize("name", list(simulate.SWEEPS))
+@pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_every_setting_has_its_row_in_order(name: str) -> None:
     rows = read_data(f"simulated/{name}.csv")
-    settings = simulate.settings_of(name)
+    settings = sweep_tables.settings_of(name)
     assert len(rows) == len(settings)
     for row, setting in zip(rows, settings, strict=True):
         assert text(asdict(setting)).items() <= row.items()
 
 
-@pytest.mark.parametrize("name", list(simulate.SWEEPS))
+@pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_a_part_comes_out_the_same_again(name: str) -> None:
     rows = read_data(f"simulated/{name}.csv")
-    settings = simulate.settings_of(name)
+    settings = sweep_tables.settings_of(name)
     # The small ones, of every protocol and kind of start.
     again = {(one.protocol, one.start, one.mpdus): n for n, one in enumerate(settings)}
     small = [n for n, one in enumerate(settings) if one.hosts <= 5]
     chosen = {*small[:: max(1, len(small) // 4)], *again.values()} & set(small)
     assert len(chosen) >= 3
     for number in chosen:
-        found = text(asdict(settings[number]) | settings[number].run() | simulate.SOURCE)
+        found = text(asdict(settings[number]) | settings[number].run() | sweep_setting.SOURCE)
         # Settings of few runs have no interval.
         assert dict.fromkeys(rows[number], "") | found == rows[number]
 
 
 def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
     for name, rows in (
-        ("events", simulate.events()),
-        ("hosts", simulate.by_host()),
-        ("waiting", simulate.waiting()),
+        ("events", sweep_others.events()),
+        ("hosts", sweep_others.by_host()),
+        ("waiting", sweep_others.waiting()),
     ):
-        assert [text(row | simulate.SOURCE) for row in rows] == read_data(f"simulated/{name}.csv")
+        assert [text(row | sweep_setting.SOURCE) for row in rows] == read_data(
+            f"simulated/{name}.csv"
+        )
 
 
 def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
     stored = read_data("simulated/heard.csv")
-    again = [text(row | simulate.SOURCE) for row in simulate.heard((3,))]
+    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.heard((3,))]
     assert again == [row for row in stored if row["hosts"] == "3"]
-    assert {row["heard"] for row in stored} == simulate.HEARD.keys()
+    assert {row["heard"] for row in stored} == sweep_others.HEARD.keys()
 
 
 def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
@@ -95,8 +96,8 @@ def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
 
 def test_saturation_comes_out_the_same_again() -> None:
     stored = read_data("simulated/saturation.csv")
-    assert [int(row["stations"]) for row in stored[::2]] == list(simulate.STATIONS)
-    again = [text(row | simulate.SOURCE) for row in simulate.saturation((2,))]
+    assert [int(row["stations"]) for row in stored[::2]] == list(sweep_others.STATIONS)
+    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.saturation((2,))]
     assert again == [row for row in stored if row["stations"] == "2"]
 
 
@@ -104,11 +105,11 @@ def test_the_ladder_is_that_of_its_sweep() -> None:
     rows = [
         asdict(setting) | row
         for setting, row in zip(
-            simulate.settings_of("fits"), read_data("simulated/fits.csv"), strict=True
+            sweep_tables.settings_of("fits"), read_data("simulated/fits.csv"), strict=True
         )
     ]
     typed = [row | {name: int(row[name]) for name in ("mpdus", "recovery")} for row in rows]
-    assert [text(row) for row in simulate.ladder(typed)] == read_data("simulated/ladder.csv")
+    assert [text(row) for row in sweep_ladder.ladder(typed)] == read_data("simulated/ladder.csv")
     for row in read_data("simulated/ladder.csv"):
         assert float(row["value_s"]) <= float(row["limit_s"]) < float(row["one_more_s"])
 
@@ -119,20 +120,20 @@ def test_a_number_of_the_ladder_is_sure_or_has_a_range() -> None:
         sure = ends[0] <= float(row["limit_s"]) < ends[1]
         assert (row["hosts_low"] == row["hosts_high"]) == sure, row
         assert int(row["hosts_low"]) <= int(row["hosts"]) <= int(row["hosts_high"])
-        assert min(int(row["runs"]), int(row["one_more_runs"])) >= simulate.MANY
+        assert min(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MANY
         # What is not sure has had all the runs that there are.
-        assert sure or max(int(row["runs"]), int(row["one_more_runs"])) >= simulate.MOST
+        assert sure or max(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MOST
 
 
 def test_an_interval_holds_the_median_as_often_as_it_says() -> None:
     rng = np.random.default_rng(0)
     held = 0
     for _ in range(2000):
-        ends = simulate.interval("x", rng.exponential(size=100))
+        ends = sweep_setting.interval("x", rng.exponential(size=100))
         held += float(ends["x_low"]) <= np.log(2) <= float(ends["x_high"])
     # At least 97.5 % of the times; the standard error of 2000 tries is 0.35 %.
     assert held / 2000 > 0.975 - 0.01
-    assert simulate.interval("x", np.arange(1e4))  # in whole numbers
+    assert sweep_setting.interval("x", np.arange(1e4))  # in whole numbers
 
 
 def test_losses_are_those_of_ns3_in_the_mean_of_all_settings() -> None:

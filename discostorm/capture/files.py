@@ -80,7 +80,9 @@ def _known(start: bytes, where: str) -> None:
                 f"{where}compressed by {program}: expand it first (gz and xz are read as they are)"
             )
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    raise CaptureError(f"{where}neither a pcap nor a pcapng file; {found}")
+    raise CaptureError(
+        f"{where}neither a pcap nor a pcapng file; {found}; record one with tcpdump -w FILE"
+    )
 
 
 def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
@@ -127,6 +129,6 @@ def _parts(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
             if not rest and (gzip or expand.needs_input):
                 rest = fetch()
                 if not rest:
-                    raise EOFError("it ends too early")
+                    raise EOFError("it ends too early; copy the file again")
         # Both formats allow zeros to follow.
         rest = expand.unused_data.lstrip(b"\0") or fetch().lstrip(b"\0")

@@ -103,7 +103,8 @@ def _pcap(name: str, data: Bytes, size: int, order: str, tick: int, header: int)
         where = places[whole] if whole < len(places) else at
         raise CaptureError(
             f"{name}: byte {where}: packet {whole + 1} is cut or broken; the first "
-            f"{where} bytes of the file hold {whole} whole packets"
+            f"{where} bytes of the file hold {whole} whole packets; to keep these: "
+            f"head -c {where} FILE > WHOLE"
         )
     place = np.array(places, np.int64)
     head = numbers(data, place, order + "u4", 4)

@@ -31,7 +31,7 @@ from discostorm.wifi.radio import both_ends
 #: Whether something fits; see `Span.verdict`.
 Verdict = Literal["fits", "may fit", "does not fit"]
 
-#: What the table calls its radios (``scripts/simulate.py``).
+#: What the table calls its radios (``scripts/sweep_setting.py``).
 _RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
 #: So large a part of a process's endpoints may be shared more or less than was simulated [1], and
 #: so many endpoints fewer or more is a process of whole ones.

@@ -1,0 +1,130 @@
+"""The ladder: how many hosts fit, step by step of what is assumed, and how sure that is."""
+
+import math
+import sys
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from itertools import product
+from typing import Any
+
+from sweep_setting import MANY, MOST, PAPER, Setting, result
+
+#: Steps of the ladder: what is assumed, in words and as options of the settings.
+CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
+QUEUES = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
+LADDER: list[tuple[str, str, dict[str, object]]] = [
+    ("contention", CONTEND, {"recovery": 0, "start": "together"}),
+    ("queues", QUEUES, {"recovery": 1, "start": "together"}),
+    ("staggered", f"{QUEUES}; random starts, see window", {"recovery": 1, "start": "rule"}),
+    ("in turn", f"{QUEUES}; starts in turn, see in_turn", {"recovery": 1, "start": "in turn"}),
+]
+#: Within how long [s] what has to be over.
+CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (10.0, 20.0)]}
+
+
+@dataclass(frozen=True)
+class Step:
+    """How many hosts fit under some assumptions, and of how many runs that is known."""
+
+    protocol: str
+    step: str
+    assumed: str
+    #: What is compared with the limit [s].
+    column: str
+    limit: float
+    #: Settings with their results, by hosts.
+    rows: list[dict[str, Any]]
+
+    @property
+    def fits(self) -> int:
+        """Place of the first row whose median is beyond the limit."""
+        good = [float(row[self.column]) <= self.limit for row in self.rows]
+        assert False in good, "the sweep must go on until they do not fit"
+        return good.index(False)
+
+    def end(self, place: int, which: str) -> float:
+        """Return the low or high end of the median's interval; not a number if there is none."""
+        return float(self.rows[place].get(f"{self.column}_{which}") or "nan")
+
+    def open(self) -> list[dict[str, Any]]:
+        """Return the rows that need more runs before the number of hosts is decided."""
+        found = []
+        fewest, most = self.range()
+        for place in range(most + 2):
+            low, high = self.end(place, "low"), self.end(place, "high")
+            near = math.isnan(low) and place >= fewest
+            if math.isnan(low):  # too few runs: the middle half of them instead
+                low, high = (float(self.rows[place][f"{self.column}_{q}"]) for q in ("q25", "q75"))
+            if near or low <= self.limit < high:
+                found.append(self.rows[place])
+        return [row for row in found if int(row["runs"]) < MOST]
+
+    def range(self) -> tuple[int, int]:
+        """Return the places of the fewest and of the most hosts that may be what fits."""
+        low, high = self.fits - 1, self.fits
+        while self.end(low, "high") > self.limit:
+            low -= 1
+        while self.end(high, "low") <= self.limit:
+            high += 1
+        return low, high - 1
+
+
+def steps(rows: list[dict[str, Any]]) -> Iterator[Step]:
+    """Yield the steps of the ladder."""
+    for protocol, (step, assumed, options), mpdus in product(PAPER, LADDER, (1, 64)):
+        wanted = options | {"protocol": protocol, "mpdus": mpdus}
+        of_step = [row for row in rows if all(row[k] == v for k, v in wanted.items())]
+        of_step.sort(key=lambda row: int(row["hosts"]))
+        words = assumed + (", frames aggregated" if mpdus > 1 else "")
+        for column, limit in CRITERIA[int(str(options["recovery"]))]:
+            yield Step(protocol, step, words, column, limit, of_step)
+
+
+def decided(settings: list[Setting]) -> list[Setting]:
+    """Return settings with as many runs as it takes to decide how many hosts fit; see `MOST`."""
+    while True:
+        rows = [asdict(one) | result(one) | {"setting": one} for one in settings]
+        more = {row["setting"] for step in steps(rows) for row in step.open()}
+        if not more:
+            return settings
+        again = {one: replace(one, runs=max(MANY, 4 * one.runs)) for one in more}
+        for one in sorted(again.values(), key=lambda one: (one.runs, one.hosts)):
+            sys.stderr.write(f"{one}\n")
+            result(one)
+        settings = [again.get(one, one) for one in settings]
+
+
+def ladder(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
+    """Return how many hosts fit, step by step of the assumptions.
+
+    That is the largest number with which the median run meets the criterion, as do all below.
+    """
+    found: list[dict[str, object]] = []
+    for step in steps(rows):
+        fits, (low, high) = step.fits, step.range()
+        last, beyond = step.rows[fits - 1], step.rows[fits]
+        found.append(
+            {
+                "protocol": step.protocol,
+                "step": step.step,
+                "mpdus": last["mpdus"],
+                "criterion": step.column,
+                "limit_s": f"{step.limit:g}",
+                "processes": last["processes"],
+                "endpoints": last["endpoints"],
+                "hosts": last["hosts"],
+                "hosts_low": step.rows[low]["hosts"],
+                "hosts_high": step.rows[high]["hosts"],
+                "runs": last["runs"],
+                "value_s": last[step.column],
+                "value_low_s": last[f"{step.column}_low"],
+                "value_high_s": last[f"{step.column}_high"],
+                "one_more_runs": beyond["runs"],
+                "one_more_s": beyond[step.column],
+                "one_more_low_s": beyond[f"{step.column}_low"],
+                "one_more_high_s": beyond[f"{step.column}_high"],
+                "assumed": step.assumed,
+                "source": "data/simulated/fits.csv",
+            }
+        )
+    return found

@@ -1,0 +1,176 @@
+"""The tables of the sweeps: which settings each has."""
+
+import csv
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, replace
+from typing import Any
+
+from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, TABLES, Ready, Setting
+
+import discostorm as ds
+from discostorm.robots import robots
+
+
+def each(base: Setting, **options: Iterable[Any]) -> list[Setting]:
+    """Return the settings of all combinations, the first option slowest."""
+    settings = [base]
+    for name, values in options.items():
+        settings = [replace(one, **{name: value}) for one in settings for value in values]
+    return settings
+
+
+ALONE = Setting("DDS", 2, queue_frames=0, queue_s=0.0)
+HEALED = Setting("DDS", 2, recovery=1)
+ONCE = Setting("DDS", 2, runs=10)
+#: As in the bursts of ns-3 that these are compared with.
+BESIDE = replace(ONCE, runs=100, agreements="in place")
+#: Starts are compared with each other, so that medians of few runs do not do.
+SPREAD = replace(HEALED, until_s=600.0, runs=100)
+
+
+def with_runs(settings: list[Setting]) -> list[Setting]:
+    """Return settings with as many runs as their stored table has, if it has them."""
+    names = ["protocol", "hosts", "mpdus", "recovery", "start"]
+    path = TABLES / "fits.csv"
+    with path.open(encoding="utf-8") as file:
+        runs = {tuple(row[name] for name in names): row["runs"] for row in csv.DictReader(file)}
+    keys = [tuple(str(getattr(one, name)) for name in names) for one in settings]
+    return [
+        replace(one, runs=int(runs.get(key, one.runs)))
+        for one, key in zip(settings, keys, strict=True)
+    ]
+
+
+#: What plans compare: as measured and as arranged, but for what Wi-Fi never sees, and static
+#: endpoints, whose announcements of a large robot are longer than a datagram can be.
+READY_TABLES = tuple(
+    name
+    for name, table in ds.PROTOCOLS.items()
+    if table.basis in ("measured", "arranged")
+    and table not in [other.wired for other in ds.PROTOCOLS.values()]
+    and name != "static endpoints"
+)
+#: A run of so many of these takes up to a minute: more than a few only alone, on one radio.
+MANY_PROCESSES, FEW_HOSTS, MOST_PROCESSES = 20, 4, 12
+READY_HOSTS = (2, 4, 8, 12, 16)
+#: With more it takes long, and small fleets show whether large ones can.
+ENOUGH = {"Zenoh peer": 8, "of many processes": FEW_HOSTS}
+
+
+def ready(tables: Iterable[str], options: dict[str, Any]) -> list[Setting]:
+    """Return the settings of all ready-made robots, alone and beside a laptop."""
+    return [
+        Ready(
+            table,
+            hosts,
+            int(robot.processes),
+            round(robot.endpoints),
+            radio,
+            mpdus=64,
+            robot=name,
+            laptops=laptops,
+            **options,
+        )
+        for table in tables
+        for name, robot in robots().items()
+        for hosts in READY_HOSTS
+        for radio in READY_RADIOS
+        for laptops in (0, 1)
+        if robot.processes < MANY_PROCESSES
+        or hosts <= FEW_HOSTS
+        or (hosts <= MOST_PROCESSES and radio == "ac" and not laptops)
+    ]
+
+
+#: The tables.
+SWEEPS: dict[str, Callable[[], list[Setting]]] = {
+    "drain": lambda: each(
+        ALONE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 15, 20, 25, 30)
+    ),
+    "queues": lambda: each(
+        ONCE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50)
+    ),
+    # Many runs, as single ones differ by many points in what is lost.
+    "rates": lambda: each(
+        replace(ONCE, runs=100),
+        protocol=PAPER,
+        radio=("n", "ax"),
+        mpdus=(1, 64),
+        hosts=(5, 7, 10),
+    ),
+    # What ns-3 was given, too.
+    "beside_ns3": lambda: (
+        each(
+            BESIDE,
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(2, 3, 4, 5, 6, 7, 8, 10, 12),
+        )
+        + each(
+            BESIDE,
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(3, 6),
+            loss=(0.05, 0.2),
+        )
+        + each(
+            replace(BESIDE, queue_frames=100),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            hosts=(4, 8, 12),
+        )
+    ),
+    "built": lambda: (
+        each(replace(ALONE, runs=10), protocol=BUILT, hosts=(5, 10, 20, 30))
+        + each(ONCE, protocol=BUILT, hosts=(5, 10, 20, 30))
+    ),
+    "convergence": lambda: each(
+        replace(HEALED, runs=10),
+        protocol=ALL,
+        loss=(0.0, 0.1, 0.3),
+        hosts=(2, 4, 6, 8, 10, 12, 14, 16, 20, 24),
+    ),
+    "staggered": lambda: (
+        each(
+            replace(SPREAD, start="random"),
+            protocol=PAPER,
+            hosts=(5, 10, 15, 20),
+            window_s=(0.5, 1.0, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0, 30.0, 45.0),
+        )
+        + each(
+            SPREAD,
+            protocol=PAPER,
+            hosts=(5, 10, 15, 20),
+            start=("together", "rule", "in turn"),
+            radio=("n", "ax"),
+            mpdus=(1, 64),
+        )
+    ),
+    "fits": lambda: with_runs(
+        each(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
+        + each(
+            replace(HEALED, until_s=30.0),
+            protocol=PAPER,
+            mpdus=(1, 64),
+            start=("together", "rule", "in turn"),
+            hosts=range(2, 31),
+        )
+        # With aggregation and a staggered start more fit.
+        + each(
+            replace(HEALED, until_s=30.0, mpdus=64),
+            protocol=PAPER,
+            start=("rule", "in turn"),
+            hosts=range(31, 41),
+        )
+    ),
+    # What plans and calculator look up: the burst by itself, and by when all is known.
+    "ready": lambda: (
+        ready((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
+        + ready(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})
+    ),
+}
+
+
+def settings_of(name: str) -> list[Setting]:
+    """Return the settings of a table, each once, in order."""
+    return sorted(set(SWEEPS[name]()), key=lambda one: tuple(asdict(one).values()))
