@@ -127,13 +127,13 @@ def fields() -> Value:
     return {
         "swarm": counts(
             "",
-            ("Robots", "Processes on each", "Endpoints of each process"),
+            ("Robots", "Processes per robot", "Endpoints per process"),
             SWARM.counts(),
             (START_HOSTS, robot.processes, robot.endpoints),
         ),
         "beside": counts(
             "beside_",
-            ("How many", "Processes on each of them", "Endpoints of each of these"),
+            ("Computers", "Processes per computer", "Endpoints per process, computers"),
             BESIDE.counts(),
             laptop().counts(),
         ),

@@ -508,19 +508,19 @@ def test_the_planner_tries_what_the_page_says_beside_its_own() -> None:
 
 def test_a_robot_brings_its_numbers_and_where_they_are_from(tab: Page) -> None:
     for name, robot in robots().items():
-        tab.get_by_label("What runs on each").select_option(name)
+        tab.get_by_label("Type of robot").select_option(name)
         expect(tab.locator("#calc-processes")).to_have_value(f"{robot.processes:g}")
         expect(tab.locator("#calc-endpoints")).to_have_value(f"{robot.endpoints:.6g}")
         expect(tab.locator("#calc-robot-list li")).not_to_have_count(0)
     tab.locator("#calc-processes").fill("3")
-    expect(tab.get_by_label("What runs on each")).to_have_value("own")
+    expect(tab.get_by_label("Type of robot")).to_have_value("own")
     expect(tab.locator("#calc-robot-parts")).to_be_hidden()
 
 
 def test_all_fields_have_labels(tab: Page) -> None:
     put(tab, {"wifi": "own", "beside": "own"})
     fields = tab.locator("#calc-form").locator("input, select")
-    for name in ("Robots", "Access point", "Rate, unicast [Mbit/s]", "Processes on each of them"):
+    for name in ("Robots", "Access point", "Rate, unicast [Mbit/s]", "Processes per computer"):
         expect(tab.get_by_label(name, exact=True)).to_be_visible()
     unlabelled = fields.evaluate_all("all => all.filter(e => !e.labels.length).length")
     assert unlabelled == 0
@@ -572,9 +572,9 @@ BAD = [
     ("hosts", "Infinity", "got “Infinity”."),
     ("hosts", "0x10", "got “0x10”."),
     ("hosts", "<b>7</b>", "got “<b>7</b>”."),
-    ("processes", "0", "Processes on each must be a whole number of at least 1"),
-    ("endpoints", "-1", "Endpoints of each process must be a number of at least 0"),
-    ("beside_hosts", "0.5", "How many must be a whole number of at least 1"),
+    ("processes", "0", "Processes per robot must be a whole number of at least 1"),
+    ("endpoints", "-1", "Endpoints per process must be a number of at least 0"),
+    ("beside_hosts", "0.5", "Computers must be a whole number of at least 1"),
     ("unicast_rate", "0", "Rate, unicast must be a number of Mbit/s above 0; got “0”."),
     ("unicast_rate", "1e400", "above 0; got “1e400”."),
     ("unicast_overhead", "-1", "must be a number of µs of at least 0; got “-1”."),
@@ -601,12 +601,14 @@ def test_bad_input_is_refused_next_to_its_field(
     expect(field).to_have_attribute("aria-invalid", "true")
     assert f"calc-{name}-error" in (field.get_attribute("aria-describedby") or "")
     expect(stale).to_be_visible()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "grayscale(1)")
     assert shown(tab) == same(before)  # the last good answer
     assert link(tab) == url
     field.fill(good)
     expect(error).to_be_empty()
     expect(field).not_to_have_attribute("aria-invalid", "true")
     expect(stale).to_be_hidden()
+    expect(tab.locator("#calc-answer")).to_have_css("filter", "none")
 
 
 @pytest.mark.parametrize(
@@ -820,7 +822,7 @@ def test_another_address_in_the_same_tab(tab: Page) -> None:
     tab.evaluate("location.hash = '#how-to-read-the-answer'")  # no state: nothing changes
     assert shown(tab) == same(expected(entries))
     tab.evaluate("location.hash = '#robot=One+bare+node&processes=2'")
-    expect(tab.get_by_label("What runs on each")).to_have_value("own")
+    expect(tab.get_by_label("Type of robot")).to_have_value("own")
 
 
 def test_nonsense_in_the_address_is_refused_in_words(tab: Page, address: str) -> None:

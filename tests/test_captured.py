@@ -1,5 +1,6 @@
 """The page on captures: lanes to touch, and what a reader's own capture says."""
 
+import gzip
 import json
 import re
 from collections.abc import Iterator
@@ -72,6 +73,11 @@ def test_scripts_are_short_and_load_nothing(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert len(text.splitlines()) <= 300
     assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)|\bfetch\b|XMLHttp|import ", text)
+
+
+def test_they_weigh_little() -> None:
+    files = (STATIC / "captures").iterdir()
+    assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in files) <= 15_000
 
 
 # ---- in a browser ----

@@ -177,8 +177,10 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
         assert f"  {escape(found.name)} " in html
     remedies = [remedy for found in plan.told().values() for remedy in found]
     assert html.count('class="plan-card"') == len(remedies)
+    assert "`" not in html
+    read = re.sub(r"</?code>", "", html)
     for remedy in remedies:
-        assert escape(remedy.caution()) in html
+        assert escape(remedy.caution()).replace("`", "") in read
         for piece in remedy.snippets:
             assert escape(piece.text) in html
 

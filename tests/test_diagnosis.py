@@ -313,6 +313,25 @@ def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
     assert text.startswith("Discovery is complete and over, but not healthy: many frames are lost")
 
 
+@pytest.mark.parametrize(
+    "name", ["firewall_on_one_host-cyclone_dds_0_10", "one_direction_of_a_host-cyclone_dds_0_10"]
+)
+def test_the_first_seconds_of_a_sick_fleet_are_not_called_healthy(
+    name: str, tmp_path: Path
+) -> None:
+    found = list(Packets("x").of(lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())))
+    for span in (1, 3):
+        path = tmp_path / "capture"
+        kept = [one for one in found if one[0] < found[0][0] + span]
+        path.write_bytes(
+            pcap((int(when * SECOND), packet[16:], len(packet) - 16) for when, packet in kept)
+        )
+        diagnosis = ds.read_capture(path).diagnosis()
+        assert diagnosis.healthy is None
+        assert "capture ended early" in [one.kind for one in diagnosis.findings]
+        assert "Capture for longer" in diagnosis.summary()
+
+
 def test_an_empty_capture_says_so(tmp_path: Path) -> None:
     diagnosis = rewritten(tmp_path, "fast_dds", lambda _: []).diagnosis()
     said, what_to_do = diagnosis.summary().split(". ", 1)

@@ -230,6 +230,25 @@ def test_a_frame_leaves_time_to_spare_with_twelve_robots_on_a_phone(
     compare(tab, None)
 
 
+def test_what_moves_is_drawn_once_and_then_shifted(tab: Page) -> None:
+    tab.evaluate(
+        """() => {
+            const proto = CanvasRenderingContext2D.prototype;
+            const fill = proto.fillRect;
+            window.filled = 0;
+            proto.fillRect = function (...box) { window.filled++; fill.apply(this, box); };
+        }"""
+    )
+    choose(tab, "Fast DDS", 12)
+    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    expect(tab.locator("#air-sum")).to_contain_text("lost")
+    tab.wait_for_function("window.took.length > 30")
+    tab.evaluate("window.filled = window.took.length = 0")
+    tab.wait_for_function("window.took.length >= 100")
+    # There are about 2600 transmissions in sight.
+    assert 5 < tab.evaluate("window.filled / window.took.length") < 500
+
+
 def test_the_run_can_be_paused_and_played_by_keyboard(tab: Page) -> None:
     def told() -> str:
         return tab.locator("#air-told").inner_text()

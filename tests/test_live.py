@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 from playwright.sync_api import Browser, Page
 
 import discostorm as ds
+from discostorm.data import data_path
 from discostorm.simulation import traffic
 from discostorm.simulation._compile import sources
 from discostorm.simulation.run import finish, set_up
@@ -97,6 +99,17 @@ def test_every_table_and_channel_is_tried() -> None:
     many = list(check_live.settings(check_live.MANY, seed=1))
     tried = {(setting["table"], setting["radio"]) for setting in many}
     assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_live.RADIOS}
+
+
+def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
+    rows = pd.read_csv(data_path("simulated/pages.csv"))
+    assert len(rows) >= 8
+    assert rows["browsers"].str.fullmatch(r"Chromium \d+; Firefox \d+").all()
+    assert (rows["same"] == rows["texts"]).all()
+    assert (rows["texts"] > 0).all()
+    assert (rows["errors"] == 0).all()
+    for page in rows["page"]:
+        assert any((ROOT / f"{page}{suffix}").exists() for suffix in (".md", ".ipynb"))
 
 
 # ---- in the worker ----

@@ -16,7 +16,7 @@ from discostorm import words
 #: The page that is a document of its own, too.
 CHEAT_SHEET = "book/cheat_sheet"
 #: Points: the measure of an A4 page, and what a column adds to its text.
-_MEASURE = 484.0
+_MEASURE = 446.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
@@ -46,7 +46,7 @@ _UNSEEN = (nodes.Invisible, nodes.raw)
 _HEADING, _BEGINNING, _ENDING = 45.0, 80.0, 160.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
-_MORE = "In the HTML edition figures carry their data, code and more tables unfold, and you can try things"
+_MORE = "The HTML edition adds data, code, further tables, and figures to try"
 
 
 def _latex(text: str) -> nodes.raw:
@@ -67,7 +67,8 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> None:
             source = cell.children[0]
             if isinstance(source, nodes.Element) and source.get("nb_element") == "cell_code_source":
                 cell.remove(source)
-            if cell["hide_mode"] == "all" and not next(cell.findall(_is_numbered), None):
+            kept = _is_announced(cell) or next(cell.findall(_is_numbered), None)
+            if cell["hide_mode"] == "all" and not kept:
                 cell.children = []
             if not cell.children:
                 cell.parent.remove(cell)

@@ -43,11 +43,11 @@ MEANS = {
     "TCP control": "opens or ends a connection",
     "TCP retransmission": "is sent again, because it was not confirmed",
 }
-#: What belongs to such messages, by the ends of their kinds.
+#: What belongs to such messages, by the ends of their kinds; "{}" is what stands before.
 ENDINGS = {
-    " Heartbeat": "says which of these messages there are",
-    " Gap": "says which of these messages are void",
-    " ACKNACK": "confirms these messages or asks for missing ones",
+    " Heartbeat": "says which {} messages there are",
+    " Gap": "says which {} messages are void",
+    " ACKNACK": "confirms {} messages or asks for missing ones",
 }
 #: Messages of Zenoh, where those of DDS that do the same are drawn.
 LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}

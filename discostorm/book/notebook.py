@@ -149,7 +149,8 @@ class Advice:
 
 def _prose(text: str) -> str:
     """Return a sentence as HTML, with the book's apostrophes, and units that stay with numbers."""
-    return escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    html = escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", html)
 
 
 def _card(remedy: Remedy) -> str:
@@ -160,7 +161,7 @@ def _card(remedy: Remedy) -> str:
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
     what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
     pieces = "".join(
-        f"<details><summary>What to paste: {escape(f'{piece.where} ({piece.version})')}</summary>"
+        f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f'<div class="highlight"><pre tabindex="0">{escape(piece.text)}</pre></div></details>'
         for piece in remedy.snippets
     )

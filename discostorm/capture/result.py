@@ -58,6 +58,8 @@ class Capture:
     _asides : pandas.DataFrame
         What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
         connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+    _cut : int
+        How many packets were cut when they were captured [1].
     _jumps : tuple of tuple
         Where the clock that stamped the packets jumped: the frame, and by how much [s].
     _first, _last : float

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 #: How often it is shown, at the least time between two, and how many hosts and kinds [s], [1].
 EVERY, ROWS, KINDS = 1.0, 20, 8
+#: How lines begin with which dumpcap and tcpdump say that they begin.
+GREETINGS = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
 #: How long a program has to say why it cannot capture [s].
 SAYS = 0.3
 
@@ -121,13 +123,32 @@ def _chunks(source: BinaryIO) -> Iterator[bytes]:
     except (OSError, AttributeError):  # not a file of the system
         yield from iter(lambda: source.read(1 << 16), b"")
         return
-    with contextlib.suppress(KeyboardInterrupt):
+    with contextlib.suppress(KeyboardInterrupt), _ends_alike():
         while True:
             ready, _, _ = select.select([number], [], [], EVERY / 4)
             data = os.read(number, 1 << 16) if ready else b""
             if ready and not data:
                 return
             yield data
+
+
+@contextlib.contextmanager
+def _ends_alike() -> Iterator[None]:
+    """Let a closed terminal or a service manager end it as Ctrl-C does, and what captures too."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = [(number, signal.signal(number, interrupt)) for number in numbers]
+    try:
+        yield
+    finally:
+        for number, handler in before:
+            signal.signal(number, handler or signal.SIG_DFL)
 
 
 @contextlib.contextmanager
@@ -168,11 +189,16 @@ def _source(interface: str | None) -> Iterator[BinaryIO]:
 
 def _why(program: str, interface: str, said: str) -> str:
     """Return why a program cannot capture, and what to do."""
-    lines = [line for line in said.strip().splitlines() if "listening on" not in line]
-    reason = lines[-1].removeprefix(f"{program}: ") if lines else "it ended without a word"
+    lines = [line for line in said.strip().splitlines() if not line.startswith(GREETINGS)]
+    lines = [line for line in lines if "listening on" not in line]
+    reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
+    reason = reason.removeprefix(f"{interface}: ").rstrip(".")
     hint = ""
     if "permission" in said.lower() or "not permitted" in said.lower():
-        hint = "; run it with sudo, or allow it to capture: setcap cap_net_raw+ep $(which tcpdump)"
+        hint = (
+            f"; run it with sudo, or allow {program} to capture: "
+            f"sudo setcap cap_net_raw,cap_net_admin+ep $(which {program})"
+        )
     elif "no such device" in said.lower() or "doesn't exist" in said.lower():
         hint = "; `ip link` lists the interfaces"
     return f"{program} cannot capture on {_checks.brief(interface)}: {reason}{hint}"

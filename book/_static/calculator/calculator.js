@@ -645,7 +645,7 @@
         for (const { where, version, text } of paste) {
           const copy = make("button", { type: "button" }, "Copy");
           copy.addEventListener("click", () => copied(copy, text));
-          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `What to paste: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
+          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `To copy: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
         }
         return item;
       }),

@@ -26,7 +26,7 @@ const LANES = (() => {
   function means(kind) {
     if (kind in DATA.means) return DATA.means[kind];
     const ending = Object.keys(DATA.endings).find((end) => kind.endsWith(end));
-    return ending ? DATA.endings[ending] : null;
+    return ending ? DATA.endings[ending].replace("{}", kind.slice(0, -ending.length)) : null;
   }
 
   function meaning({ kind, ends }) {

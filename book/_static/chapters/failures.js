@@ -57,7 +57,9 @@
       const fate = fared(relation, staging.runs.map((run) => run[place]).filter(Boolean), runs);
       fates.set(fate, [...(fates.get(fate) ?? []), relation[2]]);
     }
-    return [...fates].map(([fate, names]) => `${listed(names)}: ${fate}.`);
+    const together = it.relations.some(([one]) => one === "beside") && staging.joins < staging.back;
+    const note = together ? ["After the return, the two late joiners were timed together."] : [];
+    return [...[...fates].map(([fate, names]) => `${listed(names)}: ${fate}.`), ...note];
   }
   function fared(relation, lost, runs) {
     if (!lost.length) return `not disturbed in ${runs} of ${runs} runs`;

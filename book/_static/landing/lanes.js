@@ -8,11 +8,14 @@ function Lanes(canvas, queue) {
   const FRESH = 0.03; // of the view: what has just collided is drawn larger
   const PALEST = 0.4; // how opaque what is thinner than a pixel stays
   const [SUCCESS, GAP] = [0, 2];
-  let [width, height, left] = [0, 0, 0];
+  const TILE = 256; // what moves is drawn once, in pieces of so many pixels
+  let [width, height, left, scale] = [0, 0, 0, 1];
   let named = ""; // for what the names beside the lanes were written
+  const tiles = new Map(); // by their number from time 0 on
+  let tiled = []; // for what they were drawn
 
   function resize() {
-    const scale = Math.min(2, devicePixelRatio);
+    scale = Math.min(2, devicePixelRatio);
     [width, height] = [canvas.clientWidth, canvas.clientHeight];
     left = width < 500 ? 26 : 92; // room for names
     [canvas.width, canvas.height] = [width * scale, height * scale];
@@ -43,8 +46,7 @@ function Lanes(canvas, queue) {
   }
 
   // The queue at the access point as an area, red where it is full.
-  function area({ looks }, from, to, top, bottom, theme) {
-    const x = (time) => left + (Math.max(time, from) - from) / (to - from) * (width - left);
+  function area(ctx, { looks }, from, to, x, top, bottom, theme) {
     const level = (waiting) => bottom - (Math.min(waiting, queue) / queue) * (bottom - top);
     let place = Math.max(0, search(looks.at, from) - 1);
     ctx.globalAlpha = 0.3;
@@ -52,10 +54,13 @@ function Lanes(canvas, queue) {
       const end = Math.min(to, looks.at[place + 1] ?? to);
       const waiting = looks.waiting[place];
       ctx.fillStyle = waiting > 0.97 * queue ? theme.bad : theme.text;
-      const begin = Math.round(x(looks.at[place]));
+      const begin = Math.round(x(Math.max(from, looks.at[place])));
       ctx.fillRect(begin, level(waiting), Math.round(x(end)) - begin, bottom - level(waiting));
     }
     ctx.globalAlpha = 1;
+  }
+
+  function full(top, theme) {
     ctx.strokeStyle = theme.bad;
     ctx.beginPath();
     ctx.moveTo(left, top);
@@ -66,19 +71,55 @@ function Lanes(canvas, queue) {
     ctx.fillText(`queue full: ${queue} frames`, left + 4, top + 3);
   }
 
-  // Draw the transmissions of one kind. Thinner than a pixel they are paler; what is fresh is drawn larger.
-  function marks({ start, end, station, outcome }, [first, last], chosen, y, high, x, fresh) {
+  // Draw the transmissions of one kind. Thinner than a pixel they are paler.
+  function marks(ctx, { start, end, station, outcome }, [first, last], wide, chosen, y, high, x, grown = 0) {
     // The more there are, the paler, or the last drawn would hide all others.
-    const palest = Math.min(PALEST, (8 * (width - left)) / (last - first));
+    const palest = Math.min(PALEST, (8 * wide) / (last - first));
     for (let i = first; i < last; i++) {
       if (!chosen(station[i], outcome[i])) continue;
-      const begin = Math.max(left, x(start[i]));
-      const wide = Math.min(width, x(end[i])) - begin;
-      const grown = start[i] > fresh && palest === PALEST ? 1 : 0;
-      ctx.globalAlpha = wide + grown < 1 ? Math.max(palest, wide) : 1;
-      ctx.fillRect(Math.round(begin), y(station[i]) - grown, Math.max(1, Math.round(wide)), high + 2 * grown);
+      const begin = x(start[i]);
+      const long = x(end[i]) - begin;
+      ctx.globalAlpha = long + grown < 1 ? Math.max(palest, long) : 1;
+      ctx.fillRect(Math.round(begin), y(station[i]) - grown, Math.max(1, Math.round(long)), high + 2 * grown);
     }
     ctx.globalAlpha = 1;
+  }
+
+  // Return all that moves in a piece of a run, so many seconds a pixel.
+  function tile(run, number, each, { lane, top, bottom, y, high }, theme) {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [TILE, height * scale];
+    const ctx = canvas.getContext("2d");
+    ctx.scale(scale, scale);
+    const wide = TILE / scale;
+    const [from, to] = [number * wide * each, (number + 1) * wide * each];
+    const x = (time) => time / each - number * wide;
+    ctx.fillStyle = theme.lane;
+    for (let host = 0; host < run.hosts; host++) ctx.fillRect(0, Math.round(host * lane), wide, Math.round(lane) - GAP);
+    area(ctx, run, from, to, x, top, bottom, theme);
+    const inside = [search(run.end, from), search(run.start, to)];
+    ctx.fillStyle = run.color;
+    marks(ctx, run, inside, wide, (station, outcome) => outcome === SUCCESS && station < run.hosts, y, high, x);
+    ctx.fillStyle = theme.text;
+    marks(ctx, run, inside, wide, (station, outcome) => outcome === SUCCESS && station === run.hosts, y, high, x);
+    ctx.fillStyle = theme.bad;
+    marks(ctx, run, inside, wide, (_, outcome) => outcome !== SUCCESS, y, high, x);
+    return canvas;
+  }
+
+  // Put the pieces between two times beside each other.
+  function pieces(run, from, each, places, theme) {
+    const today = [run, run.color, theme.text, theme.lane, theme.bad, width, height, scale, each];
+    if (today.some((one, i) => one !== tiled[i])) tiles.clear();
+    tiled = today;
+    const wide = TILE / scale;
+    const begin = Math.round((from / each) * scale) / scale; // whole pixels, or it would blur
+    const [first, last] = [Math.floor(begin / wide), Math.floor((begin + width - left) / wide)];
+    for (const number of tiles.keys()) if (number < first || number > last) tiles.delete(number);
+    for (let number = first; number <= last; number++) {
+      if (!tiles.has(number)) tiles.set(number, tile(run, number, each, places, theme));
+      ctx.drawImage(tiles.get(number), left + number * wide - begin, 0, wide, height);
+    }
   }
 
   // What comes after the end of a run is not simulated.
@@ -99,23 +140,26 @@ function Lanes(canvas, queue) {
   return {
     resize,
     draw(run, from, to, theme) {
-      const { hosts, start, end } = run;
+      const { hosts, start } = run;
       const lane = height / (hosts + AP_LANES);
-      const x = (time) => left + ((time - from) / (to - from)) * (width - left);
-      ctx.clearRect(left, 0, width, height);
-      ctx.fillStyle = theme.lane;
-      for (let host = 0; host < hosts; host++) ctx.fillRect(left, Math.round(host * lane), width - left, Math.round(lane) - GAP);
+      const each = Number(((to - from) / (width - left)).toPrecision(9)); // the same in all frames
+      const x = (time) => left + (time - from) / each;
       const [top, bottom] = [Math.round(hosts * lane) + GAP, height];
-      area(run, from, to, top, bottom, theme);
-      const inView = [search(end, from), search(start, to)];
       const y = (station) => (station === hosts ? bottom - Math.round(lane) : Math.round(station * lane));
       const high = Math.round(lane) - GAP;
-      ctx.fillStyle = run.color;
-      marks(run, inView, (station, outcome) => outcome === SUCCESS && station < hosts, y, high, x, Infinity);
-      ctx.fillStyle = theme.text;
-      marks(run, inView, (station, outcome) => outcome === SUCCESS && station === hosts, y, high, x, Infinity);
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(left, 0, width - left, height);
+      ctx.clip();
+      ctx.clearRect(left, 0, width - left, height);
+      pieces(run, from, each, { lane, top, bottom, y, high }, theme);
+      // What has just collided is drawn larger.
+      const fresh = to - FRESH * (to - from);
       ctx.fillStyle = theme.bad;
-      marks(run, inView, (station, outcome) => outcome !== SUCCESS, y, high, x, to - FRESH * (to - from));
+      const recent = [search(start, fresh), search(start, to)];
+      if (8 * FRESH * (width - left) > PALEST * (recent[1] - recent[0])) marks(ctx, run, recent, width, (_, outcome) => outcome !== SUCCESS, y, high, x, 1);
+      full(top, theme);
+      ctx.restore();
       after(run, to, x, theme);
       const wanted = [hosts, width, height, theme.text].join();
       if (wanted === named) return;

@@ -1,146 +1,279 @@
 // What a run is set up from; made from the package by `make live`; do not edit.
 const LIVE_TABLES = (() => {
-const shared1 = {"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 414};
-const shared2 = {"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 464};
-const shared3 = {"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 116};
-const shared4 = {"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 114};
-const shared5 = {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1]};
-const shared6 = {"kinds": shared5, "bursts": {"messages": [[0, 1, 2, 3]], "periods": [0], "times": [[0, 0]]}};
-const shared7 = [0, 4611686018427387904, 4611686018427387904, 4611686018427387904];
-const shared8 = {"messages": [[0]], "periods": [0], "times": [[0, 0]]};
-const shared9 = {"name": "Scout", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared10 = {"name": "Hello", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 144};
-const shared11 = {"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 176};
-const shared12 = ["endpoint", "remote process", "third process"];
-const shared13 = ["process", "remote process", "third process"];
-const shared14 = {"name": "Liveliness", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7242, "alone": 1, "bytes": 179.99005799502902};
-const shared15 = {"name": "Liveliness Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2758, "alone": 1, "bytes": 180.02610587382162};
-const shared16 = {"name": "Liveliness ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 128};
-const shared17 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared18 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared19 = [3, 4, 5, 6, 7, 8, 10, 11, 13, 15, 16, 17, 18, 19];
-const shared20 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8.1, 5], [16, 6]];
-const shared21 = {"kinds": {"multicast": shared17, "to_all": shared17, "up": shared18, "down": shared18}, "bursts": {"messages": [[0, 2], shared19, [0, 1, 20, 21], [2], [9, 12, 14], [0, 1], [9, 12, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000], "times": shared20}};
-const shared22 = [0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared23 = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared24 = [0, 0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared25 = [0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared26 = {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const shared27 = {
+const s1 = 4611686018427387904;
+const s2 = ["process", "all"];
+const s3 = {"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 414};
+const s4 = "remote process";
+const s5 = ["endpoint", s4];
+const s6 = {"name": "SEDP", "unit": s5, "multicast": 0, "sent": 1, "alone": 1, "bytes": 464};
+const s7 = ["process", s4];
+const s8 = {"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 116};
+const s9 = {"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 114};
+const s10 = {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1]};
+const s11 = {"kinds": s10, "bursts": {"messages": [[0, 1, 2, 3]], "periods": [0], "times": [[0, 0]]}};
+const s12 = [0, s1, s1, s1];
+const s13 = {"messages": [[0]], "periods": [0], "times": [[0, 0]]};
+const s14 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s15 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 144};
+const s16 = {"name": "Declare", "unit": s5, "multicast": 0, "sent": 1, "alone": 1, "bytes": 176};
+const s17 = 972.4761045987376;
+const s18 = ["endpoint", s4, "third process"];
+const s19 = 154.45158821278227;
+const s20 = "Heartbeat of data";
+const s21 = 187.0099502487562;
+const s22 = "ACKNACK for others";
+const s23 = ["process", s4, "third process"];
+const s24 = 179.99005799502902;
+const s25 = {"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 0.7242, "alone": 1, "bytes": s24};
+const s26 = "Liveliness at start";
+const s27 = 190.54725731648807;
+const s28 = "Liveliness for others";
+const s29 = "Liveliness Heartbeat";
+const s30 = 180.02610587382162;
+const s31 = {"name": s29, "unit": s7, "multicast": 0, "sent": 0.2758, "alone": 1, "bytes": s30};
+const s32 = "Liveliness Heartbeat at start";
+const s33 = "Liveliness ACKNACK";
+const s34 = {"name": s33, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 128};
+const s35 = "Liveliness ACKNACK at start";
+const s36 = 181.3784494086728;
+const s37 = "Liveliness ACKNACK for others";
+const s38 = "Type lookup Heartbeat";
+const s39 = "Type lookup ACKNACK";
+const s40 = 195.20030291556228;
+const s41 = "Type lookup ACKNACK for others";
+const s42 = "User Heartbeat";
+const s43 = "matched writer";
+const s44 = [s43, s4];
+const s45 = 139.31615175284134;
+const s46 = "User Heartbeat for others";
+const s47 = [s43, s4, "third process"];
+const s48 = 182.43195266272187;
+const s49 = "User ACKNACK for others";
+const s50 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s51 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s52 = [3, 4, 5, 6, 7, 8, 10, 11, 13, 15, 16, 17, 18, 19];
+const s53 = [0, 0, 0, 0, 0, 80000000, 80000000];
+const s54 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8.1, 5], [16, 6]];
+const s55 = {"kinds": {"multicast": s50, "to_all": s50, "up": s51, "down": s51}, "bursts": {"messages": [[0, 2], s52, [0, 1, 20, 21, 22, 23], [2], [9, 12, 14], [0, 1], [9, 12, 14]], "periods": s53, "times": s54}};
+const s56 = [0, 0, 0, 80000000, 80000000];
+const s57 = {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s58 = {
 "kinds": {
-"multicast": shared17,
-"to_all": shared17,
-"up": shared18,
-"down": shared18,
-"role": shared22,
-"informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"trigger": [0, 0, 2, 2, 1, 2, 1, 1, 1, 0, 2, 2, 0, 2, 1, 1, 1, 2, 1, 1, 1, 1],
-"answers": [-1, -1, 0, 0, 7, 0, 3, 5, 5, -1, 0, 0, -1, 0, 12, 13, 13, 0, 17, 17, 3, 20],
-"when": shared23,
-"since": [0, 0, 500000, 500000, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 500000, 500000, 0, 500000, 120000000, 4611686018427387904, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904],
-"to_unknown": shared17,
-"gap_first": shared24,
-"gap_number": shared25,
+"multicast": s50,
+"to_all": s50,
+"up": s51,
+"down": s51,
+"role": [0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 0, 2, 2, 1, 2, 1, 1, 1, 0, 2, 2, 0, 2, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1],
+"answers": [-1, -1, 0, 0, 7, 0, 3, 5, 5, -1, 0, 0, -1, 0, 12, 13, 13, 0, 17, 17, 3, 3, 20, 21],
+"when": [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 0, 500000, 500000, s1, 500000, s1, s1, s1, 0, 500000, 500000, 0, 500000, 120000000, s1, s1, 500000, s1, s1, s1, s1, s1, s1],
+"to_unknown": s50,
+"gap_first": [0, 0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"gap_number": [0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [0, 1], [9, 12], [0, 1], [9, 12]], "periods": [0, 0, 0, 80000000, 80000000], "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3], [16, 4]]},
-"repairs": shared26,
+"bursts": {"messages": [[0], [0, 1], [9, 12], [0, 1], [9, 12]], "periods": s56, "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3], [16, 4]]},
+"repairs": s57,
 };
-const shared28 = {"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 476};
-const shared29 = [1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
-const shared30 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared31 = {"kinds": {"multicast": shared29, "to_all": shared29, "up": shared30, "down": shared30}, "bursts": {"messages": [[0, 1], [2, 3, 4, 5, 6, 7, 9, 10, 12, 13, 15, 16, 17, 18, 19, 20], [0, 21, 22, 23], [1], [8, 11, 14], [0], [8, 11, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000], "times": shared20}};
-const shared32 = [[0, 0], [0.1, 0], [8, 1], [8.1, 2], [16, 3]];
-const shared33 = {
+const s59 = {"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 476};
+const s60 = "SEDP multicast";
+const s61 = "Heartbeat multicast";
+const s62 = 199.39703903095557;
+const s63 = "Liveliness unicast";
+const s64 = "Liveliness Heartbeat unicast";
+const s65 = 187.1920199501247;
+const s66 = "Type lookup Heartbeat unicast";
+const s67 = "User Heartbeat multicast";
+const s68 = [1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+const s69 = {"kinds": {"multicast": s68, "to_all": s68, "up": s51, "down": s51}, "bursts": {"messages": [[0, 1], [2, 3, 4, 5, 6, 7, 9, 10, 12, 13, 15, 16, 17, 18, 19, 20], [0, 21, 22, 23], [1], [8, 11, 14], [0], [8, 11, 14]], "periods": s53, "times": s54}};
+const s70 = [0, 0, 80000000, 80000000];
+const s71 = [[0, 0], [0.1, 0], [8, 1], [8.1, 2], [16, 3]];
+const s72 = {
 "kinds": {
-"multicast": shared29,
-"to_all": shared29,
-"up": shared30,
-"down": shared30,
+"multicast": s68,
+"to_all": s68,
+"up": s51,
+"down": s51,
 "role": [0, 0, 1, 1, 0, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 2, 2, 1, 1, 0, 2, 2, 0, 2, 2, 1, 1, 1, 2, 2, 1, 1, 1, 1, 1],
 "answers": [-1, 0, 0, 0, 0, 2, 5, 5, -1, 0, 0, -1, 0, 0, 11, 12, 12, 0, 0, 17, 17, 2, 2, 21],
 "when": [0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"since": [
-0,
-500000,
-500000,
-500000,
-500000,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-0,
-500000,
-500000,
-0,
-500000,
-500000,
-120000000,
-4611686018427387904,
-4611686018427387904,
-500000,
-500000,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-],
-"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 500000, 500000, 500000, 500000, s1, s1, s1, 0, 500000, 500000, 0, 500000, 500000, 120000000, s1, s1, 500000, 500000, s1, s1, s1, s1, s1],
+"to_unknown": s50,
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [8, 11], [0], [8, 11]], "periods": [0, 0, 80000000, 80000000], "times": shared32},
+"bursts": {"messages": [[0], [8, 11], [0], [8, 11]], "periods": s70, "times": s71},
 "repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 6, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 };
-const shared34 = {"name": "Liveliness Heartbeat", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 192};
-const shared35 = {"name": "Liveliness ACKNACK", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188};
-const shared36 = {"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192};
-const shared37 = {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188};
-const shared38 = {
+const s73 = 726.2444541104828;
+const s74 = 153.93607305936075;
+const s75 = 186.8277247614264;
+const s76 = 187.05568338702255;
+const s77 = 190.87976752633492;
+const s78 = 204.12578616352204;
+const s79 = 133.94982078853047;
+const s80 = 167.8055937643283;
+const s81 = ["process", "other host"];
+const s82 = ["host", "other host"];
+const s83 = 150.13620569840168;
+const s84 = 191.25372354324537;
+const s85 = 170.0050484920951;
+const s86 = 190.60377358490564;
+const s87 = 185.2367491166078;
+const s88 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s89 = 200.7060146149522;
+const s90 = 186.30392156862746;
+const s91 = 210.50383141762453;
+const s92 = "SPDP to server";
+const s93 = "SPDP of server";
+const s94 = "SPDP of server at discovery";
+const s95 = 748.3930635838151;
+const s96 = "SPDP of others";
+const s97 = ["process", "other process", "match"];
+const s98 = 683.9365973934484;
+const s99 = "SPDP Heartbeat";
+const s100 = "SPDP Heartbeat of server";
+const s101 = 1.2934822999999998;
+const s102 = 250.29586195342605;
+const s103 = "SPDP Heartbeat of others";
+const s104 = 354.98051539912007;
+const s105 = "SPDP ACKNACK of others";
+const s106 = "SPDP ACKNACK of server";
+const s107 = 204.14209591474247;
+const s108 = "SEDP to server";
+const s109 = ["endpoint", "all"];
+const s110 = "SEDP of others";
+const s111 = ["matched endpoint", "other process"];
+const s112 = 655.9962112242481;
+const s113 = "Heartbeat of server";
+const s114 = "Heartbeat of others";
+const s115 = 451.4893977947413;
+const s116 = "ACKNACK of others";
+const s117 = "ACKNACK of server";
+const s118 = 0.44105099999999997;
+const s119 = 205.97133664814274;
+const s120 = "Liveliness Heartbeat to server";
+const s121 = "Liveliness Heartbeat of server";
+const s122 = ["process", s4, "match"];
+const s123 = {"name": s29, "unit": s122, "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 192};
+const s124 = "Liveliness ACKNACK to server";
+const s125 = "Liveliness ACKNACK of server";
+const s126 = {"name": s33, "unit": s122, "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188};
+const s127 = {"name": s42, "unit": s44, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192};
+const s128 = {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188};
+const s129 = {
 "messages": [[0], [2, 4, 5, 9], [0, 7], [0, 3, 6, 10, 11, 12, 13, 14, 15, 19, 20, 21], [8, 16, 17, 18, 22, 23, 24, 26], [25, 27], [1], [0], [1]],
 "periods": [0, 0, 0, 0, 0, 0, 0, 30000000, 30000000],
 "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 3], [0.6, 4], [0.7, 5], [1.5, 6], [3.5, 7], [4.5, 8]],
 };
-const shared39 = {
+const s130 = {
 "kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 0], "up": [1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1], "down": [0, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1]},
-"bursts": shared38,
+"bursts": s129,
 };
-const shared40 = ["process", "server", "matched process"];
-const shared41 = ["matched endpoint of others", "server"];
-const shared42 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared43 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared44 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared45 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared46 = {"name": "Process", "unit": ["process", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
-const shared47 = {"name": "Digest", "unit": ["fleet", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared48 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
-const shared49 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const shared50 = {"name": "Claimed", "unit": ["host", "other host"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
-const shared51 = {"announce_first": 30000000, "announce_most": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const shared52 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
-const shared53 = {"lease": 100000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const shared54 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared55 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared56 = {"name": "Scout", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
-const shared57 = {"name": "Hello", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
-const shared58 = {"name": "InitAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
-const shared59 = {"name": "OpenSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
-const shared60 = {"name": "OpenAck", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
-const shared61 = ["unmatched endpoint", "remote process"];
-const shared62 = {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
-const shared63 = {"name": "TCP control", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
-const shared64 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared65 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared66 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
-const shared67 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const shared68 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const shared69 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
-const shared70 = ["matched endpoint of a host", "other host"];
-const shared71 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const shared72 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const shared73 = {
+const s131 = ["process", "server"];
+const s132 = ["process", "server", "matched process"];
+const s133 = ["matched endpoint of others", "server"];
+const s134 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s135 = "SPDP at discovery";
+const s136 = ["process", "other process"];
+const s137 = "SPDP unicast at discovery";
+const s138 = "SPDP unicast for others";
+const s139 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s140 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s141 = [0, 0, 30000000];
+const s142 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s143 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
+const s144 = ["fleet", "all"];
+const s145 = {"name": "Digest", "unit": s144, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s146 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
+const s147 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s148 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
+const s149 = [1, 1, 1, 1, 1, 1, 1];
+const s150 = [[0, 0], [3, 1], [6, 2]];
+const s151 = [1, 0, 0, 0, 0, 0, 0];
+const s152 = {"announce_first": 30000000, "announce_most": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s153 = [1, 1, 1, 1, 1, 1, 1, 1];
+const s154 = [0, 1, 2, 3, 4, 5];
+const s155 = 0.30000000000000004;
+const s156 = [0, 0, 25000000, 80000000];
+const s157 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
+const s158 = {"lease": 100000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s159 = ["endpoint", "other process"];
+const s160 = "listed endpoint";
+const s161 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const s162 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s163 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
+const s164 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
+const s165 = {"name": "InitAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
+const s166 = {"name": "OpenSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
+const s167 = {"name": "OpenAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
+const s168 = 163.4251497005988;
+const s169 = "OAM for others";
+const s170 = "Declare key expression";
+const s171 = "unmatched endpoint";
+const s172 = [s171, s4];
+const s173 = 229.04217991787982;
+const s174 = "Declare key expression of matching";
+const s175 = 112.31961259079904;
+const s176 = "Frame of endpoints";
+const s177 = {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
+const s178 = {"name": "TCP control", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
+const s179 = "TCP ACK at start";
+const s180 = "TCP ACK of endpoints";
+const s181 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s182 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s183 = [0, 0, 0, 0, 0, 25000000, 80000000];
+const s184 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
+const s185 = 179.4287333522244;
+const s186 = 175.50248756218906;
+const s187 = "Declare token of node";
+const s188 = 362.8385800401876;
+const s189 = "Declare key expression of node";
+const s190 = 142.56804733727813;
+const s191 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s192 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s193 = 154.5017382527756;
+const s194 = 192.6407465007776;
+const s195 = 358.9464799539613;
+const s196 = [s171, "all"];
+const s197 = 137.8131868131868;
+const s198 = 282.5695792880259;
+const s199 = 622.248870141609;
+const s200 = 148.72727272727272;
+const s201 = 156.64516129032256;
+const s202 = "KeepAlive down";
+const s203 = "TCP ACK at start down";
+const s204 = "TCP ACK of endpoints down";
+const s205 = [28, 29, 30, 31];
+const s206 = [0, 0, 0, 0, 300000000];
+const s207 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
+const s208 = 1523.8764478764479;
+const s209 = ["host", "other host", "third host"];
+const s210 = 1523.7329974811084;
+const s211 = "Frame of gossip";
+const s212 = 86.42028482111844;
+const s213 = ["endpoint", "other host"];
+const s214 = [s171, "other host"];
+const s215 = "Declare of matching";
+const s216 = "matched endpoint of a host";
+const s217 = [s216, "other host"];
+const s218 = 1523.275922671353;
+const s219 = "Declare key expression of tokens";
+const s220 = 1524.2088308803109;
+const s221 = 86.11918147065437;
+const s222 = [s216, "all"];
+const s223 = 1524.6626402070751;
+const s224 = 1523.8867459991793;
+const s225 = 1523.9638009049772;
+const s226 = [18, 19, 33, 34];
+const s227 = 158.48931924611142;
+const s228 = 2.51188643150958;
+const s229 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s230 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const s231 = {
 "record": {
 "slot": 90,
 "sifs": 160,
@@ -163,22 +296,22 @@ const shared73 = {
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared71,
-"slow": shared72,
+"fast": s229,
+"slow": s230,
 };
-const shared74 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
-const shared75 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
-const shared76 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const shared77 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
-const shared78 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
-const shared79 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const shared80 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const shared81 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
-const shared82 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s232 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
+const s233 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
+const s234 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s235 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
+const s236 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
+const s237 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s238 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s239 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s240 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
 return {
 "layouts": {
 "radio": {
@@ -381,8 +514,9 @@ return {
 "SEND": 0n,
 "ANNOUNCE": 72057594037927936n,
 "EXPIRE": 216172782113783808n,
-"NEVER": 4611686018427387904,
+"NEVER": s1,
 "TICK": 1e-07,
+"KIND_BITS": 6,
 "PROCESS_BITS": 20,
 "ITEM_BITS": 14,
 "OCTETS": 65535,
@@ -396,474 +530,443 @@ return {
 },
 "tables": {
 "DDS": {
-"messages": [shared1, shared2, shared3, shared4],
+"messages": [s3, s6, s8, s9],
 "inside": [],
-"alone": shared6,
+"alone": s11,
 "recovering": {
-"kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 1, 2, 3], "informs": [1, 0, 0, 0], "trigger": [0, 2, 2, 1], "answers": [-1, 0, 0, 2], "since": shared7, "to_unknown": [1, 0, 0, 0]},
-"bursts": shared8,
-"repairs": {"announce_first": 30000000, "announce_most": 30000000, "heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": 4611686018427387904, "topics": 2, "heartbeat": 2, "acknack": 3, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 1, 2, 3], "informs": [1, 0, 0, 0], "trigger": [0, 2, 2, 1], "answers": [-1, 0, 0, 2], "since": s12, "to_unknown": [1, 0, 0, 0]},
+"bursts": s13,
+"repairs": {"announce_first": 30000000, "announce_most": 30000000, "heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": s1, "topics": 2, "heartbeat": 2, "acknack": 3, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Zenoh": {
-"messages": [shared9, shared10, shared11, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 84}],
+"messages": [s14, s15, s16, {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 84}],
 "inside": [],
-"alone": shared6,
+"alone": s11,
 "recovering": {
-"kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 2], "answers": [-1, 0, 1, 1], "since": shared7, "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
-"bursts": shared8,
-"repairs": {"announce_first": 10000000, "announce_most": 80000000, "lease": 4611686018427387904, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 2], "answers": [-1, 0, 1, 1], "since": s12, "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
+"bursts": s13,
+"repairs": {"announce_first": 10000000, "announce_most": 80000000, "lease": s1, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Cyclone DDS": {
 "messages": [
-{"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 420},
-{"name": "SPDP unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 420},
-{"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.75, "alone": 0.75, "bytes": 436},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.2129, "alone": 1, "bytes": 1011.3931423203381},
-{"name": "SEDP again", "unit": shared12, "multicast": 0, "sent": 0.017964502, "alone": 0.08438, "bytes": 1011.3931423203381},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.0284, "alone": 2, "bytes": 153.6732788798133},
-{"name": "Heartbeat of data", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.221225, "alone": 2.375, "bytes": 153.6732788798133},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.853073, "alone": 4.635, "bytes": 187.56178089044522},
-{"name": "ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.039564208000000003, "alone": 0.09896, "bytes": 187.56178089044522},
-shared14,
-{"name": "Liveliness at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5342, "alone": 1, "bytes": 209.73193560464244},
-{"name": "Liveliness for others", "unit": shared13, "multicast": 0, "sent": 0.05008125, "alone": 0.09375, "bytes": 209.73193560464244},
-shared15,
-{"name": "Liveliness Heartbeat at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.9567264000000001, "alone": 2.208, "bytes": 157.8841449342257},
-shared16,
-{"name": "Liveliness ACKNACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.629265, "alone": 2.275, "bytes": 193.64569775849603},
-{"name": "Liveliness ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.016134078, "alone": 0.05833, "bytes": 193.64569775849603},
-{"name": "Type lookup Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.5344444000000002, "alone": 2.188, "bytes": 127.15414230714387},
-{"name": "Type lookup ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5088, "alone": 2, "bytes": 197.64779874213835},
-{"name": "Type lookup ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.0795, "alone": 0.3125, "bytes": 197.64779874213835},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.68678, "alone": 1.15, "bytes": 141.09310113864703},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.53152, "alone": 1.6, "bytes": 184.34918723660445},
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 420},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 420},
+{"name": "SPDP directed", "unit": s7, "multicast": 0, "sent": 0.7917, "alone": 0.7917, "bytes": 436},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.2218, "alone": 1, "bytes": s17},
+{"name": "SEDP again", "unit": s18, "multicast": 0, "sent": 0.0228454, "alone": 0.103, "bytes": s17},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 1.0452, "alone": 2, "bytes": s19},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 1.2965706, "alone": 2.481, "bytes": s19},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 1.86327, "alone": 4.635, "bytes": s21},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.039781920000000005, "alone": 0.09896, "bytes": s21},
+s25,
+{"name": s26, "unit": s7, "multicast": 0, "sent": 0.6253, "alone": 1, "bytes": s27},
+{"name": s28, "unit": s23, "multicast": 0, "sent": 0.06671951, "alone": 0.1067, "bytes": s27},
+s31,
+{"name": s32, "unit": s7, "multicast": 0, "sent": 1.0096768, "alone": 2.222, "bytes": 153.8987676056338},
+s34,
+{"name": s35, "unit": s7, "multicast": 0, "sent": 0.7037728, "alone": 2.312, "bytes": s36},
+{"name": s37, "unit": s23, "multicast": 0, "sent": 0.015853152000000002, "alone": 0.05208, "bytes": s36},
+{"name": s38, "unit": s7, "multicast": 0, "sent": 1.5878398, "alone": 2.333, "bytes": 129.08962679988247},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 0.5282, "alone": 2, "bytes": s40},
+{"name": s41, "unit": s23, "multicast": 0, "sent": 0.057785079999999996, "alone": 0.2188, "bytes": s40},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 0.6284482, "alone": 1.006, "bytes": s45},
+{"name": s46, "unit": s47, "multicast": 0, "sent": 0.045084599, "alone": 0.07217, "bytes": s45},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 0.47455200000000003, "alone": 1.404, "bytes": s48},
+{"name": s49, "unit": s47, "multicast": 0, "sent": 0.033100340000000006, "alone": 0.09793, "bytes": s48},
 ],
 "inside": [],
-"alone": shared21,
-"recovering": shared27,
+"alone": s55,
+"recovering": s58,
 },
 "Cyclone DDS, wired": {
 "messages": [
-shared28,
-{"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6642332099999999, "alone": 0.6667, "bytes": 493.08762420957544},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.10738553000000002, "alone": 0.5833, "bytes": 1167.7479630635523},
-{"name": "SEDP multicast", "unit": ["endpoint", "remote process"], "multicast": 1, "sent": 0.037140759999999995, "alone": 0.1667, "bytes": 961.6660682226212},
-{"name": "Heartbeat multicast", "unit": ["process", "all"], "multicast": 1, "sent": 0.5, "alone": 2, "bytes": 232},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.9861, "alone": 3, "bytes": 201.42013994523882},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.504575, "alone": 4.05, "bytes": 199.39703903095557},
-{"name": "ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.10524594999999999, "alone": 0.2833, "bytes": 199.39703903095557},
-{"name": "Liveliness", "unit": ["process", "all"], "multicast": 1, "sent": 0.7242, "alone": 1, "bytes": 179.99005799502902},
-{"name": "Liveliness at start", "unit": ["process", "all"], "multicast": 1, "sent": 0.31936806, "alone": 0.3333, "bytes": 150.79816322270926},
-{"name": "Liveliness unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.1, "alone": 0.5, "bytes": 429},
-{"name": "Liveliness Heartbeat", "unit": ["process", "all"], "multicast": 1, "sent": 0.2758, "alone": 1, "bytes": 180.02610587382162},
-{"name": "Liveliness Heartbeat at start", "unit": ["process", "all"], "multicast": 1, "sent": 0.15461249999999999, "alone": 0.875, "bytes": 245.09790605546124},
-{"name": "Liveliness Heartbeat unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.3440125, "alone": 1.625, "bytes": 234.05196032120926},
-shared16,
-{"name": "Liveliness ACKNACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6579608, "alone": 2.344, "bytes": 187.1920199501247},
-{"name": "Liveliness ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.021928284, "alone": 0.07812, "bytes": 187.1920199501247},
-{"name": "Type lookup Heartbeat", "unit": ["process", "all"], "multicast": 1, "sent": 0.3976, "alone": 2, "bytes": 224.96579476861166},
-{"name": "Type lookup Heartbeat unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.12780639, "alone": 0.6667, "bytes": 230.92749087115283},
-{"name": "Type lookup ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.4, "alone": 2, "bytes": 211.5},
-{"name": "Type lookup ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.0625, "alone": 0.3125, "bytes": 211.5},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.182025, "alone": 0.75, "bytes": 230.46065100947672},
-{"name": "User Heartbeat multicast", "unit": ["matched writer", "remote process"], "multicast": 1, "sent": 0.0538, "alone": 0.25, "bytes": 232.6802973977695},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.4566, "alone": 2, "bytes": 226.06745510293473},
+s59,
+{"name": "SPDP directed", "unit": s7, "multicast": 0, "sent": 0.6642332099999999, "alone": 0.6667, "bytes": 493.08762420957544},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.10738553000000002, "alone": 0.5833, "bytes": 1167.7479630635523},
+{"name": s60, "unit": s5, "multicast": 1, "sent": 0.037140759999999995, "alone": 0.1667, "bytes": 961.6660682226212},
+{"name": s61, "unit": s2, "multicast": 1, "sent": 0.5, "alone": 2, "bytes": 232},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 0.9861, "alone": 3, "bytes": 201.42013994523882},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 1.504575, "alone": 4.05, "bytes": s62},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.10524594999999999, "alone": 0.2833, "bytes": s62},
+{"name": "Liveliness", "unit": s2, "multicast": 1, "sent": 0.7242, "alone": 1, "bytes": s24},
+{"name": s26, "unit": s2, "multicast": 1, "sent": 0.31936806, "alone": 0.3333, "bytes": 150.79816322270926},
+{"name": s63, "unit": s7, "multicast": 0, "sent": 0.1, "alone": 0.5, "bytes": 429},
+{"name": s29, "unit": s2, "multicast": 1, "sent": 0.2758, "alone": 1, "bytes": s30},
+{"name": s32, "unit": s2, "multicast": 1, "sent": 0.15461249999999999, "alone": 0.875, "bytes": 245.09790605546124},
+{"name": s64, "unit": s7, "multicast": 0, "sent": 0.3440125, "alone": 1.625, "bytes": 234.05196032120926},
+s34,
+{"name": s35, "unit": s7, "multicast": 0, "sent": 0.6579608, "alone": 2.344, "bytes": s65},
+{"name": s37, "unit": s23, "multicast": 0, "sent": 0.021928284, "alone": 0.07812, "bytes": s65},
+{"name": s38, "unit": s2, "multicast": 1, "sent": 0.3976, "alone": 2, "bytes": 224.96579476861166},
+{"name": s66, "unit": s7, "multicast": 0, "sent": 0.12780639, "alone": 0.6667, "bytes": 230.92749087115283},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 0.4, "alone": 2, "bytes": 211.5},
+{"name": s41, "unit": s23, "multicast": 0, "sent": 0.0625, "alone": 0.3125, "bytes": 211.5},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 0.182025, "alone": 0.75, "bytes": 230.46065100947672},
+{"name": s67, "unit": s44, "multicast": 1, "sent": 0.0538, "alone": 0.25, "bytes": 232.6802973977695},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 0.4566, "alone": 2, "bytes": 226.06745510293473},
 ],
 "inside": [],
-"alone": shared31,
-"recovering": shared33,
+"alone": s69,
+"recovering": s72,
 },
 "Cyclone DDS, version 11": {
 "messages": [
-{"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 432},
-{"name": "SPDP unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 432},
-{"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5625, "alone": 0.5625, "bytes": 432},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.4561, "alone": 1, "bytes": 733.5900021925016},
-{"name": "SEDP again", "unit": shared12, "multicast": 0, "sent": 0.021856312, "alone": 0.04792, "bytes": 733.5900021925016},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.0816, "alone": 2, "bytes": 152.88683431952666},
-{"name": "Heartbeat of data", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.5320863999999998, "alone": 2.833, "bytes": 152.88683431952666},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 2.0476821, "alone": 5.167, "bytes": 187.3409033560434},
-{"name": "ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.0495375, "alone": 0.125, "bytes": 187.3409033560434},
-shared14,
-{"name": "Liveliness at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5979, "alone": 1, "bytes": 193.85449071751128},
-{"name": "Liveliness for others", "unit": shared13, "multicast": 0, "sent": 0.024914493, "alone": 0.04167, "bytes": 193.85449071751128},
-shared15,
-{"name": "Liveliness Heartbeat at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.9611884000000002, "alone": 2.188, "bytes": 156.73844753016164},
-shared16,
-{"name": "Liveliness ACKNACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.670185, "alone": 2.385, "bytes": 188.55516014234874},
-{"name": "Liveliness ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.016098490000000003, "alone": 0.05729, "bytes": 188.55516014234874},
-{"name": "Type lookup Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.5225, "alone": 2.5, "bytes": 134.83743842364532},
-{"name": "Type lookup ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.4412, "alone": 2, "bytes": 212.09610154125116},
-{"name": "Type lookup ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.0689375, "alone": 0.3125, "bytes": 212.09610154125116},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.825, "alone": 1.2, "bytes": 134.96727272727273},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.702975, "alone": 1.75, "bytes": 175.87453323375652},
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 432},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 432},
+{"name": "SPDP directed", "unit": s7, "multicast": 0, "sent": 0.54086696, "alone": 0.5413, "bytes": 432.2946357085669},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.4598, "alone": 1, "bytes": s73},
+{"name": "SEDP again", "unit": s18, "multicast": 0, "sent": 0.041809613999999995, "alone": 0.09093, "bytes": s73},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 1.095, "alone": 2, "bytes": s74},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 1.5510675, "alone": 2.833, "bytes": s74},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2.0574993999999998, "alone": 5.167, "bytes": s75},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.049775, "alone": 0.125, "bytes": s75},
+s25,
+{"name": s26, "unit": s7, "multicast": 0, "sent": 0.6519, "alone": 1, "bytes": s76},
+{"name": s28, "unit": s23, "multicast": 0, "sent": 0.059342457, "alone": 0.09103, "bytes": s76},
+s31,
+{"name": s32, "unit": s7, "multicast": 0, "sent": 0.9629388000000001, "alone": 2.188, "bytes": 156.2517609634174},
+s34,
+{"name": s35, "unit": s7, "multicast": 0, "sent": 0.6271334, "alone": 2.278, "bytes": s77},
+{"name": s37, "unit": s23, "multicast": 0, "sent": 0.015295667999999998, "alone": 0.05556, "bytes": s77},
+{"name": s38, "unit": s7, "multicast": 0, "sent": 1.6266258, "alone": 2.542, "bytes": 132.5107047976246},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 0.477, "alone": 2, "bytes": s78},
+{"name": s41, "unit": s23, "multicast": 0, "sent": 0.047628449999999996, "alone": 0.1997, "bytes": s78},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 0.7393500000000001, "alone": 1.06, "bytes": s79},
+{"name": s46, "unit": s47, "multicast": 0, "sent": 0.048790125, "alone": 0.06995, "bytes": s79},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 0.6813444, "alone": 1.562, "bytes": s80},
+{"name": s49, "unit": s47, "multicast": 0, "sent": 0.040998438, "alone": 0.09399, "bytes": s80},
 ],
 "inside": [],
-"alone": shared21,
-"recovering": shared27,
+"alone": s55,
+"recovering": s58,
 },
 "Cyclone DDS peers": {
 "messages": [
-{"name": "SPDP", "unit": ["process", "other host"], "multicast": 0, "sent": 9, "alone": 9, "bytes": 420},
-{"name": "ICMP unreachable", "unit": ["host", "other host"], "multicast": 0, "sent": 6, "alone": 6, "bytes": 448},
-{"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.81805061, "alone": 0.8333, "bytes": 442.0177243557095},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.172, "alone": 1, "bytes": 1224.46511627907},
-{"name": "SEDP again", "unit": shared12, "multicast": 0, "sent": 0.06907263300000001, "alone": 0.08633, "bytes": 334.84114485689287},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.1512, "alone": 2, "bytes": 150.13620569840168},
-{"name": "Heartbeat of data", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.6945664, "alone": 2.944, "bytes": 150.13620569840168},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.6930648000000001, "alone": 4.424, "bytes": 191.25372354324537},
-{"name": "ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.07841523, "alone": 0.2049, "bytes": 191.25372354324537},
-{"name": "Liveliness", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7241, "alone": 1, "bytes": 180.00607650876952},
-{"name": "Liveliness at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7527, "alone": 1, "bytes": 170.0050484920951},
-{"name": "Liveliness for others", "unit": shared13, "multicast": 0, "sent": 0.062722491, "alone": 0.08333, "bytes": 170.0050484920951},
-{"name": "Liveliness Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2759, "alone": 1, "bytes": 179.9840521928235},
-{"name": "Liveliness Heartbeat at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.0883448, "alone": 2.556, "bytes": 156.0150305307656},
-shared16,
-{"name": "Liveliness ACKNACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.60844, "alone": 2.296, "bytes": 190.60377358490564},
-{"name": "Liveliness ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.02456815, "alone": 0.09271, "bytes": 190.60377358490564},
-{"name": "Type lookup Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.9293, "alone": 3, "bytes": 134.67330119732546},
-{"name": "Type lookup ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.566, "alone": 2, "bytes": 185.2367491166078},
-{"name": "Type lookup ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.10275729999999998, "alone": 0.3631, "bytes": 185.2367491166078},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.8334509999999999, "alone": 1.542, "bytes": 147.20074005550418},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.9648960000000001, "alone": 2.208, "bytes": 166.51716247139586},
+{"name": "SPDP", "unit": s81, "multicast": 0, "sent": 9, "alone": 9, "bytes": 420},
+{"name": "ICMP unreachable", "unit": s82, "multicast": 0, "sent": 6, "alone": 6, "bytes": 448},
+{"name": "SPDP directed", "unit": s7, "multicast": 0, "sent": 0.81805061, "alone": 0.8333, "bytes": 442.0177243557095},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.172, "alone": 1, "bytes": 1224.46511627907},
+{"name": "SEDP again", "unit": s18, "multicast": 0, "sent": 0.06907263300000001, "alone": 0.08633, "bytes": 334.84114485689287},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 1.1512, "alone": 2, "bytes": s83},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 1.6945664, "alone": 2.944, "bytes": s83},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 1.6930648000000001, "alone": 4.424, "bytes": s84},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.07841523, "alone": 0.2049, "bytes": s84},
+{"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 0.7241, "alone": 1, "bytes": 180.00607650876952},
+{"name": s26, "unit": s7, "multicast": 0, "sent": 0.7527, "alone": 1, "bytes": s85},
+{"name": s28, "unit": s23, "multicast": 0, "sent": 0.062722491, "alone": 0.08333, "bytes": s85},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 0.2759, "alone": 1, "bytes": 179.9840521928235},
+{"name": s32, "unit": s7, "multicast": 0, "sent": 1.0883448, "alone": 2.556, "bytes": 156.0150305307656},
+s34,
+{"name": s35, "unit": s7, "multicast": 0, "sent": 0.60844, "alone": 2.296, "bytes": s86},
+{"name": s37, "unit": s23, "multicast": 0, "sent": 0.02456815, "alone": 0.09271, "bytes": s86},
+{"name": s38, "unit": s7, "multicast": 0, "sent": 1.9293, "alone": 3, "bytes": 134.67330119732546},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 0.566, "alone": 2, "bytes": s87},
+{"name": s41, "unit": s23, "multicast": 0, "sent": 0.10275729999999998, "alone": 0.3631, "bytes": s87},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 0.8334509999999999, "alone": 1.542, "bytes": 147.20074005550418},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 0.9648960000000001, "alone": 2.208, "bytes": 166.51716247139586},
 ],
 "inside": [],
-"alone": {
-"kinds": {"up": shared18, "down": shared18},
-"bursts": {"messages": [[0, 1, 2], shared19, [0, 20, 21], [2], [9, 12, 14], [1], [0], [9, 12, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000, 80000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8, 5], [8.1, 6], [16, 7]]},
-},
+"alone": {"kinds": {"up": s88, "down": s88}, "bursts": {"messages": [[0, 1, 2], s52, [0, 20, 21], [2], [9, 12, 14], [1], [0], [9, 12, 14]], "periods": [0, 0, 0, 0, 0, 80000000, 80000000, 80000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8, 5], [8.1, 6], [16, 7]]}},
 "recovering": {
 "kinds": {
-"up": shared18,
-"down": shared18,
-"role": shared22,
+"up": s88,
+"down": s88,
+"role": [0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 1, 2, 1, 1, 1, 0, 2, 2, 0, 2, 1, 1, 1, 2, 1, 1, 1, 1],
 "answers": [-1, 0, 0, 0, 7, 0, 3, 5, 5, -1, 0, 0, -1, 0, 12, 13, 13, 0, 17, 17, 3, 20],
-"when": shared23,
-"since": [0, 500000, 500000, 500000, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 500000, 500000, 0, 500000, 120000000, 4611686018427387904, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904],
-"to_unknown": shared17,
-"gap_first": shared24,
-"gap_number": shared25,
+"when": [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 500000, 500000, 500000, s1, 500000, s1, s1, s1, 0, 500000, 500000, 0, 500000, 120000000, s1, s1, 500000, s1, s1, s1, s1],
+"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"gap_first": [0, 0, 10000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"gap_number": [0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [9, 12], [0], [9, 12]], "periods": [0, 0, 80000000, 80000000], "times": shared32},
-"repairs": shared26,
+"bursts": {"messages": [[0], [9, 12], [0], [9, 12]], "periods": s70, "times": s71},
+"repairs": s57,
 "spread": [0],
 },
 },
 "Cyclone DDS multicast SEDP": {
 "messages": [
-shared28,
-{"name": "SPDP directed", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7990400000000001, "alone": 0.8, "bytes": 492.4140969162995},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.07754115, "alone": 0.3719, "bytes": 1040.4988009592325},
-{"name": "SEDP multicast", "unit": ["endpoint", "remote process"], "multicast": 1, "sent": 0.051106000000000006, "alone": 0.23, "bytes": 965.8901890189019},
-{"name": "Heartbeat multicast", "unit": ["process", "all"], "multicast": 1, "sent": 0.51324, "alone": 1.833, "bytes": 215.89285714285714},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.0475619, "alone": 3.333, "bytes": 213.31594018453706},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.6071486000000001, "alone": 4.517, "bytes": 200.7060146149522},
-{"name": "ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.053156520000000006, "alone": 0.1494, "bytes": 200.7060146149522},
-{"name": "Liveliness", "unit": ["process", "all"], "multicast": 1, "sent": 0.724, "alone": 1, "bytes": 180.02209944751382},
-{"name": "Liveliness at start", "unit": ["process", "all"], "multicast": 1, "sent": 0.79488487, "alone": 0.8333, "bytes": 152.05954502568403},
-{"name": "Liveliness unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.075, "alone": 0.5, "bytes": 510.6666666666667},
-{"name": "Liveliness Heartbeat", "unit": ["process", "all"], "multicast": 1, "sent": 0.276, "alone": 1, "bytes": 179.94202898550725},
-{"name": "Liveliness Heartbeat at start", "unit": ["process", "all"], "multicast": 1, "sent": 0.2328, "alone": 1, "bytes": 201.4570446735395},
-{"name": "Liveliness Heartbeat unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.40565, "alone": 1.75, "bytes": 219.65142364106987},
-shared16,
-{"name": "Liveliness ACKNACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6794424, "alone": 2.379, "bytes": 186.30392156862746},
-{"name": "Liveliness ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.025287024, "alone": 0.08854, "bytes": 186.30392156862746},
-{"name": "Type lookup Heartbeat", "unit": ["process", "all"], "multicast": 1, "sent": 0.465, "alone": 2, "bytes": 207.01075268817203},
-{"name": "Type lookup Heartbeat unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2014242, "alone": 1.167, "bytes": 249.3997682502897},
-{"name": "Type lookup ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.4176, "alone": 2, "bytes": 210.50383141762453},
-{"name": "Type lookup ACKNACK for others", "unit": shared13, "multicast": 0, "sent": 0.06836112000000001, "alone": 0.3274, "bytes": 210.50383141762453},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.32990139, "alone": 0.7917, "bytes": 176.79097672186225},
-{"name": "User Heartbeat multicast", "unit": ["matched writer", "remote process"], "multicast": 1, "sent": 0.11113888999999999, "alone": 0.1667, "bytes": 122.00209989500526},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.9029889, "alone": 2.167, "bytes": 167.19174466042716},
+s59,
+{"name": "SPDP directed", "unit": s7, "multicast": 0, "sent": 0.7990400000000001, "alone": 0.8, "bytes": 492.4140969162995},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.07754115, "alone": 0.3719, "bytes": 1040.4988009592325},
+{"name": s60, "unit": s5, "multicast": 1, "sent": 0.051106000000000006, "alone": 0.23, "bytes": 965.8901890189019},
+{"name": s61, "unit": s2, "multicast": 1, "sent": 0.51324, "alone": 1.833, "bytes": 215.89285714285714},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 1.0475619, "alone": 3.333, "bytes": 213.31594018453706},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 1.6071486000000001, "alone": 4.517, "bytes": s89},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.053156520000000006, "alone": 0.1494, "bytes": s89},
+{"name": "Liveliness", "unit": s2, "multicast": 1, "sent": 0.724, "alone": 1, "bytes": 180.02209944751382},
+{"name": s26, "unit": s2, "multicast": 1, "sent": 0.79488487, "alone": 0.8333, "bytes": 152.05954502568403},
+{"name": s63, "unit": s7, "multicast": 0, "sent": 0.075, "alone": 0.5, "bytes": 510.6666666666667},
+{"name": s29, "unit": s2, "multicast": 1, "sent": 0.276, "alone": 1, "bytes": 179.94202898550725},
+{"name": s32, "unit": s2, "multicast": 1, "sent": 0.2328, "alone": 1, "bytes": 201.4570446735395},
+{"name": s64, "unit": s7, "multicast": 0, "sent": 0.40565, "alone": 1.75, "bytes": 219.65142364106987},
+s34,
+{"name": s35, "unit": s7, "multicast": 0, "sent": 0.6794424, "alone": 2.379, "bytes": s90},
+{"name": s37, "unit": s23, "multicast": 0, "sent": 0.025287024, "alone": 0.08854, "bytes": s90},
+{"name": s38, "unit": s2, "multicast": 1, "sent": 0.465, "alone": 2, "bytes": 207.01075268817203},
+{"name": s66, "unit": s7, "multicast": 0, "sent": 0.2014242, "alone": 1.167, "bytes": 249.3997682502897},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 0.4176, "alone": 2, "bytes": s91},
+{"name": s41, "unit": s23, "multicast": 0, "sent": 0.06836112000000001, "alone": 0.3274, "bytes": s91},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 0.32990139, "alone": 0.7917, "bytes": 176.79097672186225},
+{"name": s67, "unit": s44, "multicast": 1, "sent": 0.11113888999999999, "alone": 0.1667, "bytes": 122.00209989500526},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 0.9029889, "alone": 2.167, "bytes": 167.19174466042716},
 ],
 "inside": [],
-"alone": shared31,
-"recovering": shared33,
+"alone": s69,
+"recovering": s72,
 },
 "Fast DDS Discovery Server": {
 "messages": [
-{"name": "SPDP to server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
-{"name": "SPDP of server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
-{"name": "SPDP of server at discovery", "unit": ["process", "all"], "multicast": 0, "sent": 0.865, "alone": 1, "bytes": 748.3930635838151},
-{"name": "SPDP of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": 683.9365973934484},
-{"name": "SPDP Heartbeat", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-{"name": "SPDP Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 1.2934822999999998, "alone": 2.167, "bytes": 250.29586195342605},
-{"name": "SPDP Heartbeat of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": 354.98051539912007},
-{"name": "SPDP ACKNACK", "unit": ["process", "all"], "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
-{"name": "SPDP ACKNACK of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
-{"name": "SPDP ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "SPDP Gap", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": 204.14209591474247},
-{"name": "SEDP to server", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
-{"name": "SEDP of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": 655.9962112242481},
-{"name": "Heartbeat", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Heartbeat of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": 451.4893977947413},
-{"name": "ACKNACK", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "ACKNACK of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
-{"name": "ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
-{"name": "Gap", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
-{"name": "Liveliness Heartbeat to server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
-{"name": "Liveliness Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-shared34,
-{"name": "Liveliness ACKNACK to server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "Liveliness ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-shared35,
-shared36,
-shared37,
+{"name": s92, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
+{"name": s93, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
+{"name": s94, "unit": s2, "multicast": 0, "sent": 0.865, "alone": 1, "bytes": s95},
+{"name": s96, "unit": s97, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": s98},
+{"name": s99, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s100, "unit": s2, "multicast": 0, "sent": s101, "alone": 2.167, "bytes": s102},
+{"name": s103, "unit": s97, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": s104},
+{"name": "SPDP ACKNACK", "unit": s2, "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
+{"name": s105, "unit": s97, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
+{"name": s106, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": "SPDP Gap", "unit": s97, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": s107},
+{"name": s108, "unit": s109, "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
+{"name": s110, "unit": s111, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": s112},
+{"name": "Heartbeat", "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s113, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s114, "unit": s111, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": s115},
+{"name": "ACKNACK", "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s116, "unit": s111, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
+{"name": s117, "unit": s2, "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
+{"name": "Gap", "unit": s111, "multicast": 0, "sent": s118, "alone": 0.645, "bytes": s119},
+{"name": s120, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
+{"name": s121, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+s123,
+{"name": s124, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s125, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+s126,
+s127,
+s128,
 ],
 "inside": [],
-"alone": shared39,
+"alone": s130,
 "recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, two": {
 "messages": [
-{"name": "SPDP to server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 636},
-{"name": "SPDP of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 700},
-{"name": "SPDP of server at discovery", "unit": ["process", "all"], "multicast": 0, "sent": 1.7314, "alone": 2, "bytes": 747.8396673212429},
-{"name": "SPDP of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 3.32124, "alone": 3.9, "bytes": 684.0093940817285},
-{"name": "SPDP Heartbeat", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "SPDP Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 2.86935, "alone": 4.625, "bytes": 244.85106382978725},
-{"name": "SPDP Heartbeat of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 1.6209776, "alone": 5.942, "bytes": 402.48973607038124},
-{"name": "SPDP ACKNACK", "unit": ["process", "all"], "multicast": 0, "sent": 4.625, "alone": 4.625, "bytes": 189.8},
-{"name": "SPDP ACKNACK of others", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 0.9417, "alone": 0.9417, "bytes": 190.5},
-{"name": "SPDP ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "SPDP Gap", "unit": ["process", "other process", "match"], "multicast": 0, "sent": 2.2387761, "alone": 3.333, "bytes": 199.09006997171358},
-{"name": "SEDP to server", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.8166, "alone": 2, "bytes": 1257.7301004163605},
-{"name": "SEDP of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 2.0692700000000004, "alone": 2.45, "bytes": 655.9962112242481},
-{"name": "Heartbeat", "unit": ["process", "all"], "multicast": 0, "sent": 8, "alone": 8, "bytes": 184},
-{"name": "Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 8, "alone": 8, "bytes": 192},
-{"name": "Heartbeat of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.807258, "alone": 3.242, "bytes": 432.5140562248996},
-{"name": "ACKNACK", "unit": ["process", "all"], "multicast": 0, "sent": 8, "alone": 8, "bytes": 188},
-{"name": "ACKNACK of others", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.85, "alone": 0.85, "bytes": 190.8},
-{"name": "ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 31.6, "alone": 31.6, "bytes": 188.5},
-{"name": "Gap", "unit": ["matched endpoint", "other process"], "multicast": 0, "sent": 0.6431319999999999, "alone": 1.03, "bytes": 207.54580397181294},
-{"name": "Liveliness Heartbeat to server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-{"name": "Liveliness Heartbeat of server", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Liveliness Heartbeat", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 192},
-{"name": "Liveliness ACKNACK to server", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "Liveliness ACKNACK of server", "unit": ["process", "all"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "Liveliness ACKNACK", "unit": ["process", "remote process", "match"], "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 188},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.08, "alone": 1.08, "bytes": 192},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.179, "alone": 1.179, "bytes": 188},
+{"name": s92, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 636},
+{"name": s93, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 700},
+{"name": s94, "unit": s2, "multicast": 0, "sent": 1.7314, "alone": 2, "bytes": 747.8396673212429},
+{"name": s96, "unit": s97, "multicast": 0, "sent": 3.32124, "alone": 3.9, "bytes": 684.0093940817285},
+{"name": s99, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s100, "unit": s2, "multicast": 0, "sent": 2.86935, "alone": 4.625, "bytes": 244.85106382978725},
+{"name": s103, "unit": s97, "multicast": 0, "sent": 1.6209776, "alone": 5.942, "bytes": 402.48973607038124},
+{"name": "SPDP ACKNACK", "unit": s2, "multicast": 0, "sent": 4.625, "alone": 4.625, "bytes": 189.8},
+{"name": s105, "unit": s97, "multicast": 0, "sent": 0.9417, "alone": 0.9417, "bytes": 190.5},
+{"name": s106, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": "SPDP Gap", "unit": s97, "multicast": 0, "sent": 2.2387761, "alone": 3.333, "bytes": 199.09006997171358},
+{"name": s108, "unit": s109, "multicast": 0, "sent": 0.8166, "alone": 2, "bytes": 1257.7301004163605},
+{"name": s110, "unit": s111, "multicast": 0, "sent": 2.0692700000000004, "alone": 2.45, "bytes": s112},
+{"name": "Heartbeat", "unit": s2, "multicast": 0, "sent": 8, "alone": 8, "bytes": 184},
+{"name": s113, "unit": s2, "multicast": 0, "sent": 8, "alone": 8, "bytes": 192},
+{"name": s114, "unit": s111, "multicast": 0, "sent": 0.807258, "alone": 3.242, "bytes": 432.5140562248996},
+{"name": "ACKNACK", "unit": s2, "multicast": 0, "sent": 8, "alone": 8, "bytes": 188},
+{"name": s116, "unit": s111, "multicast": 0, "sent": 0.85, "alone": 0.85, "bytes": 190.8},
+{"name": s117, "unit": s2, "multicast": 0, "sent": 31.6, "alone": 31.6, "bytes": 188.5},
+{"name": "Gap", "unit": s111, "multicast": 0, "sent": 0.6431319999999999, "alone": 1.03, "bytes": 207.54580397181294},
+{"name": s120, "unit": s2, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s121, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s29, "unit": s122, "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 192},
+{"name": s124, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s125, "unit": s2, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s33, "unit": s122, "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 188},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.08, "alone": 1.08, "bytes": 192},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.179, "alone": 1.179, "bytes": 188},
 ],
 "inside": [],
-"alone": shared39,
+"alone": s130,
 "recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, on a robot": {
 "messages": [
-{"name": "SPDP to server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
-{"name": "SPDP of server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
-{"name": "SPDP of server at discovery", "unit": ["process", "server"], "multicast": 0, "sent": 0.865, "alone": 1, "bytes": 748.3930635838151},
-{"name": "SPDP of others", "unit": shared40, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": 683.9365973934484},
-{"name": "SPDP Heartbeat", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-{"name": "SPDP Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 1.2934822999999998, "alone": 2.167, "bytes": 250.29586195342605},
-{"name": "SPDP Heartbeat of others", "unit": shared40, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": 354.98051539912007},
-{"name": "SPDP ACKNACK", "unit": ["process", "server"], "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
-{"name": "SPDP ACKNACK of others", "unit": shared40, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
-{"name": "SPDP ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "SPDP Gap", "unit": shared40, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": 204.14209591474247},
-{"name": "SEDP to server", "unit": ["endpoint", "server"], "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
-{"name": "SEDP of others", "unit": shared41, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": 655.9962112242481},
-{"name": "Heartbeat", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": "Heartbeat of others", "unit": shared41, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": 451.4893977947413},
-{"name": "ACKNACK", "unit": ["process", "server"], "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": "ACKNACK of others", "unit": shared41, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
-{"name": "ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
-{"name": "Gap", "unit": shared41, "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
-{"name": "Liveliness Heartbeat to server", "unit": ["process", "server"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
-{"name": "Liveliness Heartbeat of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-shared34,
-{"name": "Liveliness ACKNACK to server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "Liveliness ACKNACK of server", "unit": ["process", "server"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-shared35,
-shared36,
-shared37,
+{"name": s92, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
+{"name": s93, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
+{"name": s94, "unit": s131, "multicast": 0, "sent": 0.865, "alone": 1, "bytes": s95},
+{"name": s96, "unit": s132, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": s98},
+{"name": s99, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s100, "unit": s131, "multicast": 0, "sent": s101, "alone": 2.167, "bytes": s102},
+{"name": s103, "unit": s132, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": s104},
+{"name": "SPDP ACKNACK", "unit": s131, "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
+{"name": s105, "unit": s132, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
+{"name": s106, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": "SPDP Gap", "unit": s132, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": s107},
+{"name": s108, "unit": ["endpoint", "server"], "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
+{"name": s110, "unit": s133, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": s112},
+{"name": "Heartbeat", "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s113, "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s114, "unit": s133, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": s115},
+{"name": "ACKNACK", "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s116, "unit": s133, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
+{"name": s117, "unit": s131, "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
+{"name": "Gap", "unit": s133, "multicast": 0, "sent": s118, "alone": 0.645, "bytes": s119},
+{"name": s120, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
+{"name": s121, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+s123,
+{"name": s124, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s125, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+s126,
+s127,
+s128,
 ],
 "inside": [],
-"alone": {"kinds": {"up": shared42, "down": shared42}, "bursts": shared38},
+"alone": {"kinds": {"up": s134, "down": s134}, "bursts": s129},
 "recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS": {
 "messages": [
-{"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
-{"name": "SPDP at discovery", "unit": ["process", "other process"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
-{"name": "SPDP unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
-{"name": "SPDP unicast at discovery", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
-{"name": "SPDP unicast for others", "unit": shared13, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 580},
-{"name": "SEDP", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.6313, "alone": 1, "bytes": 821.0093457943925},
-{"name": "Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 184.9},
-{"name": "Heartbeat of data", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.893, "alone": 1.893, "bytes": 184.9},
-{"name": "Heartbeat of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.02679, "alone": 0.02679, "bytes": 184.9},
-{"name": "ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "alone": 2, "bytes": 189.6},
-{"name": "ACKNACK of data", "unit": ["process", "remote process"], "multicast": 0, "sent": 2.583, "alone": 2.583, "bytes": 189.6},
-{"name": "Liveliness Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.25, "alone": 1.25, "bytes": 192},
-{"name": "Liveliness ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.25, "alone": 1.25, "bytes": 188},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.4, "alone": 1.4, "bytes": 192},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.425, "alone": 1.425, "bytes": 188},
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
+{"name": s135, "unit": s136, "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
+{"name": s137, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
+{"name": s138, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 580},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.6, "alone": 1, "bytes": 852.6666666666666},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 184.3},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 1.65, "alone": 1.65, "bytes": 184.3},
+{"name": "Heartbeat for others", "unit": s23, "multicast": 0, "sent": 0.4252, "alone": 0.4252, "bytes": 184.3},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 189.4},
+{"name": "ACKNACK of data", "unit": s7, "multicast": 0, "sent": 2.072, "alone": 2.072, "bytes": 189.4},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.2616, "alone": 0.2616, "bytes": 189.4},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 1.148, "alone": 1.148, "bytes": 192},
+{"name": s33, "unit": s7, "multicast": 0, "sent": 1.148, "alone": 1.148, "bytes": 188},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.4, "alone": 1.4, "bytes": 192},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.425, "alone": 1.425, "bytes": 188},
 ],
 "inside": [],
 "alone": {
-"kinds": {"multicast": shared43, "to_all": shared43, "up": shared44, "down": shared44},
-"bursts": {"messages": [[0], [1, 3, 4, 5, 6, 11], [0, 2, 8, 9, 12, 13], [14], [0, 2], [7, 10], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6]]},
+"kinds": {"multicast": s139, "to_all": s139, "up": s140, "down": s140},
+"bursts": {"messages": [[0], [1, 3, 4, 5, 6, 12], [0, 2, 9, 13, 14], [15], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6]]},
 },
 "recovering": {
 "kinds": {
-"multicast": shared43,
-"to_all": shared43,
-"up": shared44,
-"down": shared44,
-"role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0],
-"informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 2, 1, 1, 1],
-"answers": [-1, 0, -1, 0, 0, 0, 0, 5, 5, 6, 7, 0, 11, 5, 13],
-"when": [0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"since": [0, 500000, 0, 500000, 500000, 500000, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 500000, 4611686018427387904, 4611686018427387904, 4611686018427387904],
-"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"multicast": s139,
+"to_all": s139,
+"up": s140,
+"down": s140,
+"role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0],
+"informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 1, 1, 1],
+"answers": [-1, 0, -1, 0, 0, 0, 0, 5, 5, 6, 7, 8, 0, 12, 5, 14],
+"when": [0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 500000, 0, 500000, 500000, 500000, 500000, s1, s1, s1, s1, s1, 500000, s1, s1, s1],
+"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": [0, 0, 30000000], "times": [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]]},
+"bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": s141, "times": [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]]},
 "repairs": {"heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "hybrid": {
-"messages": [shared45, shared46, {"name": "Endpoint", "unit": ["endpoint", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared47, shared48, shared49, shared50],
+"messages": [s142, s143, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s145, s146, s147, s148],
 "inside": [[1, 0, 24], [2, 0, 20], [4, 3, 1], [6, 5, 0.125]],
-"alone": {"kinds": {"multicast": [1, 1, 1, 1, 1, 1, 1], "to_all": [1, 1, 1, 1, 1, 1, 1], "up": [1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]}},
+"alone": {"kinds": {"multicast": s149, "to_all": s149, "up": s149, "down": s149}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s141, "times": s150}},
 "recovering": {
-"kinds": {
-"multicast": [1, 1, 1, 1, 1, 1, 1],
-"to_all": [1, 1, 1, 1, 1, 1, 1],
-"up": [1, 1, 1, 1, 1, 1, 1],
-"down": [1, 1, 1, 1, 1, 1, 1],
-"informs": [1, 1, 1, 0, 0, 0, 0],
-"of_host": [1, 0, 0, 0, 1, 1, 0],
-"trigger": [0, 0, 0, 2, 2, 0, 0],
-"answers": [-1, -1, -1, 0, 0, -1, -1],
-"since": [0, 0, 0, 4611686018427387904, 4611686018427387904, 0, 0],
-"to_unknown": [1, 0, 0, 0, 0, 0, 0],
-},
-"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]},
-"repairs": shared51,
+"kinds": {"multicast": s149, "to_all": s149, "up": s149, "down": s149, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s151},
+"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s141, "times": s150},
+"repairs": s152,
 },
 },
 "hybrid, alike": {
-"messages": [shared45, shared46, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, shared47, shared48, shared49, shared50],
+"messages": [s142, s143, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s145, s146, s147, s148],
 "inside": [[1, 0, 24], [2, 0, 8], [3, 0, 20], [5, 4, 1], [7, 6, 0.125]],
-"alone": {"kinds": {"multicast": [1, 1, 1, 1, 1, 1, 1, 1], "to_all": [1, 1, 1, 1, 1, 1, 1, 1], "up": [1, 1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7], [6, 7]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]}},
+"alone": {"kinds": {"multicast": s153, "to_all": s153, "up": s153, "down": s153}, "bursts": {"messages": [s154, [6, 7], [6, 7]], "periods": s141, "times": s150}},
 "recovering": {
-"kinds": {
-"multicast": [1, 1, 1, 1, 1, 1, 1, 1],
-"to_all": [1, 1, 1, 1, 1, 1, 1, 1],
-"up": [1, 1, 1, 1, 1, 1, 1, 1],
-"down": [1, 1, 1, 1, 1, 1, 1, 1],
-"informs": [1, 1, 1, 1, 0, 0, 0, 0],
-"of_host": [1, 0, 1, 0, 0, 1, 1, 0],
-"trigger": [0, 0, 0, 0, 2, 2, 0, 0],
-"answers": [-1, -1, -1, -1, 0, 0, -1, -1],
-"since": [0, 0, 0, 0, 4611686018427387904, 4611686018427387904, 0, 0],
-"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0],
-},
-"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": [0, 0, 30000000], "times": [[0, 0], [3, 1], [6, 2]]},
-"repairs": shared51,
+"kinds": {"multicast": s153, "to_all": s153, "up": s153, "down": s153, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
+"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s141, "times": s150},
+"repairs": s152,
 },
 },
 "DDS, periods of Fast DDS": {
-"messages": [shared1, {"name": "UnicastSPDP", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, shared2, shared3, shared4],
+"messages": [s3, {"name": "UnicastSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9],
 "inside": [],
-"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": [0, 0, 30000000], "times": [[0, 0], [0.1, 1], [0.2, 1], [0.30000000000000004, 1], [0.4, 1], [0.5, 1], [3.5, 2]]}},
+"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": s141, "times": [[0, 0], [0.1, 1], [0.2, 1], [s155, 1], [0.4, 1], [0.5, 1], [3.5, 2]]}},
 "recovering": {
-"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1], "role": [0, 0, 1, 2, 3], "informs": [1, 1, 0, 0, 0], "trigger": [0, 0, 2, 2, 1], "answers": [-1, -1, 0, 0, 3], "since": [0, 0, 500000, 500000, 4611686018427387904], "to_unknown": [1, 0, 0, 0, 0]},
-"bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [0.30000000000000004, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
+"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1], "role": [0, 0, 1, 2, 3], "informs": [1, 1, 0, 0, 0], "trigger": [0, 0, 2, 2, 1], "answers": [-1, -1, 0, 0, 3], "since": [0, 0, 500000, 500000, s1], "to_unknown": [1, 0, 0, 0, 0]},
+"bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [s155, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
 "repairs": {"heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "DDS, periods of Cyclone DDS": {
-"messages": [
-shared1,
-{"name": "DirectedSPDP", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 414},
-shared2,
-shared3,
-shared4,
-{"name": "Liveliness", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 180},
-{"name": "LivelinessACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 114},
-],
+"messages": [s3, {"name": "DirectedSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9, {"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 180}, {"name": "LivelinessACK", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 114}],
 "inside": [],
-"alone": {
-"kinds": {"multicast": [1, 0, 0, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1]},
-"bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": [0, 0, 0, 80000000, 80000000], "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]},
-},
+"alone": {"kinds": {"multicast": s151, "to_all": s151, "up": s149, "down": s149}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
 "recovering": {
 "kinds": {
-"multicast": [1, 0, 0, 0, 0, 0, 0],
-"to_all": [1, 0, 0, 0, 0, 0, 0],
-"up": [1, 1, 1, 1, 1, 1, 1],
-"down": [1, 1, 1, 1, 1, 1, 1],
+"multicast": s151,
+"to_all": s151,
+"up": s149,
+"down": s149,
 "role": [0, 0, 1, 2, 3, 0, 0],
 "informs": [1, 1, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 1, 0, 1],
 "answers": [-1, 0, 0, 0, 3, -1, 5],
 "when": [0, 2, 0, 0, 0, 0, 0],
-"since": [0, 500000, 500000, 500000, 4611686018427387904, 0, 40000000],
-"to_unknown": [1, 0, 0, 0, 0, 0, 0],
+"since": [0, 500000, 500000, 500000, s1, 0, 40000000],
+"to_unknown": s151,
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0, 5], [0], [5], [0]], "periods": [0, 0, 80000000, 80000000], "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3]]},
+"bursts": {"messages": [[0, 5], [0], [5], [0]], "periods": s70, "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3]]},
 "repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Zenoh, periods of Zenoh peer": {
-"messages": [shared9, shared10, shared11, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 84}],
+"messages": [s14, s15, s16, {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 84}],
 "inside": [],
-"alone": {"kinds": shared5, "bursts": {"messages": [[0, 1, 2], [0, 1], [3], [3], [0, 1]], "periods": [0, 0, 0, 25000000, 80000000], "times": [[0, 0], [1, 1], [2.5, 2], [3, 1], [5, 3], [7, 1], [15, 4]]}},
+"alone": {"kinds": s10, "bursts": {"messages": [[0, 1, 2], [0, 1], [3], [3], [0, 1]], "periods": [0, 0, 0, 25000000, 80000000], "times": [[0, 0], [1, 1], [2.5, 2], [3, 1], [5, 3], [7, 1], [15, 4]]}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 0], "answers": [-1, 0, 1, -1], "since": [0, 5000000, 5000000, 0], "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
-"bursts": {"messages": [[0], [3], [3], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
-"repairs": shared53,
+"bursts": {"messages": [[0], [3], [3], [0]], "periods": s156, "times": s157},
+"repairs": s158,
 },
 },
 "static endpoints": {
 "messages": [
-{"name": "SPDP", "unit": ["process", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP at discovery", "unit": ["process", "other process"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP of endpoints", "unit": ["endpoint", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP unicast", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP unicast at discovery", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP unicast for others", "unit": shared13, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
-{"name": "SPDP unicast of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
-{"name": "Listed", "unit": ["endpoint", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
-{"name": "Listed at discovery", "unit": ["endpoint", "other process"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed of endpoints", "unit": ["listed endpoint", "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed unicast", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
-{"name": "Listed unicast at discovery", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
-{"name": "Listed unicast for others", "unit": shared12, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
-{"name": "Listed unicast of endpoints", "unit": ["listed endpoint", "remote process"], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
-{"name": "Liveliness Heartbeat", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
-{"name": "Liveliness ACKNACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
-{"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
-{"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 188},
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": s135, "unit": s136, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": "SPDP of endpoints", "unit": s109, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": s137, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": s138, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
+{"name": "SPDP unicast of endpoints", "unit": s5, "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
+{"name": "Listed", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
+{"name": "Listed at discovery", "unit": s159, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed of endpoints", "unit": [s160, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed unicast", "unit": s5, "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
+{"name": "Listed unicast at discovery", "unit": s5, "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
+{"name": "Listed unicast for others", "unit": s18, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
+{"name": "Listed unicast of endpoints", "unit": [s160, s4], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
+{"name": s33, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 188},
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": shared54, "to_all": shared54, "up": shared55, "down": shared55},
+"kinds": {"multicast": s161, "to_all": s161, "up": s162, "down": s162},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [0, 3, 7, 10, 15, 16], [17], [0, 3, 7, 10], [0, 3, 7, 10]], "periods": [0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [3.5, 5]]},
 },
 "recovering": {
 "kinds": {
-"multicast": shared54,
-"to_all": shared54,
-"up": shared55,
-"down": shared55,
+"multicast": s161,
+"to_all": s161,
+"up": s162,
+"down": s162,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
 "when": [0, 1, 0, 0, 1, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 0, 0],
-"since": [0, 500000, 0, 0, 500000, 500000, 500000, 0, 500000, 0, 0, 500000, 500000, 500000, 500000, 4611686018427387904, 500000, 4611686018427387904],
+"since": [0, 500000, 0, 0, 500000, 500000, 500000, 0, 500000, 0, 0, 500000, 500000, 500000, 500000, s1, 500000, s1],
 "to_unknown": [1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0], [2, 9], [0, 3, 7, 10], [0, 3, 7, 10]], "periods": [0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 2], [0.3, 2], [0.4, 2], [0.5, 2], [3.5, 3]]},
@@ -872,158 +975,134 @@ shared4,
 },
 "Zenoh peer": {
 "messages": [
-shared56,
-shared57,
-{"name": "Hello first", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5833, "alone": 0.5833, "bytes": 104},
-{"name": "InitSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 110},
-shared58,
-shared59,
-shared60,
-{"name": "OAM", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.835, "alone": 1, "bytes": 163.4251497005988},
-{"name": "OAM for others", "unit": shared13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": 163.4251497005988},
-{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": "Declare key expression", "unit": shared61, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": 229.04217991787982},
-{"name": "Declare key expression of matching", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": 229.04217991787982},
-{"name": "Declare final", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
-{"name": "Frame", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": 112.31961259079904},
-{"name": "Frame of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": 112.31961259079904},
-shared62,
-shared63,
-{"name": "TCP ACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.8708, "alone": 0.8708, "bytes": 76},
-{"name": "TCP ACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
-{"name": "TCP ACK of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
+s163,
+s164,
+{"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5833, "alone": 0.5833, "bytes": 104},
+{"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 110},
+s165,
+s166,
+s167,
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s168},
+{"name": s169, "unit": s23, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s168},
+{"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
+{"name": s170, "unit": s172, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s173},
+{"name": s174, "unit": s44, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s173},
+{"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s175},
+{"name": s176, "unit": s5, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s175},
+s177,
+s178,
+{"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.8708, "alone": 0.8708, "bytes": 76},
+{"name": s179, "unit": s7, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
+{"name": s180, "unit": s5, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": shared64, "to_all": shared64, "up": shared65, "down": shared65}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared66}},
+"alone": {"kinds": {"multicast": s181, "to_all": s181, "up": s182, "down": s182}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": s183, "times": s184}},
 "recovering": {
 "kinds": {
-"multicast": shared64,
-"to_all": shared64,
-"up": shared65,
-"down": shared65,
+"multicast": s181,
+"to_all": s181,
+"up": s182,
+"down": s182,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 2, 1, 2, 2, 0, 2, 1, 2, 2],
 "answers": [-1, 0, 0, 1, 3, 4, 5, 6, 6, 6, 6, 6, 6, -1, -1, -1, 1, 15, -1, -1],
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"since": [0, 5000000, 5000000, 20000000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 0, 0, 0, 20000000, 37500000, 0, 0],
+"since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": shared64,
+"to_unknown": s181,
 },
-"bursts": {"messages": [[0], [15], [15], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
-"repairs": shared53,
+"bursts": {"messages": [[0], [15], [15], [0]], "periods": s156, "times": s157},
+"repairs": s158,
 },
 },
 "Zenoh peer, tokens": {
 "messages": [
-shared56,
-shared57,
-{"name": "Hello first", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 104},
-{"name": "InitSyn", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 109.86},
-shared58,
-shared59,
-shared60,
-{"name": "OAM", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": 179.4287333522244},
-{"name": "OAM for others", "unit": shared13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": 179.4287333522244},
-{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
-{"name": "Declare token", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": 175.50248756218906},
-{"name": "Declare token of node", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": 175.50248756218906},
-{"name": "Declare key expression", "unit": shared61, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": 362.8385800401876},
-{"name": "Declare key expression of matching", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": 362.8385800401876},
-{"name": "Declare key expression of node", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": 362.8385800401876},
-{"name": "Declare final", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
-{"name": "Frame", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": 142.56804733727813},
-{"name": "Frame of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": 142.56804733727813},
-shared62,
-shared63,
-{"name": "TCP ACK", "unit": ["process", "remote process"], "multicast": 0, "sent": 0.7208, "alone": 0.7208, "bytes": 76},
-{"name": "TCP ACK at start", "unit": ["process", "remote process"], "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
-{"name": "TCP ACK of endpoints", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
+s163,
+s164,
+{"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 104},
+{"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 109.86},
+s165,
+s166,
+s167,
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s185},
+{"name": s169, "unit": s23, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s185},
+{"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
+{"name": "Declare token", "unit": s5, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s186},
+{"name": s187, "unit": s7, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s186},
+{"name": s170, "unit": s172, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s188},
+{"name": s174, "unit": s44, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s188},
+{"name": s189, "unit": s7, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s188},
+{"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s190},
+{"name": s176, "unit": s5, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s190},
+s177,
+s178,
+{"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.7208, "alone": 0.7208, "bytes": 76},
+{"name": s179, "unit": s7, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
+{"name": s180, "unit": s5, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": shared67, "to_all": shared67, "up": shared68, "down": shared68}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": [0, 0, 0, 0, 0, 25000000, 80000000], "times": shared66}},
+"alone": {"kinds": {"multicast": s191, "to_all": s191, "up": s192, "down": s192}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": s183, "times": s184}},
 "recovering": {
 "kinds": {
-"multicast": shared67,
-"to_all": shared67,
-"up": shared68,
-"down": shared68,
+"multicast": s191,
+"to_all": s191,
+"up": s192,
+"down": s192,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1, 1, 2, 2, 0, 2, 1, 2, 2],
 "answers": [-1, 0, 0, 1, 3, 4, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6, -1, -1, -1, 1, 18, -1, -1],
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"since": [
-0,
-5000000,
-5000000,
-20000000,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-4611686018427387904,
-0,
-0,
-0,
-20000000,
-37500000,
-0,
-0,
-],
+"since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": shared67,
+"to_unknown": s191,
 },
-"bursts": {"messages": [[0], [18], [18], [0]], "periods": [0, 0, 25000000, 80000000], "times": shared52},
-"repairs": shared53,
+"bursts": {"messages": [[0], [18], [18], [0]], "periods": s156, "times": s157},
+"repairs": s158,
 },
 },
 "Zenoh router": {
 "messages": [
-{"name": "TCP SYN", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "TCP SYN-ACK", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "InitSyn", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 110},
-{"name": "InitAck", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
-{"name": "OpenSyn", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
-{"name": "OpenAck", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "Interest in tokens", "unit": ["process", "all"], "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": 154.5017382527756},
-{"name": "Interest of publishers", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": 154.5017382527756},
-{"name": "Declare", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.0435, "alone": 0.5, "bytes": 144.9655172413793},
-{"name": "Declare token of node", "unit": ["process", "all"], "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": 192.6407465007776},
-{"name": "Declare token", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": 192.6407465007776},
-{"name": "Declare key expression of node", "unit": ["process", "all"], "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": 358.9464799539613},
-{"name": "Declare key expression", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": 358.9464799539613},
-{"name": "Declare key expression of unmatched", "unit": ["unmatched endpoint", "all"], "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": 358.9464799539613},
-{"name": "Frame up", "unit": ["process", "all"], "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": 137.8131868131868},
-{"name": "Frame of endpoints up", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": 137.8131868131868},
-{"name": "Declare passed on", "unit": ["matched writer", "all"], "multicast": 0, "sent": 0.1347, "alone": 1, "bytes": 125.74016332590944},
-{"name": "Declare token of own node", "unit": ["process", "all"], "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": 282.5695792880259},
-{"name": "Declare own token", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": 282.5695792880259},
-{"name": "Declare token of node passed on", "unit": ["process", "other process"], "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": 282.5695792880259},
-{"name": "Declare token passed on", "unit": ["endpoint", "other process"], "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": 282.5695792880259},
-{"name": "Declare key expression of node passed on", "unit": ["process", "other process"], "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": 622.248870141609},
-{"name": "Declare key expression passed on", "unit": ["endpoint", "other process"], "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": 622.248870141609},
-{"name": "Declare final", "unit": ["process", "all"], "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": 148.72727272727272},
-{"name": "Declare final to publishers", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": 148.72727272727272},
-{"name": "Frame down", "unit": ["process", "all"], "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": 156.64516129032256},
-{"name": "Frame of endpoints down", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": 156.64516129032256},
-{"name": "Frame of others down", "unit": ["endpoint", "other process"], "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": 156.64516129032256},
-{"name": "KeepAlive up", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "KeepAlive down", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK up", "unit": ["process", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "TCP ACK down", "unit": ["process", "all"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 76},
-{"name": "TCP ACK at start up", "unit": ["process", "all"], "multicast": 0, "sent": 1.761, "alone": 1.761, "bytes": 76},
-{"name": "TCP ACK of endpoints up", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.5636, "alone": 0.5636, "bytes": 76},
-{"name": "TCP ACK of others up", "unit": ["process", "other process"], "multicast": 0, "sent": 0.7871, "alone": 0.7871, "bytes": 76},
-{"name": "TCP ACK at start down", "unit": ["process", "all"], "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
-{"name": "TCP ACK of endpoints down", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
+{"name": "TCP SYN", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": "TCP SYN-ACK", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": "InitSyn", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 110},
+{"name": "InitAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
+{"name": "OpenSyn", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
+{"name": "OpenAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
+{"name": "Interest in tokens", "unit": s2, "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": s193},
+{"name": "Interest of publishers", "unit": s109, "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": s193},
+{"name": "Declare", "unit": s109, "multicast": 0, "sent": 0.0435, "alone": 0.5, "bytes": 144.9655172413793},
+{"name": s187, "unit": s2, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s194},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s194},
+{"name": s189, "unit": s2, "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": s195},
+{"name": s170, "unit": s109, "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": s195},
+{"name": "Declare key expression of unmatched", "unit": s196, "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": s195},
+{"name": "Frame up", "unit": s2, "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": s197},
+{"name": "Frame of endpoints up", "unit": s109, "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": s197},
+{"name": "Declare passed on", "unit": [s43, "all"], "multicast": 0, "sent": 0.1347, "alone": 1, "bytes": 125.74016332590944},
+{"name": "Declare token of own node", "unit": s2, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
+{"name": "Declare own token", "unit": s109, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
+{"name": "Declare token of node passed on", "unit": s136, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
+{"name": "Declare token passed on", "unit": s159, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
+{"name": "Declare key expression of node passed on", "unit": s136, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s199},
+{"name": "Declare key expression passed on", "unit": s159, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s199},
+{"name": "Declare final", "unit": s2, "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": s200},
+{"name": "Declare final to publishers", "unit": s109, "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": s200},
+{"name": "Frame down", "unit": s2, "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": s201},
+{"name": "Frame of endpoints down", "unit": s109, "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": s201},
+{"name": "Frame of others down", "unit": s159, "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": s201},
+{"name": "KeepAlive up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": s202, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": "TCP ACK up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": "TCP ACK down", "unit": s2, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 76},
+{"name": "TCP ACK at start up", "unit": s2, "multicast": 0, "sent": 1.761, "alone": 1.761, "bytes": 76},
+{"name": "TCP ACK of endpoints up", "unit": s109, "multicast": 0, "sent": 0.5636, "alone": 0.5636, "bytes": 76},
+{"name": "TCP ACK of others up", "unit": s136, "multicast": 0, "sent": 0.7871, "alone": 0.7871, "bytes": 76},
+{"name": s203, "unit": s2, "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
+{"name": s204, "unit": s109, "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
 ],
 "inside": [],
 "alone": {
@@ -1032,39 +1111,39 @@ shared63,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1],
 },
-"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], [28, 29, 30, 31], [28, 29, 30, 31]], "periods": [0, 0, 0, 0, 300000000], "times": shared69},
+"bursts": {"messages": [s154, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s205, s205], "periods": s206, "times": s207},
 },
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host": {
 "messages": [
-{"name": "TCP control", "unit": ["host", "other host"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "InitSyn", "unit": ["host", "other host"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 110},
-{"name": "InitAck", "unit": ["host", "other host"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153},
-{"name": "OpenSyn", "unit": ["host", "other host"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134},
-{"name": "OpenAck", "unit": ["host", "other host"], "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84},
-{"name": "OAM", "unit": ["host", "other host"], "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": 1523.8764478764479},
-{"name": "OAM of third hosts", "unit": ["host", "other host", "third host"], "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": 1523.7329974811084},
-{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": 1523.7329974811084},
-{"name": "Frame of gossip", "unit": ["host", "other host"], "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": 86.42028482111844},
-{"name": "Frame of gossip passed on", "unit": ["host", "other host", "third host"], "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": 86.42028482111844},
-{"name": "Frame of endpoints", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": 86.42028482111844},
-{"name": "Declare", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
-{"name": "Declare of matching", "unit": shared70, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
-{"name": "Declare token of node", "unit": ["process", "other host"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
-{"name": "Declare token", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
-{"name": "Declare key expression", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": 1523.275922671353},
-{"name": "Declare key expression of matching", "unit": shared70, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": 1523.275922671353},
-{"name": "Declare key expression of tokens", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": 1523.275922671353},
-{"name": "Declare key expression of node", "unit": ["process", "other host"], "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": 1523.275922671353},
-{"name": "KeepAlive", "unit": ["host", "other host"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK", "unit": ["host", "other host"], "multicast": 0, "sent": 0.55, "alone": 0.55, "bytes": 76},
-{"name": "TCP ACK at start", "unit": ["host", "other host"], "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
-{"name": "TCP ACK of gossip", "unit": ["host", "other host", "third host"], "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
-{"name": "TCP ACK of endpoints", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
+{"name": "TCP control", "unit": s82, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": "InitSyn", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 110},
+{"name": "InitAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153},
+{"name": "OpenSyn", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134},
+{"name": "OpenAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84},
+{"name": "OAM", "unit": s82, "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": s208},
+{"name": "OAM of third hosts", "unit": s209, "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": s210},
+{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": s210},
+{"name": s211, "unit": s82, "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": s212},
+{"name": "Frame of gossip passed on", "unit": s209, "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": s212},
+{"name": s176, "unit": s213, "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": s212},
+{"name": "Declare", "unit": s214, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
+{"name": s215, "unit": s217, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
+{"name": s187, "unit": s81, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
+{"name": "Declare token", "unit": s213, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
+{"name": s170, "unit": s214, "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": s218},
+{"name": s174, "unit": s217, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": s218},
+{"name": s219, "unit": s213, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s218},
+{"name": s189, "unit": s81, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s218},
+{"name": "KeepAlive", "unit": s82, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": "TCP ACK", "unit": s82, "multicast": 0, "sent": 0.55, "alone": 0.55, "bytes": 76},
+{"name": s179, "unit": s82, "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
+{"name": "TCP ACK of gossip", "unit": s209, "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
+{"name": s180, "unit": s213, "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": shared30, "down": shared30}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": [0, 0, 0, 0, 300000000], "times": shared69}},
+"alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s206, "times": s207}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host, star": {
@@ -1075,37 +1154,37 @@ shared63,
 {"name": "InitAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
 {"name": "OpenSyn", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
 {"name": "OpenAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": 1524.2088308803109},
-{"name": "OAM of others", "unit": ["host", "other host"], "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": 1524.2088308803109},
-{"name": "Frame of gossip", "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": 86.11918147065437},
-{"name": "Frame of endpoints", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": 86.11918147065437},
-{"name": "Declare", "unit": ["unmatched endpoint", "all"], "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
-{"name": "Declare of matching", "unit": ["matched endpoint of a host", "all"], "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": 1523.8764478764479},
-{"name": "Declare token of node", "unit": ["process", "all"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
-{"name": "Declare token", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": 1523.8764478764479},
-{"name": "Declare key expression", "unit": ["unmatched endpoint", "all"], "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of matching", "unit": ["matched endpoint of a host", "all"], "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of tokens", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of node", "unit": ["process", "all"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
+{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": s220},
+{"name": "OAM of others", "unit": s82, "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": s220},
+{"name": s211, "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": s221},
+{"name": s176, "unit": s109, "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": s221},
+{"name": "Declare", "unit": s196, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
+{"name": s215, "unit": s222, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
+{"name": s187, "unit": s2, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
+{"name": s170, "unit": s196, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s223},
+{"name": s174, "unit": s222, "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": s223},
+{"name": s219, "unit": s109, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
+{"name": s189, "unit": s2, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
 {"name": "KeepAlive", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "TCP ACK at start", "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
-{"name": "TCP ACK of processes", "unit": ["process", "other host"], "multicast": 0, "sent": 1.217, "alone": 1.217, "bytes": 76},
-{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": 1523.8867459991793},
-{"name": "OAM of others down", "unit": ["host", "other host"], "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": 1523.8867459991793},
+{"name": s179, "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
+{"name": "TCP ACK of processes", "unit": s81, "multicast": 0, "sent": 1.217, "alone": 1.217, "bytes": 76},
+{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": s224},
+{"name": "OAM of others down", "unit": s82, "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": s224},
 {"name": "Frame of gossip down", "unit": ["host", "all"], "multicast": 0, "sent": 21.536255999999998, "alone": 26.88, "bytes": 87.23315027458811},
-{"name": "Declare down", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": 1523.9638009049772},
-{"name": "Declare of matching down", "unit": shared70, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": 1523.9638009049772},
-{"name": "Declare token of node down", "unit": ["process", "other host"], "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": 1523.9638009049772},
-{"name": "Declare token down", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": 1523.9638009049772},
-{"name": "Declare key expression down", "unit": ["unmatched endpoint", "other host"], "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of matching down", "unit": shared70, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of tokens down", "unit": ["endpoint", "other host"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
-{"name": "Declare key expression of node down", "unit": ["process", "other host"], "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": 1524.6626402070751},
-{"name": "KeepAlive down", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK down", "unit": ["fleet", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": "TCP ACK at start down", "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
-{"name": "TCP ACK of endpoints down", "unit": ["endpoint", "all"], "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
+{"name": "Declare down", "unit": s214, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s225},
+{"name": "Declare of matching down", "unit": s217, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s225},
+{"name": "Declare token of node down", "unit": s81, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s225},
+{"name": "Declare token down", "unit": s213, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s225},
+{"name": "Declare key expression down", "unit": s214, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s223},
+{"name": "Declare key expression of matching down", "unit": s217, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": s223},
+{"name": "Declare key expression of tokens down", "unit": s213, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
+{"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
+{"name": s202, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": "TCP ACK down", "unit": s144, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": s203, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
+{"name": s204, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
 ],
 "inside": [],
 "alone": {
@@ -1114,13 +1193,13 @@ shared63,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
 },
-"bursts": {"messages": [[0, 1, 2, 3, 4, 5], [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], [18, 19, 33, 34], [18, 19, 33, 34]], "periods": [0, 0, 0, 0, 300000000], "times": shared69},
+"bursts": {"messages": [s154, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s226, s226], "periods": s206, "times": s207},
 },
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
 },
 "radios": {
-"paper (802.11n)": shared73,
+"paper (802.11n)": s231,
 "802.11a 20 MHz 1x1": {
 "record": {
 "slot": 90,
@@ -1143,12 +1222,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": shared72,
+"slow": s230,
 },
 "802.11g 20 MHz 1x1": {
 "record": {
@@ -1172,14 +1251,14 @@ shared63,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": shared74,
+"slow": s232,
 },
-"802.11n 20 MHz 2x2": shared73,
+"802.11n 20 MHz 2x2": s231,
 "802.11n 20 MHz 2x2, 2.4 GHz": {
 "record": {
 "slot": 90,
@@ -1203,12 +1282,12 @@ shared63,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared75,
-"slow": shared74,
+"fast": s233,
+"slow": s232,
 },
 "802.11n 40 MHz 2x2": {
 "record": {
@@ -1233,12 +1312,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared76,
-"slow": shared72,
+"fast": s234,
+"slow": s230,
 },
 "802.11ac 80 MHz 2x2": {
 "record": {
@@ -1263,12 +1342,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared77,
-"slow": shared72,
+"fast": s235,
+"slow": s230,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz": {
 "record": {
@@ -1293,12 +1372,12 @@ shared63,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared78,
-"slow": shared74,
+"fast": s236,
+"slow": s232,
 },
 "802.11ax 80 MHz 2x2": {
 "record": {
@@ -1323,12 +1402,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared79,
-"slow": shared72,
+"fast": s237,
+"slow": s230,
 },
 "802.11ax 160 MHz 2x2": {
 "record": {
@@ -1353,12 +1432,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared80,
-"slow": shared72,
+"fast": s238,
+"slow": s230,
 },
 "802.11be 80 MHz 2x2": {
 "record": {
@@ -1383,12 +1462,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared81,
-"slow": shared72,
+"fast": s239,
+"slow": s230,
 },
 "802.11be 320 MHz 2x2": {
 "record": {
@@ -1413,12 +1492,12 @@ shared63,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": false,
-"fast": shared82,
-"slow": shared72,
+"fast": s240,
+"slow": s230,
 },
 "802.11n 20 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1444,12 +1523,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 65535,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared71,
-"slow": shared72,
+"fast": s229,
+"slow": s230,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1475,12 +1554,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 65535,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared75,
-"slow": shared74,
+"fast": s233,
+"slow": s232,
 },
 "802.11n 40 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1506,12 +1585,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 65535,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared76,
-"slow": shared72,
+"fast": s234,
+"slow": s230,
 },
 "802.11ac 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1537,12 +1616,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 589286,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared77,
-"slow": shared72,
+"fast": s235,
+"slow": s230,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1568,12 +1647,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 194510,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared78,
-"slow": shared74,
+"fast": s236,
+"slow": s232,
 },
 "802.11ax 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1599,12 +1678,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 814606,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared79,
-"slow": shared72,
+"fast": s237,
+"slow": s230,
 },
 "802.11ax 160 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1630,12 +1709,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 1629214,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared80,
-"slow": shared72,
+"fast": s238,
+"slow": s230,
 },
 "802.11be 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1661,12 +1740,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 975098,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared81,
-"slow": shared72,
+"fast": s239,
+"slow": s230,
 },
 "802.11be 320 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1692,12 +1771,12 @@ shared63,
 "mpdus": 64,
 "most_bytes": 3900398,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
-"fast": shared82,
-"slow": shared72,
+"fast": s240,
+"slow": s230,
 },
 "802.11n 20 MHz 1x1, A-MPDU 16": {
 "record": {
@@ -1723,12 +1802,42 @@ shared63,
 "mpdus": 16,
 "most_bytes": 49169,
 "window": 64,
-"exceeds": 158.48931924611142,
-"exceeds_basic": 2.51188643150958,
+"exceeds": s227,
+"exceeds_basic": s228,
 },
 "aggregates": true,
 "fast": {"bits": 260, "added": 22, "symbol": 36, "grid": 40, "preamble": 360},
-"slow": shared72,
+"slow": s230,
+},
+"802.11n 20 MHz 2x2, AIFSN 3": {
+"record": {
+"slot": 90,
+"sifs": 160,
+"aifs": 430,
+"cw_min": 15,
+"cw_max": 1023,
+"attempts": 7,
+"edca": 1,
+"timeout": 450,
+"heard": 600,
+"ack": 280,
+"block_ack": 320,
+"request": 320,
+"preamble": 400,
+"symbol": 36,
+"grid": 40,
+"bits": 520,
+"added": 22,
+"action": 760,
+"basic_ack": 440,
+"mpdus": 1,
+"window": 1,
+"exceeds": s227,
+"exceeds_basic": s228,
+},
+"aggregates": false,
+"fast": s229,
+"slow": s230,
 },
 },
 };

@@ -10,7 +10,7 @@ import numpy as np
 from discostorm import words
 from discostorm.capture.diagnosis.finding import Finding, listed
 from discostorm.capture.diagnosis.pairs import Pair, acknowledgements, groups
-from discostorm.capture.diagnosis.reach import unheard
+from discostorm.capture.diagnosis.reach import PATIENCE, unheard
 from discostorm.capture.diagnosis.seen import (
     DATA,
     ENCRYPTED,
@@ -205,3 +205,16 @@ def unconfirmed(seen: Seen, lacking: list[Pair]) -> Iterator[Finding]:
         f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture lacks "
         "these confirmations",
     )
+
+
+def ended_early(seen: Seen, pending: list[Pair]) -> Iterator[Finding]:
+    """Yield that processes did not know each other yet when the capture ended, soon after."""
+    hosts = tuple(dict.fromkeys(str(seen.host[pair.by]) for pair in pending))
+    if pending:
+        pairs = words.many(len(pending), "pair")
+        yield Finding(
+            "capture ended early",
+            hosts,
+            f"when the capture ended, {pairs} of processes had not completed, which had been there "
+            f"for less than {PATIENCE:.0f} s",
+        )

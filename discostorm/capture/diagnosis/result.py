@@ -17,6 +17,7 @@ from discostorm.capture.diagnosis.reach import unheard
 from discostorm.capture.diagnosis.record import (
     asked_no_more,
     began_late,
+    ended_early,
     holes_of,
     record,
     unconfirmed,
@@ -249,6 +250,13 @@ def diagnose(seen: Seen) -> Diagnosis:
         pair for team in found_teams for pair in team.pairs if tables.due(seen, pair, alive, gone)
     ]
     lacking = [pair for pair in pairs if pair.complete == np.inf]
+    late_ones = [
+        pair
+        for team in found_teams
+        for pair in team.pairs
+        if tables.pending(seen, pair, alive, gone)
+    ]
+    limits += ended_early(seen, late_ones)
     if lacking and all(asked_no_more(seen, pair) for pair in lacking):
         limits += unconfirmed(seen, lacking)
     wrong += [one for one in happened if one.about == "fleet"]
@@ -301,7 +309,7 @@ def _complete(
     lost = any(one.kind in ("capture lost part", "capture began late") for one in limits)
     if wrong:
         return not lacking
-    began = any(one.kind == "capture began late" for one in limits)
+    began = any(one.kind in ("capture began late", "capture ended early") for one in limits)
     if began or (lacking and lost):
         return None
     return not lacking

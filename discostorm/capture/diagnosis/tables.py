@@ -30,11 +30,24 @@ def due(seen: Seen, pair: Pair, alive: list[Life], gone: set[int]) -> bool:
     """Return whether two processes were there together for so long that they ought to be done."""
     if np.isnan(pair.complete) or pair.complete < np.inf:
         return True
+    begin, stop, _ = _together(seen, pair, alive, gone)
+    return stop - begin >= PATIENCE
+
+
+def pending(seen: Seen, pair: Pair, alive: list[Life], gone: set[int]) -> bool:
+    """Return whether two processes are not done when the capture ends, soon after they began."""
+    begin, stop, end = _together(seen, pair, alive, gone)
+    return pair.complete == np.inf and stop == end and 0 <= end - begin < PATIENCE
+
+
+def _together(
+    seen: Seen, pair: Pair, alive: list[Life], gone: set[int]
+) -> tuple[float, float, float]:
+    """Return from when to when two processes were there together, and when the capture ends [s]."""
     end = float(seen.time.max(initial=0.0))
     both = (pair.of, pair.by)
-    begin = max(alive[one].first for one in both)
     stops = [alive[one].last + (0.0 if alive[one].end or one in gone else RARE) for one in both]
-    return min(end, *stops) - begin >= PATIENCE
+    return max(alive[one].first for one in both), min(end, *stops), end
 
 
 def hosts(seen: Seen, teams: Iterable[Team], alive: list[Life]) -> pd.DataFrame:
