@@ -1,12 +1,12 @@
 r"""Bytes and frames of samples on the wire: one writer, one reader, a few samples, captured.
 
     unshare --net --mount --pid --fork --mount-proc build/lab/venv/bin/python lab/data.py \
-        build/lab/bin/fast_dds_data > rows.csv
+        build/lab/bin/fast_dds_data [test] > rows.csv
 
 As root, with tcpdump, beside a venv with the middleware of `requirements.lock`; it takes ten
 seconds a row. Of each run it counts IP packets between the two hosts from the first sample to the
 last, but those of discovery: multicast, and Fast DDS's ports for it (Cyclone DDS has the same for
-both). Packets of TCP without payload are rows of their own.
+both). Packets of TCP without payload are rows of their own. A run on a busy machine is none.
 """
 
 import csv
@@ -18,18 +18,37 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from stage import TAIL, begin_capture, build_bridge, build_host, end_capture
+from stage import (
+    IDLE,
+    TAIL,
+    begin_capture,
+    build_bridge,
+    build_host,
+    end_capture,
+    idle_since,
+    processor,
+)
 
 PROGRAM = Path(__file__).with_name("data_process.py")
-FAST_DDS = Path(sys.argv[1])
+FAST_DDS = Path(sys.argv[1]).resolve()
+#: Bytes of a sample, rate [Hz] and samples: what the framing is taken from, in part, and what it is
+#: only tested with.
+SIZES = {
+    "fit": [(size, 10, 10) for size in (100, 1400, 6000, 100_000)],
+    "test": [(300, 50, 100), (1100, 30, 60), (3_000, 20, 40), (20_000, 15, 30), (150_000, 4, 12)],
+}
+USE = sys.argv[2] if len(sys.argv) > 2 else "fit"
 #: Product, bytes of a sample, rate [Hz], samples, reliable.
 POINTS = [
-    (product, size, 10, 10, how)
+    (product, *size, how)
     for product in ("fast_dds", "cyclone_dds", "zenoh_peer")
-    for size in (100, 1400, 6000, 100_000)
+    for size in SIZES[USE]
     for how in ("best-effort", "reliable")
 ]
-COLUMNS = ("product", "bytes", "hz", "samples", "reliability", "direction", "packets", "ip_bytes")
+COLUMNS = (
+    *("product", "bytes", "hz", "samples", "reliability", "use"),
+    *("direction", "packets", "ip_bytes"),
+)
 ETHERNET, UDP, TCP = 14, 17, 6
 
 
@@ -83,7 +102,8 @@ def main() -> None:
     for product, size, rate, samples, how in POINTS:
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "run"
-            dump = begin_capture(out, 4096)
+            dump = begin_capture(out, 32768)
+            before = processor()
             running, times = [], []
             for host, role in zip(hosts, ("write", "read"), strict=True):
                 program = [FAST_DDS] if product == "fast_dds" else [sys.executable, PROGRAM]
@@ -98,6 +118,8 @@ def main() -> None:
                 line = running[0].stdout.readline()  # type: ignore[union-attr]
                 times.append(float(line.split()[1]))
             begin, end = times
+            if (idle := idle_since(before)) < IDLE:
+                raise SystemExit(f"{product}: the processor was idle for {idle:.0%}")
             time.sleep(TAIL)
             for process in running:
                 process.kill()
@@ -106,7 +128,7 @@ def main() -> None:
             for name, (number, octets) in sorted(
                 counted(out.with_suffix(".pcap"), begin, end, product == "fast_dds").items()
             ):
-                rows.writerow([product, size, rate, samples, how, name, number, octets])
+                rows.writerow([product, size, rate, samples, how, USE, name, number, octets])
         sys.stdout.flush()
 
 

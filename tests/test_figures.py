@@ -38,12 +38,18 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
     ),
     ("03_hosts", "figures.fig2()", figures.fig2),
     ("04_processes", "figures.fig3()", figures.fig3),
-    ("04_processes", "figures.bars(line_split)", lambda: figures.bars(line_split())),
+    (
+        "04_processes",
+        'figures.bars(line_split, title="Splitting the same endpoints costs airtime")',
+        lambda: figures.bars(line_split(), title="Splitting the same endpoints costs airtime"),
+    ),
     ("05_nav2", "figures.fig4()", figures.fig4),
     (
         "05_nav2",
-        "figures.bars(robots_compared, share=True)",
-        lambda: figures.bars(robots_compared(), share=True),
+        "figures.bars(robots_compared, share=True, title=title)",
+        lambda: figures.bars(
+            robots_compared(), share=True, title="With Nav2, nearly all airtime announces endpoints"
+        ),
     ),
     (
         "13_what_to_change",

@@ -42,7 +42,7 @@ def tab(browser: Browser, address: str) -> Iterator[Page]:
         page.add_init_script(STOPWATCH)
         page.goto(address)
         yield page
-    assert not errors
+    assert errors == []
 
 
 def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) -> None:

@@ -200,6 +200,13 @@ def test_engine_and_tables_weigh_little() -> None:
     assert sum(weights.values()) <= 60_000
 
 
+def test_all_that_lives_on_pages_weighs_little() -> None:
+    static = LIVE.parent
+    files = [path for name in ("live", "landing", "chapters") for path in (static / name).iterdir()]
+    files += [static / "guess.js", static / "calculator" / "simulate.js"]
+    assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in files) <= 150_000
+
+
 @pytest.mark.parametrize("path", sorted(LIVE.glob("*.js")), ids=lambda path: path.name)
 def test_scripts_are_short(path: Path) -> None:
     lines = path.read_text(encoding="utf-8").splitlines()

@@ -59,12 +59,27 @@ def test_pages_are_a4_and_none_is_blank(pdf: PdfReader, text: list[str]) -> None
     sizes = {(round(float(p.mediabox.width)), round(float(p.mediabox.height))) for p in pdf.pages}
     assert sizes == {(595, 842)}
     assert len(text) > 100
-    # A head and a foot alone have fewer letters; a page of a part has a number and a word.
+    # A head and a foot alone have fewer letters.
     bare = [n for n, words in enumerate(text) if len("".join(words.split())) < 120]
-    parts = [n for n in bare if re.match(r"Part\s+[IV]+\s[\w\s]+\s\d+$", text[n].strip())]
+    assert bare == [0]  # the title page
+
+
+def test_each_part_begins_on_the_page_of_its_first_chapter(text: list[str]) -> None:
+    parts = [match[1] for words in text if (match := re.match(r"Part [IV]+: (.+)\n", words))]
     contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["parts"]
-    assert len(parts) == sum("caption" in part for part in contents)
-    assert [n for n in bare if n not in parts] == [0]  # the title page
+    captions = [part["caption"] for part in contents if "caption" in part]
+    assert parts == [caption.rpartition(": ")[2] for caption in captions]
+
+
+def test_the_book_is_no_longer_than_it_may_be(pdf: PdfReader) -> None:
+    begins = {title: page for page, title in check_pdf.headings(pdf, pdf.outline) if page}
+    looked_up = (
+        (begins["Cheat sheet: discovery on Wi-Fi"] - begins["What is wrong with my robots?"])
+        + (begins["Enumeration"] - begins["Ledger"])
+        + (len(pdf.pages) - begins["References"])
+    )
+    assert looked_up <= 40
+    assert len(pdf.pages) - looked_up <= 120
 
 
 def test_the_title_page_says_version_and_commit(text: list[str]) -> None:

@@ -171,6 +171,20 @@ def test_a_host_without_security_is_named() -> None:
     assert set(diagnosis.incomplete()["by"]) == {"10.77.0.3"}
 
 
+def test_a_handshake_without_end_is_no_client_isolation(tmp_path: Path) -> None:
+    """Nothing of what is signed or encrypted, behind an INFO_DST or not, was sent."""
+
+    def hides(data: bytes) -> bool:
+        return data[42:46] == b"RTPS" and (data[62] == 0x33 or data[78] == 0x31)
+
+    found = packets(str(STORED / "fast_dds"))
+    path = tmp_path / "handshake"
+    path.write_bytes(pcap([one for one in found if not hides(one[1])]))
+    diagnosis = ds.read_capture(path).diagnosis()
+    assert [finding.kind for finding in diagnosis.wrong] == ["not authenticated"]
+    assert len(diagnosis.incomplete()) == 2
+
+
 def test_of_the_later_part_alone_nothing_is_invented(tmp_path: Path) -> None:
     found = packets(str(STORED / "fast_dds"))
     path = tmp_path / "late"

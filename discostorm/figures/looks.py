@@ -8,6 +8,7 @@ from typing import Any
 
 import matplotlib as mpl
 from cycler import cycler
+from matplotlib.figure import Figure
 
 from discostorm.data import data_path
 from discostorm.messages import Protocol
@@ -39,6 +40,11 @@ def style() -> Iterator[None]:
     path, series = SHEETS
     with mpl.rc_context(series, path):
         yield
+
+
+def headline(figure: Figure, text: str) -> None:
+    """Say above a figure what it shows."""
+    figure.suptitle(text, x=0.01, ha="left", fontsize=10, fontweight="bold")
 
 
 def palette_of(protocols: Iterable[Protocol]) -> list[Color]:

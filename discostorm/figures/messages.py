@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from discostorm._numeric import evaluate
-from discostorm.figures.looks import MESSAGE_COLORS, WIDTH, color_of, style
+from discostorm.figures.looks import MESSAGE_COLORS, WIDTH, color_of, headline, style
 from discostorm.figures.paper import PAPER_PROTOCOLS
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
@@ -70,6 +70,7 @@ def airtime() -> Figure:
             loc="lower right",
         )
         axis.set_ylabel("message and direction")
+        headline(figure, "Overhead costs more than bits, except in multicast down")
     return figure
 
 
@@ -134,7 +135,7 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
     return data.rename("share" if share else "utilization").reset_index()
 
 
-def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
+def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = "") -> Figure:
     """Draw what each message adds to utilization: one stacked bar a swarm.
 
     Parameters
@@ -143,6 +144,8 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
         A label and what `discostorm.breakdown` returns, a bar each, from the top down.
     share : bool, optional
         Whether to draw the share in the total instead of utilization.
+    title : str, optional
+        What the figure shows.
 
     Returns
     -------
@@ -175,4 +178,5 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> Figure:
             axis.axvline(1, color="black", linewidth=1)
             axis.set_xlabel("channel utilization [%]")
         axis.set_ylabel("swarm")
+        headline(figure, title)
     return figure

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
-from discostorm.figures.looks import STYLES, WIDTH, color_of, style
+from discostorm.figures.looks import STYLES, WIDTH, color_of, headline, style
 from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
@@ -133,14 +133,24 @@ def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) 
     axis.set_xlabel("hosts $N_H$ [1]")
 
 
+def _full(processes: float, endpoints: float) -> str:
+    """Return how many robots fill the channel with each protocol."""
+    hosts = (
+        f"{saturation_hosts(protocol, processes, endpoints):.2f} robots with {protocol.name}"
+        for protocol in PAPER_PROTOCOLS
+    )
+    return " and ".join(hosts).replace(" robots", "").replace(" with", " robots with", 1)
+
+
 def fig2() -> Figure:
     """Draw Fig. 2: utilization against hosts (N_P = 2, N_E = 10)."""
     with style():
-        figure = Figure(figsize=(WIDTH, 4.2))
+        figure = Figure(figsize=(WIDTH, 4.5))
         axis = figure.subplots()
         _phases(axis, fig2_data(), FIG2_PROCESSES, FIG2_ENDPOINTS)
         _percent(axis, 2)
         axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
+        headline(figure, f"{_full(FIG2_PROCESSES, FIG2_ENDPOINTS)} fill a second")
         axis.legend(loc="upper left")
     return figure
 
@@ -182,6 +192,7 @@ def fig3() -> Figure:
         axis.set_xlabel(
             f"processes on a host $N_P$, with $N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
         )
+        headline(figure, f"The same {FIG3_ENDPOINTS_IN_ALL} endpoints cost more in more processes")
     return figure
 
 
@@ -212,7 +223,7 @@ def fig4() -> Figure:
     Below, on a logarithmic scale, the phases that the linear scale cannot show.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 6.4))
+        figure = Figure(figsize=(WIDTH, 6.8))
         above, below = figure.subplots(2, 1, sharex=True)
         data = fig4_data()
         for axis in (above, below):
@@ -224,6 +235,7 @@ def fig4() -> Figure:
         below.set_ylim(bottom=1e-3)
         below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
         above.set_xlabel("")
+        headline(figure, f"{_full(FIG4_PROCESSES, FIG4_ENDPOINTS)} fill a second")
         above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
         above.legend(loc="upper left")
     return figure

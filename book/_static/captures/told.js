@@ -94,7 +94,7 @@ const TOLD = (() => {
     const isTold = ({ evidence }) => diagnosis.summary.includes(sentence(evidence).trim());
     parts.push(...diagnosis.findings.filter(isTold).flatMap(pasted));
     const others = diagnosis.findings.filter((one) => !isTold(one));
-    if (others.length) parts.push(make("h4", {}, many(others.length, "more finding")), make("ul", {}, ...others.map(finding)));
+    if (others.length) parts.push(make("h4", {}, "Also found"), make("ul", {}, ...others.map(finding)));
     if (diagnosis.hosts.length) parts.push(make("h4", {}, many(diagnosis.hosts.length, "host")), hosts(diagnosis));
     if (diagnosis.incomplete.length) parts.push(pairs(diagnosis));
     if (Array.isArray(answer.notes) && answer.notes.length) parts.push(make("ul", { class: "told-notes" }, ...answer.notes.map((note) => make("li", {}, `Note: ${note}.`))));

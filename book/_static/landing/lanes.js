@@ -140,6 +140,7 @@ function Lanes(canvas, queue) {
   return {
     resize,
     draw(run, from, to, theme) {
+      if (width <= left || height < 1) return; // not laid out
       const { hosts, start } = run;
       const lane = height / (hosts + AP_LANES);
       const each = Number(((to - from) / (width - left)).toPrecision(9)); // the same in all frames

@@ -247,7 +247,7 @@ def causes(rows: pd.DataFrame) -> Figure:
             _areas(axis, rows[rows["mpdus"] == mpdus])
             axis.set(xlabel="hosts", ylim=(0, 1), xlim=(2, 30), xticks=range(5, 31, 5))
             axis.set_title("one message per frame" if mpdus == 1 else "aggregated", loc="left")
-        panels[0].set_ylabel("receptions lost [%]")
+        panels[0].set_ylabel("deliveries lost [%]")
         panels[0].yaxis.set_major_formatter("{x:.0%}")
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
         _headline(figure, "The access point loses first, then the hosts' own queues")

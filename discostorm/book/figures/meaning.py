@@ -269,4 +269,5 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
         below.yaxis.set_major_formatter("{x:.0%}")
         below.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))
         below.legend(loc="upper left")
+        figures.headline(figure, "A laptop costs more than half as much as a robot")
     return figure

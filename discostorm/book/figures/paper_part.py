@@ -11,7 +11,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm import figures
 from discostorm.data import read_data
-from discostorm.figures import MESSAGE_COLORS, WIDTH, color_of, style
+from discostorm.figures import MESSAGE_COLORS, WIDTH, color_of, headline, style
 from discostorm.messages import Protocol
 from discostorm.model import breakdown
 from discostorm.paper.enumeration import EVERYONE, Process, Sent, walk
@@ -57,6 +57,7 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
         figure = Figure(figsize=(3.2 * len(protocols), 3.5))
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             _squares(axis, protocol, _uplink(protocol, hosts))
+        headline(figure, "Nearly every message goes to one process")
     return figure
 
 
@@ -156,6 +157,7 @@ def frame_parts() -> Figure:
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("length on the air [B]")
         axis.legend(loc="lower right")
+        headline(figure, "Only SPDP and SEDP are mostly payload")
     return figure
 
 

@@ -182,7 +182,7 @@ _LANES = (
     (f"{_SERVER}, two", "both servers killed", "two Discovery Servers, both killed"),
     ("Zenoh router", "server killed", "one central Zenoh router"),
     ("Zenoh router per host", "server killed", "a router per robot, that of robot 1 killed"),
-    (_HUB, "server killed", "a router per robot behind one hub, the hub killed"),
+    (_HUB, "server killed", "routers behind one hub, the hub killed"),
 )
 _KNOWN, _LATE, _OWN = "robots that knew each other", "late joiner", "robot 1 and the others"
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm.capture._bytes import Array
-from discostorm.capture.diagnosis.seen import ACKNACK, DATA, HANDSHAKE, HEARTBEAT, Seen
+from discostorm.capture.diagnosis.seen import ACKNACK, DATA, HEARTBEAT, Seen
 
 #: Announcements that follow each other within this time are of one start [s].
 TOGETHER = 5.0
@@ -131,15 +131,14 @@ def rtps_pairs(seen: Seen, wanted: list[tuple[int, int]]) -> list[Pair]:
     nothing = np.zeros(0), np.zeros(0, np.int64)
     pairs = []
     spoke = _spoke(seen)
-    began = set(np.unique(seen.process[seen.of("kind", HANDSHAKE)]).tolist())
     for of, by in wanted:
         complete, sent, forgotten = heard[by, of], 0, set[float]()
         if complete == np.inf and (seen.host[by], seen.host[of]) in spoke:
             complete = np.nan  # before the capture, if it did
         tells = writers.get(of, {})
-        if (secured := {of, by} & seen.secured) and not tells:
+        if {of, by} & seen.secured and not tells:
             # What it tells is encrypted, and told to nobody without keys.
-            complete = np.nan if (of, by) in seen.keyed or secured - began else np.inf
+            complete = np.nan if (of, by) in seen.keyed else np.inf
         elif not tells and not np.isnan(complete):
             # Nothing to tell, if it knew to whom.
             back = (seen.host[of], seen.host[by]) in spoke and np.isinf(heard[of, by])

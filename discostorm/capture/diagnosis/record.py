@@ -14,6 +14,7 @@ from discostorm.capture.diagnosis.reach import PATIENCE, unheard
 from discostorm.capture.diagnosis.seen import (
     DATA,
     ENCRYPTED,
+    HANDSHAKE,
     HEARTBEAT,
     Seen,
 )
@@ -44,10 +45,11 @@ def began_late(seen: Seen) -> set[int]:
 def _settled(seen: Seen) -> set[int]:
     """Return the processes that others know, and that say nothing that is said at a start.
 
-    A start has Heartbeats or acknowledgements of endpoints, or an acknowledgement of nothing yet.
+    A start has Heartbeats or acknowledgements of endpoints, an acknowledgement of nothing yet, or
+    a handshake.
     """
     speaks = seen.process >= 0
-    starts = seen.of("kind", DATA, HEARTBEAT)
+    starts = seen.of("kind", DATA, HEARTBEAT, HANDSHAKE)
     starts |= seen.of("submessage", "ACKNACK") & (seen.number <= 1)
     knows = ~seen.multicast & seen.of("protocol", "RTPS")
     known, starting = (
