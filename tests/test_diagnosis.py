@@ -293,6 +293,24 @@ def test_two_hosts_of_which_one_is_not_in_the_capture_are_not_one_alone(tmp_path
     assert "nothing that it sent is in the capture" in diagnosis.summary()
 
 
+def test_two_hosts_with_keys_of_which_one_is_not_in_the_capture(tmp_path: Path) -> None:
+    name = ILLS.parent / "security" / "fast_dds.pcap.xz"
+    found = Packets("x").of(lzma.decompress(name.read_bytes()))
+    path = tmp_path / "capture"
+    path.write_bytes(
+        pcap(
+            (int(when * SECOND), packet[16:], len(packet) - 16)
+            for when, packet in found
+            if packet[42:46] != FIRST_HOST
+        )
+    )
+    diagnosis = ds.read_capture(path).diagnosis()
+    assert diagnosis.wrong == ()
+    (lost,) = [one for one in diagnosis.findings if one.kind == "capture lost part"]
+    assert lost.hosts == ("10.77.0.1",)
+    assert "(1 process on 1 host)" in diagnosis.summary()
+
+
 def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
     """Without the answers of one host the capture lacks them, as its peers stop asking."""
     content = lzma.decompress((ILLS / "healthy-fast_dds-server.pcap.xz").read_bytes())

@@ -80,6 +80,7 @@ def unheard(seen: Seen) -> dict[str, int]:
     """Return the hosts that others answer, and of which the capture shows nothing itself."""
     rows = seen.rows
     answers = seen.of("submessage", "ACKNACK") & (seen.number > 1)
+    answers |= seen.of("kind", KEYS, ENCRYPTED)
     first = seen.of("submessage", "InitSyn") | seen.of("kind", "Scout", "Hello", "Join")
     answers |= seen.of("protocol", "Zenoh") & (seen.process >= 0) & ~first
     answers &= ~seen.multicast

@@ -164,7 +164,8 @@ class Diagnosis:
         return " ".join(filter(None, sentences))
 
     def _state(self) -> str:
-        count = f"{int(self._hosts['processes'].sum())} processes on {len(self._hosts)} hosts"
+        processes = words.many(int(self._hosts["processes"].sum()), "process", "es")
+        count = f"{processes} on {words.many(len(self._hosts), 'host')}"
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
