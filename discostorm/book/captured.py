@@ -21,6 +21,8 @@ MEANS = {
     "Type lookup": "asks for a data type",
     "User data": "is what the robots\N{RIGHT SINGLE QUOTATION MARK} programs send",
     "Encrypted": "can't be read",
+    "Encrypted key exchange": "exchanges keys for encryption",
+    "Authentication": "proves who a process is",
     "Scout": "looks for other processes",
     "Hello": "answers a Scout",
     "Init": "begins a session",
@@ -47,6 +49,7 @@ MEANS = {
 ENDINGS = {
     " Heartbeat": "says which {} messages there are",
     " Gap": "says which {} messages are void",
+    " HEARTBEAT_FRAG": "says which parts of {} messages there are",
     " ACKNACK": "confirms {} messages or asks for missing ones",
 }
 #: Messages of Zenoh, where those of DDS that do the same are drawn.
