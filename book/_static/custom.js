@@ -137,8 +137,12 @@ window.addEventListener("load", () => {
   const first = contents?.querySelector(".bd-sidenav__home-link + ul");
   const shown = contents?.querySelector(".toctree-l1.active > a");
   if (!shown || !first || first.contains(shown)) return;
-  const over = first.getBoundingClientRect().bottom + 16 - shown.getBoundingClientRect().top;
-  if (over > 0) contents.scrollTop -= over;
+  const ROOM = 16;
+  const { top, bottom } = shown.getBoundingClientRect();
+  const above = first.getBoundingClientRect().bottom + ROOM - top;
+  const below = bottom + ROOM - contents.getBoundingClientRect().bottom;
+  if (above > 0) contents.scrollTop -= above;
+  else if (below > 0) contents.scrollTop += below;
 });
 
 // A notebook is saved, whatever type the server gives it.
