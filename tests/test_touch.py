@@ -213,7 +213,8 @@ def test_the_line_is_dragged_to_where_the_pointer_is(
     tab.wait_for_timeout(200)  # both have their size
     assert picture.bounding_box() == pytest.approx(image.bounding_box(), abs=1)
     line = data("line", ROOT / "notebooks" / f"{FIG3}.ipynb")
-    panel, box = line["panels"][0], image.bounding_box()
+    shown = line["narrow"] if size == PHONE else line
+    panel, box = shown["panels"][0], image.bounding_box()
     assert box is not None
 
     def place(processes: float, each: float) -> tuple[float, float]:
