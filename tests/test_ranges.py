@@ -135,11 +135,11 @@ def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
 @pytest.mark.parametrize("hosts", [3, 6, 10, 14])
 @pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
 def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
-    from test_simulated import simulate  # the sweep's own settings
+    from test_simulated import sweep_setting  # the sweep's own settings
 
     for robot in ("Nav2 in one process", "The paper's swarm"):
         own = robots()[robot]
-        ready = simulate.Ready(
+        ready = sweep_setting.Ready(
             name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
             queue_frames=0, queue_s=0.0, runs=1,
         )  # fmt: skip

@@ -489,7 +489,7 @@ def test_data_are_sent_beside_discovery_and_counted_by_topic(name: str) -> None:
     assert not alone.data
     assert alone.protocol == protocol
     for topic in beside.data.values():
-        assert (topic["frames"] > 0).all()
+        assert topic["frames"].sum() > 0
         assert (topic["arrived"] <= topic["frames"]).all()
         seen = topic["arrived"] > 0
         late = [topic[f"delay_{which}_s"] for which in ("median", "95", "most")]

@@ -179,12 +179,11 @@ def set_up(
         heard = from_decibels(heard)
     radio = radio_record(wifi, queue, eifs, threshold)
     discovery, protocol = protocol, with_user_data(protocol, fleet, recovery)
-    if recovery:
-        check_table(protocol)
     ports = spread(protocol) if recovery else ()
     kinds, shares = kind_records(protocol, wifi, hosts, ports), shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
     if recovery:
+        check_table(protocol)
         check_ports(protocol, shares)
         fill_kinds(protocol, kinds)
         check_items(protocol, kinds, shares)
