@@ -51,7 +51,7 @@ def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
             0.06,
             0.53,
             "How many ROS 2 robots fit\non a Wi-Fi channel before\ntheir search for each other\n"
-            "takes all of it?",
+            "fills the channel?",
             fontsize=24,
             va="center",
             linespacing=1.4,
