@@ -1,3 +1,7 @@
+// Before anything is drawn: the theme resolves "auto" only later, and the page would move.
+if (document.documentElement.dataset.theme === "auto")
+  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+
 window.addEventListener("load", async () => {
   const narrow = window.matchMedia("(width < 37.5rem)");
   const TABLE = ".pst-scrollable-table-container";
