@@ -276,7 +276,7 @@ def test_nothing_serious_keeps_anyone_out_of_captures(own: Locator) -> None:
     tab = own.page
     tab.evaluate(AXE)
     choose(own, written(FILTERED))
-    tab.get_by_text("All messages as a table").click()
+    tab.locator("#fig-capture-lanes").get_by_text("All messages as a table").click()
     choose_error = own.get_by_role("alert")
     choose(own, "no")
     expect(choose_error).to_contain_text("It holds no JSON.")
