@@ -191,7 +191,7 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 #: What is said of a band of a fleet that is larger than any that was measured.
-BEYOND = "; how far it is off for a fleet of this size was not measured"
+BEYOND = "; we did not measure the error for a fleet of this size"
 
 
 @dataclass(frozen=True)
@@ -235,9 +235,9 @@ class Band:
         )
         beyond = BEYOND * self.beyond
         return (
-            f"In {self.points} swarms {where} that the table was not fitted to, discovery took "
-            f"{self.low:.2f} to {self.high:.2f} times the airtime it says, "
-            f"typically {self.typical:.0%} more or less{beyond}."
+            f"In {self.points} swarms {where} that we did not fit, discovery took "
+            f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
+            f"{self.typical:.0%}){beyond}."
         )
 
 

@@ -162,6 +162,18 @@ def listed(words: list[str], last: str = "and") -> str:
     return f"{', '.join(words[:-1])} {last} {words[-1]}"
 
 
+def sentences(*said: str) -> str:
+    """Return what is said as sentences, but for the first capital and the last full stop.
+
+    Examples
+    --------
+    >>> sentences("it fits", "", "both values use standard timing")
+    'it fits. Both values use standard timing'
+    """
+    first, *rest = [one for one in said if one] or [""]
+    return ". ".join((first, *map(capitalized, rest)))
+
+
 def capitalized(sentence: str) -> str:
     """Return a sentence with a capital first letter; the others stay."""
     return sentence[:1].upper() + sentence[1:]
@@ -187,6 +199,6 @@ def wrapped(line: str, width: int = 79) -> str:
 
     What follows in an item of a list is indented.
     """
-    indent = "    " if re.match(r"- | |\d+\. ", line) else ""
+    indent = "  " if line.startswith("- ") else "    " if re.match(r" |\d+\. ", line) else ""
     lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent, break_on_hyphens=False)
     return lines.replace("\N{NO-BREAK SPACE}", " ")

@@ -132,7 +132,7 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     assert (wider.low, wider.high) == (float(row["low"]), float(row["high"]))
     plan = ds.plan(ds.Fleet.swarm(12, 1, 10), table)
     told = " ".join(plan.advice().split())
-    assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime it says" in told
+    assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime of the model" in told
     assert plan.to_dict()["band"]["high"] == wider.high
     many = measured.band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
     assert many
@@ -160,8 +160,9 @@ def test_one_robot_reboots(name: str) -> None:
     assert found.high == pytest.approx(start * 0.4 * max(float(row["high"]) for row in rows))
     assert {row["event"] for row in rows} == {"restart", "join"}
     told = " ".join(ds.plan(fleet, table).advice().split())
-    assert re.search(r"One robot reboots: [\d.]+ (to [\d.]+ )?m?s of airtime\.", told) or re.search(
-        r"One robot reboots: [\d.]+ m?s to [\d.]+ s of airtime\.", told
+    needs = r"When one robot reboots, discovery needs [\d.]+ "
+    assert re.search(needs + r"(to [\d.]+ )?m?s of airtime\.", told) or re.search(
+        needs + r"m?s to [\d.]+ s of airtime\.", told
     )
 
 
@@ -170,7 +171,7 @@ def test_of_two_groups_the_one_that_takes_most_reboots() -> None:
     plan = ds.plan(ds.Fleet(groups), ds.PROTOCOLS["Fast DDS"])
     assert plan.reboot is not None
     assert plan.reboot.group == "laptop"
-    assert "One robot (laptop) reboots" in " ".join(plan.advice().split())
+    assert "When one robot (laptop) reboots" in " ".join(plan.advice().split())
 
 
 def test_a_restart_costs_more_than_its_share_of_a_start() -> None:

@@ -375,10 +375,10 @@ def test_says_where_a_products_table_is_extrapolated(
 ) -> None:
     put(tab, entries)
     hosts, processes, _ = PROTOCOLS["Fast DDS"].captured or (0, 0, 0)
-    told = f"captured with up to {hosts} hosts, {processes} processes in all and 60 endpoints"
+    told = f"captures of up to {hosts} hosts and {processes} processes with up to 60 endpoints each"
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     assert (told in said) == (entries["middleware"] == "Fast DDS")
-    assert ("what is more than that is extrapolated" in said) == beyond
+    assert ("numbers are extrapolated" in said) == beyond
 
 
 #: Beside few robots; they have more processes.

@@ -223,8 +223,8 @@ def test_a_change_may_make_it_fit() -> None:
     for found in plan.remedies:
         assert found.may_now_fit == (found.verdict == "may fit")
         assert found.now_fits == (found.verdict == "fits")
-    assert "; that may fit." in " ".join(plan.advice().split())
-    assert "aggregation: counted already" in " ".join(plan.left_out)
+    assert ", which may fit." in " ".join(plan.advice().split())
+    assert "aggregation: already counted" in " ".join(plan.left_out)
 
 
 # ---- the command ----

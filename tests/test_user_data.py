@@ -415,10 +415,10 @@ def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
 def test_a_plan_says_in_words_whether_data_fit() -> None:
     protocol = ds.PROTOCOLS["Fast DDS"]
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).advice().split())
-    assert "so they fit once discovery is over." in said
-    assert "If all data are sent from the start, it keeps the channel busy for" in said
+    assert "so your data fit once discovery is complete." in said
+    assert "If robots send all data from the beginning, startup keeps the channel busy" in said
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).advice().split())
-    assert "so they do not fit once discovery is over." in said
+    assert "so your data do not fit once discovery is complete." in said
     assert "The channel never has room for all data beside discovery." in said
     never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
     assert never["startup"]["one_frame"] is None
@@ -443,8 +443,8 @@ def test_commands_have_columns_for_data_where_there_are_some() -> None:
     assert "both" in run("utilization", "-", text=text)
     (row,) = json.loads(run("utilization", "-", "--json", text=FILE))
     assert "data_utilization" not in row
-    assert "Your data take" in run("plan", "-", text=text)
-    assert "Your data take" not in run("plan", "-", text=FILE)
+    assert "Your data need" in run("plan", "-", text=text)
+    assert "Your data need" not in run("plan", "-", text=FILE)
     assert json.loads(run("plan", "-", "--json", text=text))["data"]["fits_after_startup"] == "fits"
 
 

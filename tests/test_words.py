@@ -88,7 +88,7 @@ def test_lines_are_broken_between_words_and_not_before_a_unit() -> None:
     text = "- " + "word " * 14 + "and 144 Mbit/s"
     first, second = words.wrapped(text).split("\n")
     assert len(first) <= 79
-    assert second == "    144 Mbit/s"
+    assert second == "  144 Mbit/s"
     assert words.wrapped("1 host " + "word " * 16).split("\n")[1].startswith("word")
     assert words.wrapped("12. " + "word " * 16).split("\n")[1].startswith("    word")
     assert words.capitalized("802.11n and Zenoh") == "802.11n and Zenoh"

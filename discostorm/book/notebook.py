@@ -139,10 +139,16 @@ class Advice:
             cards = "".join(map(_card, remedies))
             parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             parts.append(f'<div class="plan-cards">{cards}</div>')
-        for title, *rows in (block.splitlines() for block in blocks if _is_table(block)):
-            table = escape("\n".join(rows))
+        for block in blocks[before + len(self.plan.told()) : -1]:
+            title, *rows = block.splitlines()
             parts.append(f'<p class="plan-title">{_prose(title)}</p>')
-            parts.append(f'<div class="highlight"><pre tabindex="0">{table}</pre></div>')
+            if _is_table(block):
+                table = escape("\n".join(rows))
+                parts.append(f'<div class="highlight"><pre tabindex="0">{table}</pre></div>')
+            else:
+                items = re.split(r"^- ", "\n".join(rows), flags=re.MULTILINE)[1:]
+                told = (f"<li>{_prose(' '.join(item.split()))}</li>" for item in items)
+                parts.append(f"<ul>{''.join(told)}</ul>")
         parts.append(f"<p>{_prose(' '.join(blocks[-1].split()))}</p>")
         return "".join(parts)
 
@@ -159,7 +165,8 @@ def _card(remedy: Remedy) -> str:
     how = "may fit" if remedy.may_now_fit else how
     better = remedy.now_fits or remedy.may_now_fit
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
-    what, gain = words.capitalized(remedy.what), remedy.sentence().removeprefix(remedy.what)
+    what = words.capitalized(remedy.what)
+    gain = words.capitalized(words.sentences(remedy.brings(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f'<div class="highlight"><pre tabindex="0">{escape(piece.text)}</pre></div></details>'
@@ -167,7 +174,7 @@ def _card(remedy: Remedy) -> str:
     )
     return (
         f'<div class="plan-card"><p class="plan-what">{_prose(what)} {fits}</p>'
-        f"<p>{_prose(words.capitalized(gain.strip()))}.</p>"
+        f"<p>{_prose(gain)}.</p>"
         f'<p class="plan-mind">{_prose(remedy.caution())}</p>{pieces}</div>'
     )
 

@@ -231,9 +231,9 @@ def say_bands(asked: Iterable[tuple[ds.Protocol, ds.Fleet]], output: Output) -> 
     if not output.for_people:
         return
     told = {
-        f"{table.name} was captured with up to {words.many(table.captured[0], 'host')}, "
+        f"We captured {table.name} with up to {words.many(table.captured[0], 'host')}, "
         f"{words.many(table.captured[1], 'process', 'es')} and "
-        f"{words.many(table.captured[2], 'endpoint')} of one. {known.sentence()}": None
+        f"{words.many(table.captured[2], 'endpoint')} per process. {known.sentence()}": None
         for table, fleet in asked
         if table.captured and (known := band(table.name, fleet, table.captured))
     }

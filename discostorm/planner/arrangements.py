@@ -69,7 +69,7 @@ def compared(base: Setting, window: float) -> tuple[Arrangement, ...]:
 
 def table_in_words(all_of_them: tuple[Arrangement, ...], width: int) -> list[str]:
     """Return a row each, in columns of equal width; a sentence each where these are too wide."""
-    rows = [("", "startup takes", "then repeats take")]
+    rows = [("", "startup", "steady state")]
     rows += [
         (
             one.name,

@@ -56,29 +56,29 @@ class Beside:
     def sentences(self, window: float) -> Iterator[str]:
         """Yield in words whether the data fit, once discovery is over and until then."""
         yield (
-            f"Your data take {words.percents(*self.data.ends)} of the channel. With what discovery "
-            f"repeats that is {words.percents(*self.after.ends)}, so they "
-            f"{_FITS[self.after.verdict]} once discovery is over."
+            f"Your data need {words.percents(*self.data.ends)} of the channel. With the periodic "
+            f"traffic of discovery, that is {words.percents(*self.after.ends)}, so your data "
+            f"{_FITS[self.after.verdict]} once discovery is complete."
         )
         if math.isfinite(window):
             low, high = (end * window for end in self.during.ends)
             time = "second" if window == PAPER_WINDOW else words.duration(window)
             yield (
-                f"During startup they {_FITS[self.during.verdict]}: discovery and data together "
-                f"need {words.durations(low, high)} of airtime in the first {time}."
+                f"During startup, your data {_FITS[self.during.verdict]}: discovery and data "
+                f"together need {words.durations(low, high)} of airtime in the first {time}."
             )
         if words.fits(self.after.full):
             yield (
-                "If all data are sent from the start, it keeps the channel busy for "
+                "If robots send all data from the beginning, startup keeps the channel busy for "
                 f"{words.durations(*self.startup.ends)} instead of "
-                f"{words.durations(*self.alone.ends)}, and data wait as long at most. Robots send "
-                "to those that they have discovered, so that it is less: `discostorm simulate` "
-                "tells when discovery is complete, and how late the data are."
+                f"{words.durations(*self.alone.ends)}, and no data wait longer. Real robots wait "
+                "less, because they send only to robots that they have discovered. `discostorm "
+                "simulate` shows when discovery is complete, and how late the data are."
             )
         else:
             yield (
                 "The channel never has room for all data beside discovery. Send fewer samples, or "
-                "to fewer hosts."
+                "send them to fewer hosts."
             )
 
 

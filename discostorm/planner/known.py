@@ -90,7 +90,7 @@ def _small_robots() -> str:
     """Return what was simulated: each run has robots of one kind."""
     kinds = {(r["processes"], r["endpoints"]) for r in read_data("simulated/staggered.csv")}
     ((processes, endpoints),) = kinds
-    return f"robots of {processes} processes with {endpoints} endpoints all know each other"
+    return f"robots of {processes} processes with {endpoints} endpoints each"
 
 
 def simulated_stagger(protocol: Protocol) -> str:
@@ -100,10 +100,12 @@ def simulated_stagger(protocol: Protocol) -> str:
     for name in [own] if own else get_args(Family):
         for (_, hosts), times in [row for row in _simulated().items() if row[0][0] == name][-2:]:
             rule, together = (times[start, "1"] for start in ("rule", "together"))
-            gains.append(f"{hosts} with {name} in {rule:.0f} s instead of {together:.0f} s")
+            gains.append(
+                f"{hosts} robots with {name} needed {rule:.0f} s instead of {together:.0f} s"
+            )
     return (
-        f"but queues lose less of it: simulated by the paper's tables, {_small_robots()}, "
-        f"{words.listed(gains)} (medians)"
+        "queues then lose less: when we simulated the paper model's startup of "
+        f"{_small_robots()}, {words.listed(gains)} (medians)"
     )
 
 
@@ -113,9 +115,10 @@ def simulated_aggregation(mpdus: int) -> str:
     gains = []
     for name in get_args(Family):
         one, many = (_simulated()[name, most]["together", n] for n in ("1", str(mpdus)))
-        gains.append(f"in {many:.0f} s instead of {one:.0f} s with {name}")
+        gains.append(f"{many:.0f} s instead of {one:.0f} s with {name}")
     return (
-        f"simulated by the paper's tables, {most} {_small_robots()} {words.listed(gains)} (medians)"
+        f"when we simulated the paper model's startup of {most} {_small_robots()}, they needed "
+        f"{words.listed(gains)} (medians)"
     )
 
 
@@ -135,7 +138,7 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
             unknown.append(of_kind[0]["title"])
         elif row is None:
             others = words.listed([found["family"] for found in of_kind])
-            yield f"{of_kind[0]['title']}: for {others} alone"
+            yield f"{of_kind[0]['title']}: for {others} only"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:

@@ -98,10 +98,10 @@ def plan(
     --------
     >>> import discostorm as ds
     >>> plan = ds.plan(ds.Fleet.swarm(hosts=3, processes=8, endpoints=5), ds.DDS)
-    >>> plan.remedies[0].sentence()
-    'a Discovery Server cuts 7.77 s to 0.25 s (97%); both as Fast DDS was measured'
+    >>> plan.remedies[0].sentence().partition(". ")[0]
+    'a Discovery Server cuts 7.77 s to 0.25 s (97%), which fits'
     >>> [found.sentence() for found in plan.remedies if found.kind == "processes"]
-    ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%)']
+    ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits']
     """
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
@@ -120,8 +120,8 @@ def plan(
     steady, taken = repeated(base), span_of(base, span)
     late = [step for step in singles if step.slot == "time" and not words.fits(steady.full)]
     never = [
-        f"{singles.pop(step).what}: what is repeated takes {words.percent(steady.full)} of the "
-        "channel by itself, so that no window is long enough"
+        f"{singles.pop(step).what}: the periodic traffic alone needs {words.percent(steady.full)} "
+        "of the channel, so no window is long enough"
         for step in late
     ]
     together = [_remedy(base, steps, span) for steps in _together(base, singles, span)]
@@ -187,7 +187,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     told = sorted(steps, key=lambda step: is_doing(step.what))
     rows = [known(kind, new.protocol) for step in told for kind in step.steps]
     if len(steps) > 1:
-        note = "; ".join(dict.fromkeys(step.by for step in steps if step.by))
+        note = words.sentences(*dict.fromkeys(step.by for step in steps if step.by))
     elif steps[0].kind == "middleware":
         note = sessions_note(
             base.protocol,

@@ -29,7 +29,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
         yield f"another radio, multicast rate and aggregation: {radio}"
         return
     timed = replace(radio.wifi(), name=wifi.name) != wifi
-    by = "both by the standard's timing" if timed else ""
+    by = "both values use standard timing" if timed else ""
     if radio.basic_rate < MULTICAST_RATE:
         what = (
             f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
@@ -55,14 +55,14 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
     if most == 1:
         yield f"aggregation: {radio.standard} has none"
     elif both_ends(wifi) != (wifi, wifi):
-        yield "aggregation: counted already, as every radio from 802.11n on aggregates by default"
+        yield "aggregation: already counted, because radios since 802.11n aggregate by default"
     elif radio.mpdus < MPDUS:
 
         def aggregated(old: Radio) -> Radio:
             return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
-        note = "; ".join(filter(None, (by, simulated_aggregation(MPDUS))))
+        note = words.sentences(by, simulated_aggregation(MPDUS))
         yield Change("aggregation", what, "aggregation", radio=aggregated, note=note, by=by)
 
 
@@ -70,8 +70,8 @@ def _radio(wifi: Wifi) -> Radio | str:
     """Return the radio whose channel it is, or why none is known."""
     if wifi.radio is None:
         return (
-            "the channel has rates and overheads but no Radio, so that waiting, preambles and "
-            "symbols of another one cannot be compared with it"
+            "the channel has rates and overheads but no Radio, so its back-off, preambles and "
+            "symbols cannot be compared with those of another radio"
         )
     papers = (PAPER.unicast, PAPER.multicast, PAPER.aggregation)
     if (wifi.unicast, wifi.multicast, wifi.aggregation) == papers:
@@ -79,8 +79,8 @@ def _radio(wifi: Wifi) -> Radio | str:
     if replace(wifi.radio.wifi(), name=wifi.name) == wifi:
         return wifi.radio
     return (
-        "the channel was changed by hand and is no longer that of its Radio, so that it cannot "
-        "be compared with that of another one"
+        "the channel was changed by hand and no longer matches its Radio, so it cannot be "
+        "compared with the channel of another radio"
     )
 
 
@@ -103,12 +103,11 @@ def _compared(old: Radio, new: Radio, by: str) -> str:
     before, after = old.wifi(), new.wifi()
     rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
     was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
-    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead an exchange"]
+    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead per frame exchange"]
     if new.basic_rate != old.basic_rate:
         multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
         told.append(f"multicast at {multicast}")
-    compared = ", ".join(filter(None, (before.name, by)))
-    return f"instead of {compared}: {words.listed(told)}"
+    return words.sentences(f"compared with {before.name}: {words.listed(told)}", by)
 
 
 def _instead(new: float, old: float, unit: str) -> str:

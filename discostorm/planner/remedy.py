@@ -132,17 +132,27 @@ class Remedy:
         return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
 
     def sentence(self) -> str:
-        """Return what it brings, in words."""
+        """Return what it brings, whether that fits, and what is compared, in words."""
+        fits = ""
+        if self.now_fits:
+            sure = not (self.best_case or self.wifi.aggregation is not None)
+            fits = ", which fits" if sure else ", which would fit"
+        elif self.may_now_fit:
+            fits = ", which may fit"
+        return words.sentences(f"{self.what} {self.brings()}{fits}", self.note)
+
+    def brings(self) -> str:
+        """Return what it brings, in words that follow its name."""
         before, after = (
             words.airtime(value, self.window) for value in (self.before, self.utilization)
         )
         s = "" if self._plural else "s"
         if self.kind == "staggered start":
             brings = (
-                f"takes the same {before} of airtime, over {words.duration(self.spread)} at least"
+                f"spreads the same {before} of airtime over at least {words.duration(self.spread)}"
             )
         elif self.utilization and not self.before:
-            brings = f"add{s} {after}, where nothing was sent before"
+            brings = f"add{s} {after}; nothing was sent before"
         elif abs(self.saved) < NOTHING:
             brings = f"change{s} less than {NOTHING:.1%}"
         elif self.saved < 0:
@@ -155,7 +165,7 @@ class Remedy:
                 brings += ", simulated" if self.basis == "simulated" else f", with {self.basis}"
             if self.best_case:
                 brings += " at best"
-        return "; ".join(filter(None, (f"{self.what} {brings}", self.note)))
+        return brings
 
     @property
     def _plural(self) -> bool:
@@ -170,9 +180,12 @@ class Remedy:
         mind = "; ".join(filter(None, (self.price, self.fails)))
         later = ""
         if not words.fits(self.steady):
-            later = f" Periodic traffic still needs {words.percent(self.steady)}, so it never fits."
+            later = (
+                f" Periodic traffic still needs {words.percent(self.steady)} of the channel, so "
+                "the fleet never fits."
+            )
         elif self.kind == "combination" and self.verdict == "does not fit":
-            later = f" Not at once: spread the starts over {words.duration(self.spread)}."
+            later = f" Spread the starts over {words.duration(self.spread)}."
         return f"Effort: {words.listed(efforts)}. Trade-offs: {mind}.{later}"
 
     def to_dict(self) -> dict[str, Any]:

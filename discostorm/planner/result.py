@@ -286,8 +286,9 @@ class Plan:
         lines = [*self._answer_in_words(), ""] if self.fleet.hosts() > 1 else []
         if self.data:
             lines += [*self.data.sentences(self.window), ""]
-        lines += [*self._cost_in_words(), "", "Largest parts:", *self._shares_in_words()]
-        if self.fleet.hosts() == 1:  # what saves airtime saves what nobody needs
+        lines += [*self._cost_in_words(), "", "Largest parts of this airtime:"]
+        lines += self._shares_in_words()
+        if self.fleet.hosts() == 1:  # what saves airtime saves what no robot needs
             lines += ["", words.ALONE]
             return "\n".join(words.wrapped(line, width) for line in lines)
         if "Best single changes:" not in told:
@@ -302,12 +303,15 @@ class Plan:
                 "",
                 words.wrapped("The same fleet with each measured configuration:", width),
                 *table_in_words(self.arrangements, width),
+                "",
+                "What this rests on:",
+                *(words.wrapped(f"- {line}", width) for line in self._basis_in_words()),
             ]
         )
         rest = len(self.remedies) + len(self.combinations) - sum(map(len, told.values()))
         more = (
             "`discostorm plan --paste N` prints the configuration of change N. `--json` adds "
-            f"{words.many(rest, 'other')}, the reasons for those left out, and all configurations."
+            f"{words.many(rest, 'change')}, why others are left out, and all configurations."
         )
         return "\n".join((wrapped, table, "", words.wrapped(more, width)))
 
@@ -332,17 +336,19 @@ class Plan:
             busy = "startup never ends"
         if self.known is None:
             yield (
-                f"Drain time: {busy}. Until then some robots do not see each other. Losses make it "
-                "longer."
+                f"Drain time: {busy}. Until then, some robots do not see each other. Losses make "
+                "startup longer."
             )
         else:
             yield f"{self.known.sentence()} {words.capitalized(busy)} (drain time)."
         if self.startup.ranges:
             middle = self.startup.simulated
-            simulated = "" if middle is None else f"; the simulation gave {words.duration(middle)}"
+            simulated = ""
+            if middle is not None:
+                simulated = f" The simulation needed {words.duration(middle)}."
             yield (
-                "The shorter time assumes full A-MPDUs, the longer one message per frame"
-                f"{simulated}. The more frames wait, the fuller the A-MPDUs."
+                "The shorter time assumes full A-MPDUs, and the longer time one message per frame."
+                f"{simulated} A-MPDUs are fuller when more frames wait."
             )
         if not words.fits(steady.single) and math.isfinite(self.window):
             yield (
@@ -364,7 +370,7 @@ class Plan:
         yield (
             f"Discovery of {words.many(hosts, 'host')} with "
             f"{words.many(self.fleet.processes(), 'process', 'es')} needs {takes} with "
-            f"{self.protocol.name}. Channel: {self.wifi.name}, {TOPOLOGY}."
+            f"{self.protocol.name}."
         )
         if math.isinf(self.window):
             share = _charged(ends, "of the channel", "its capacity")
@@ -375,35 +381,44 @@ class Plan:
         else:
             share = _charged(ends, "of them", "their capacity")
             yield f"Charged to the first {self.window:g} s, that is {share}, {fit}."
+        if self.reboot is not None:
+            robot = f" ({self.reboot.group})" if len(self.fleet.groups) > 1 else ""
+            yield (
+                f"When one robot{robot} reboots, discovery needs "
+                f"{words.durations(self.reboot.low, self.reboot.high)} of airtime."
+            )
         exchanges = "one message per frame"
         if self.span.ranges:
             exchanges = "64 messages to one per A-MPDU"
         yield (
-            f"Assumes: no losses, no collisions, {exchanges}. Overflowing queues can make startup "
-            "many times longer; `discostorm simulate` shows it."
+            f"Channel: {self.wifi.name}, {TOPOLOGY}. Assumes: no losses · no collisions · "
+            f"{exchanges}."
         )
+
+    def _basis_in_words(self) -> Iterator[str]:
+        """Yield how far the answer can be trusted, and how it was counted."""
+        if self.known is None:
+            yield (
+                "Overflowing queues can make startup many times longer. `discostorm simulate` "
+                "shows by how much."
+            )
         if self.protocol.captured is not None:
+            hosts = sum(group.hosts for group in self.fleet.groups)
             endpoints = max(group.endpoints for group in self.fleet.groups)
             matched = Unit("matched endpoint").count(self.fleet)
             sizes = (hosts, self.fleet.processes(), endpoints)
             most = self.protocol.captured
             beyond = any(own > seen for own, seen in zip(sizes, most, strict=True))
-            extrapolated = ", so this fleet is extrapolated" if beyond else ""
+            extrapolated = " This fleet is extrapolated." if beyond else ""
             yield (
-                f"The measured model of {self.protocol.name} rests on captures of up to "
-                f"{words.many(most[0], 'host')} and {words.many(most[1], 'process', 'es')} of up "
-                f"to {words.many(most[2], 'endpoint')} that started together{extrapolated}. Here "
-                f"{words.percent(matched / (ENDPOINT.count(self.fleet) or 1))} of the "
-                "endpoints match in every process."
+                f"The measured model of {self.protocol.name} comes from captures of up to "
+                f"{words.many(most[0], 'host')} and {words.many(most[1], 'process', 'es')} with up "
+                f"to {words.many(most[2], 'endpoint')} each, which started together.{extrapolated}"
             )
-        if self.band is not None:
-            yield self.band.sentence()
-        if self.reboot is not None:
-            robot = f" ({self.reboot.group})" if len(self.fleet.groups) > 1 else ""
-            yield (
-                f"One robot{robot} reboots: {words.durations(self.reboot.low, self.reboot.high)} "
-                "of airtime."
-            )
+            if self.band is not None:
+                yield self.band.sentence()
+            share = words.percent(matched / (ENDPOINT.count(self.fleet) or 1))
+            yield f"In this fleet, {share} of the endpoints match in every process."
         if self.protocol.repeats:
             of_paper = {*DDS.messages, *ZENOH.messages}
             papers = [m.name for m in self.protocol.messages if m in of_paper]
@@ -414,8 +429,8 @@ class Plan:
                 )
             if math.isfinite(self.window):
                 yield (
-                    "The whole burst is charged to this time, and periodic traffic at its rate: an "
-                    "upper bound of the count."
+                    "The whole burst is charged to this time, and periodic traffic at its rate. "
+                    "The result is an upper bound of the count."
                 )
         timed = [r.before for r in self.remedies if r.wifi != self.wifi]
         before = next((value for value in timed if value != self.utilization), None)
@@ -429,29 +444,23 @@ class Plan:
         for kind in ("message", "phase"):
             largest = self.of_kind(kind)[0]
             what = "message type" if kind == "message" else kind
-            yield f"- Largest {what}: {largest.name}, {words.part(largest.share)}."
+            yield f"- {words.capitalized(what)}: {largest.name}, {words.part(largest.share)}."
         groups = self.of_kind("group")
         if len(groups) > 1:
             for group in groups[:_GROUPS]:
-                yield f"- Group {group.name}: part of {words.part(group.share)}."
+                yield f"- Group {group.name}: involved in {words.part(group.share)} of it."
         if len(groups) > _GROUPS:
             rest, most = len(groups) - _GROUPS, words.part(groups[_GROUPS].share)
             if rest == 1:
-                yield f"- 1 further group: part of at most {most}."
+                yield f"- 1 further group: involved in at most {most} of it."
             else:
-                yield f"- {rest} further groups: each part of at most {most}."
+                yield f"- {rest} further groups: each involved in at most {most} of it."
 
     @staticmethod
     def _ranked(remedies: Sequence[Remedy], first: int) -> Iterator[str]:
         """Yield remedies with their places, effort, price and what fails."""
         for place, remedy in enumerate(remedies, start=first):
-            brings = words.capitalized(remedy.sentence())
-            if remedy.now_fits:
-                best_case = remedy.best_case or remedy.wifi.aggregation is not None
-                brings += "; that would fit" if best_case else "; that fits"
-            elif remedy.may_now_fit:
-                brings += "; that may fit"
-            yield f"{place:2}. {brings}."
+            yield f"{place:2}. {words.capitalized(remedy.sentence())}."
             yield f"    {remedy.caution()}"
 
 

@@ -131,8 +131,9 @@ class Known:
         """Return it in words."""
         most, limit = self.hosts[-1], words.duration(self.until)
         how = (
-            f"simulated with {words.listed([f'{n:,}' for n in self.hosts])} robots, quartiles of "
-            f"{self.runs} runs, where queues overflow and the middleware repairs what they lose"
+            f"quartiles of {self.runs} simulated runs with "
+            f"{words.listed([f'{n:,}' for n in self.hosts])} robots, overflowing queues "
+            "and recovery"
         )
         if np.isinf(self.low):
             return f"Your robots do not all know each other within {limit} ({how})."

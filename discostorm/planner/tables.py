@@ -13,7 +13,7 @@ from discostorm.protocols.defaults import defaults
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
-    """Yield other tables: arranged otherwise, with calmer announcements, of other middleware."""
+    """Yield other tables: other topologies, longer announcement intervals, other middleware."""
     yield from _arranged(protocol)
     if protocol.family == "DDS":
         yield _calmer(protocol)
@@ -44,7 +44,7 @@ def _arranged(protocol: Protocol) -> Iterator[Change]:
             steps = ("middleware", *steps)
         elif protocol.basis != "arranged" and not same(before, protocol):
             base = before
-            by = f"both as {before.name.replace(', ', ' with ')} was measured"
+            by = f"both values are of {before.name.replace(', ', ' with ')}'s measured model"
         yield Change(
             row["kind"], what, "table", table=table, base=base, note=by, by=by, steps=steps
         )
@@ -69,10 +69,10 @@ def _calmer(table: Protocol) -> Change | str:
     messages = tuple(map(calm, table.messages))
     if messages == table.messages:
         of = words.listed(list(dict.fromkeys(row["product"] for row in calmer)))
-        return f"calmer announcements: known for the tables of {of} alone"
+        return f"a longer announcement interval: known for the models of {of} only"
     lease = max(float(row["lease_s"]) for row in rows.values())
     fewer = replace(table, messages=messages, lease=lease)
-    return Change("announcements", "calmer announcements", "table", table=fewer)
+    return Change("announcements", "a longer announcement interval", "table", table=fewer)
 
 
 def _listed(table: Protocol) -> Change | str:
@@ -149,15 +149,15 @@ def sessions_note(
     to_zenoh = new.family == "Zenoh"
     more = after - before if to_zenoh else before - after
     if more >= 0:
-        so = "which makes the gap larger"
+        so = "and the sessions make it larger"
     elif more + both < 0:
-        so = "which does not close the gap"
+        so = "and the sessions do not close it"
     else:
-        so = "so that it is not settled which of the two takes less"
+        so = "so either may need less"
     adds = [words.airtime(value, window) for value in (one, both)]
     return (
-        f"the count leaves out that Zenoh opens sessions: {adds[0]} more if one side dials, "
-        f"{adds[1]} if both do, beside a gap of {words.airtime(abs(more), window)}, {so}"
+        f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
+        f"dials, {adds[1]} if both do. The gap is {words.airtime(abs(more), window)}, {so}"
     )
 
 

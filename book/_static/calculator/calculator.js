@@ -486,10 +486,10 @@
     return `${robotsWord(swarm.N_H)}${beside}`;
   }
 
-  /** The answer to when all know each other, as simulated. */
+  /** When discovery is complete, as simulated. */
   function knownIn({ low, high, hosts }) {
     const { until, runs } = MODEL.ready;
-    const how = `Simulated with ${hosts.map(count).join(" and ")} robots (quartiles of ${count(runs)} runs): queues overflow, and the middleware repairs what they lose.`;
+    const how = `Quartiles of ${count(runs)} simulated runs with ${hosts.map(count).join(" and ")} robots, overflowing queues and recovery.`;
     if (low === Infinity) return [`Your robots do not all know each other within ${duration(until)}.`, how];
     if (high === Infinity) return [`Your robots know each other after ${duration(low)} at the earliest.`, `${how} ${robotsWord(hosts.at(-1))} did not within ${duration(until)}.`];
     return [`Your robots know each other after ${durations(low, high)}.`, how];
@@ -498,8 +498,8 @@
   /** How full exchanges are, where that makes the answer a range. */
   function rangeOf({ full, drain, middle }) {
     if (full.drain === drain) return "";
-    const simulated = middle === null ? "" : `, ${duration(middle)} as simulated`;
-    return ` The range is from full A-MPDUs${simulated}, to one frame in each exchange.`;
+    const simulated = middle === null ? "" : ` The simulation needed ${duration(middle)}.`;
+    return ` The shorter time assumes full A-MPDUs, and the longer time one message per frame.${simulated}`;
   }
 
   const busyFor = (low, high) => (low < Infinity && high === Infinity ? `${duration(low)} or more` : durations(low, high));
@@ -524,26 +524,26 @@
     const who = everybody(settings);
     const alone = settings.swarm.N_H + settings.swarm.N_H1 === 1;
     const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${drain}`;
-    const after = protocol.repeats ? ` Once the start is over, discovery takes ${percent(steady)} of the channel.` : "";
+    const after = protocol.repeats ? ` After startup, discovery needs ${percent(steady)} of the channel.` : "";
     const lease = duration(protocol.lease);
     return [
       ["Starts within a second if nothing is lost.", `${takes}.${after}`],
       protocol.lease < Infinity
         ? [
             `Starts slowly: ${drain} if nothing is lost.`,
-            `${takes}. Until then some do not see each other, and data waits in the same queues. ` +
-              `It is within the lease of ${lease}, so nobody need be taken for lost if no queue overflows.${after}`,
+            `${takes}. Until then, some robots do not see each other, and data waits in the same queues. ` +
+              `Startup ends within the lease of ${lease}, so no robot times out unless queues overflow.${after}`,
           ]
         : [
             `Does not fit into one second: ${drain} if nothing is lost.`,
-            `${takes}, which the paper charges to one second and calls saturated. Its messages have neither a ` +
-              `lease nor periods; choose a product to see what becomes of the start.`,
+            `${takes}. The paper charges this time to one second and calls the channel saturated. Its messages have no ` +
+              `lease and no timers. Choose a product to see how startup ends.`,
           ],
       [
         `Leases at risk: ${drain} if nothing is lost.`,
-        `${takes}, but who is not heard for ${lease} is taken for lost, and found anew: the storm may feed itself.${after}`,
+        `${takes}. A robot that is not heard for ${lease} times out and must be rediscovered, so the storm may feed itself.${after}`,
       ],
-      ["Never catches up.", `What ${who} ${alone ? "repeats" : "repeat"} for ever takes ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the start is never carried.`],
+      ["Never catches up.", `The periodic traffic of ${who} alone needs ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the channel never carries the whole startup.`],
     ][severity];
   }
 
@@ -595,20 +595,20 @@
   /** What every number of this page assumes, and whether the product ever ran with so many. */
   function assumed({ settings: { channel, swarm }, front }) {
     const frames = channel.full
-      ? `from ${count(channel.full.values.n_agg)} frames in every exchange, where that many fit, to one`
-      : "each message in a frame of its own, except where a product packs or splits it";
+      ? `${count(channel.full.values.n_agg)} messages to one per A-MPDU`
+      : "one message per frame, except where a product packs or splits messages";
     const all = [
       swarm.N_H + swarm.N_H1,
       swarm.N_H * swarm.N_P + swarm.N_H1 * swarm.N_P1,
       Math.max(swarm.N_E, swarm.N_H1 && swarm.N_E1),
     ];
     const [hosts, processes, endpoints] = front.protocol.measured;
-    const beyond = all.some((many, i) => many > front.protocol.measured[i]) ? "; what is more than that is extrapolated" : "";
+    const beyond = all.some((many, i) => many > front.protocol.measured[i]) ? " Your fleet is larger, so its numbers are extrapolated." : "";
     const captured = hosts
-      ? ` ${capitalized(front.name)} was captured with up to ${plural(hosts, "host")}, ${plural(processes, "process", "processes")} in all ` +
-        `and ${plural(endpoints, "endpoint")} in a process${beyond}.${bandOf(front.protocol, all)}`
+      ? ` The measured model of ${front.name} comes from captures of up to ${plural(hosts, "host")} and ${plural(processes, "process", "processes")} ` +
+        `with up to ${plural(endpoints, "endpoint")} each.${beyond}${bandOf(front.protocol, all)}`
       : "";
-    return `Assumed: ${MODEL.topology}; all start at once, ${frames}, nothing lost, no collisions.${captured}`;
+    return `Assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
   }
 
   /** How far a measured table was off where it was not fitted, as `discostorm.measured.band` has it. */
@@ -694,7 +694,7 @@
   function showParts(answer) {
     const { front } = answer;
     const single = answer.settings.channel.full ? ", one frame in each exchange" : "";
-    byId("parts-title").textContent = `What takes the airtime of the first second with ${front.name}${single}`;
+    byId("parts-title").textContent = `Airtime of the first second by message type, with ${front.name}${single}`;
     const [body] = byId("parts").tBodies;
     become(
       body,
@@ -1067,7 +1067,7 @@
       const wanted = parts.get(listName(list))?.replace(/, A-MPDU \d+$/, "") ?? null;
       if (wanted === null) continue;
       if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
-      else refused[list] = `The link asks for “${brief(wanted)}”, which is not in the list; this is used instead.`;
+      else refused[list] = `The link names “${brief(wanted)}”, which is not in the list. We use this entry instead.`;
     }
     if (parts.has("robot") && !refused.robot) takeRobot();
     for (const field of FIELDS) if (parts.has(field.name)) byId(field.name).value = parts.get(field.name);

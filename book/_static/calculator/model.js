@@ -120,469 +120,468 @@ const s81 = "linear_unicast";
 const s82 = "padded_unicast";
 const s83 = "padded_multicast";
 const s84 = "aggregated_unicast";
-const s85 = "work on the radios";
-const s86 = {"effort": 6, "takes": s85, "best_case": true, "mind": "every exchange must be full; a queue may hold fewer frames for one receiver"};
+const s85 = "new or reconfigured radios";
+const s86 = {"effort": 6, "takes": s85, "best_case": true, "mind": "the full gain needs full A-MPDUs; a queue may hold fewer frames for one receiver"};
 const s87 = "a configuration file";
 const s88 = "discovery server";
 const s89 = "one more program";
 const s90 = "discovery server on a robot";
-const s91 = "work on the nodes";
-const s92 = {"effort": 5, "takes": s91, "best_case": false, "mind": "parameters cannot be set from outside any more; nodes of others, as Nav2's, must be built anew; a service counts as in DDS"};
-const s93 = "another middleware";
-const s94 = {"effort": 7, "takes": s93, "best_case": false, "mind": "all hosts must change together"};
-const s95 = "another middleware and one more program";
-const s96 = "multicast endpoint data";
-const s97 = "another middleware and a configuration file";
-const s98 = "router on each host";
-const s99 = "another middleware and several more programs";
-const s100 = "star of routers";
-const s101 = "static endpoints";
-const s102 = "two discovery servers";
-const s103 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; no multicast or management frame is sent at lower ones"};
-const s104 = {"effort": 5, "takes": s91, "best_case": false, "mind": "only what is built as components can be composed; one crash ends all nodes of its host"};
-const s105 = {"effort": 6, "takes": s85, "best_case": false, "mind": "all hosts and the access point need it, and must be near enough for its rate"};
-const s106 = "several more programs";
-const s107 = "hostapd.conf of the access point";
-const s108 = "for every process";
-const s109 = "Fast DDS 2.9.1";
-const s110 = "Cyclone DDS 0.10.2 and 11.0.1";
-const s111 = "on a computer that is wired to the access point";
-const s112 = "on every robot";
-const s113 = {
-"where": s112,
-"version": s109,
+const s91 = {"effort": 5, "takes": "rebuilt nodes", "best_case": false, "mind": "parameters can no longer be set from outside; nodes of others, such as Nav2's, must be rebuilt; we count a service as in DDS"};
+const s92 = "another middleware";
+const s93 = {"effort": 7, "takes": s92, "best_case": false, "mind": "all hosts must change together"};
+const s94 = "another middleware and one more program";
+const s95 = "multicast endpoint data";
+const s96 = "another middleware and a configuration file";
+const s97 = "router on each host";
+const s98 = "another middleware and several more programs";
+const s99 = "star of routers";
+const s100 = "static endpoints";
+const s101 = "two discovery servers";
+const s102 = {"effort": 1, "takes": "a setting", "best_case": false, "mind": "hosts too far away for this rate cannot join; no multicast or management frame may use a lower rate"};
+const s103 = {"effort": 5, "takes": "rebuilt nodes", "best_case": false, "mind": "only nodes built as components can be composed; one crash ends all composed nodes of that host"};
+const s104 = {"effort": 6, "takes": s85, "best_case": false, "mind": "all hosts and the access point need this radio and must be close enough for its rate"};
+const s105 = "several more programs";
+const s106 = "hostapd.conf of the access point";
+const s107 = "for every process";
+const s108 = "Fast DDS 2.9.1";
+const s109 = "Cyclone DDS 0.10.2 and 11.0.1";
+const s110 = "on a computer that is wired to the access point";
+const s111 = "on every robot";
+const s112 = {
+"where": s111,
+"version": s108,
 "text": "# Fast DDS 2.9.1: on every robot\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n",
 };
-const s114 = {
+const s113 = {
 "where": "for ros2 tools, of any version",
-"version": s109,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: for ros2 tools, of any version -->\n<!-- Load: save as /etc/fast_dds_tools.xml; ros2 and its daemon run with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds_tools.xml and without ROS_DISCOVERY_SERVER -->\n<!-- (from Fast DDS 3.0 on, so in ROS 2 Kilted: FASTDDS_DEFAULT_PROFILES_FILE); begin with ros2 -->\n<!-- daemon stop -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"super_client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SUPER_CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 };
-const s115 = {
+const s114 = {
 "where": "for ros2 tools, of versions that read it",
 "version": "ROS 2 Jazzy",
 "text": "# ROS 2 Jazzy: for ros2 tools, of versions that read it\n# Load: both are environment variables of ros2 and its daemon: export them in the shell of\n# the tools, then ros2 daemon stop\n# Not run here: compared with its documentation\n# Fast DDS reads ROS_SUPER_CLIENT from 2.6.7 on (ROS 2 Humble), 2.10.3 (Iron) and 2.13.0 (Jazzy and\n# later). Older ones, such as 2.9.1, ignore it: take the profile of a SUPER_CLIENT.\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\nexport ROS_SUPER_CLIENT=TRUE\n",
 };
-const s116 = "on every computer";
-const s117 = {
-"where": s111,
+const s115 = "on every computer";
+const s116 = {
+"where": s110,
 "version": "Zenoh 1.10.2",
 "text": "// Zenoh 1.10.2: on a computer that is wired to the access point\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 };
-const s118 = {
+const s117 = {
 "where": "for every process of a robot",
 "version": "Zenoh 1.10.2",
 "text": "// Zenoh 1.10.2: for every process of a robot\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n{\n  mode: \"peer\",\n  connect: { endpoints: [\"tcp/localhost:7447\"] },\n  listen: { endpoints: [\"tcp/localhost:0\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: { router: [\"router\", \"peer\"], peer: [\"router\"] },\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 };
-const s119 = "a Discovery Server";
-const s120 = "both as Fast DDS was measured";
-const s121 = "Fast DDS Discovery Server";
-const s122 = [s88, s119, s120, s121, "Fast DDS", s88];
-const s123 = "two Discovery Servers";
-const s124 = "Fast DDS Discovery Server, two";
-const s125 = [s102, s123, s120, s124, "Fast DDS", s102];
-const s126 = "a Discovery Server on a robot";
-const s127 = "Fast DDS Discovery Server, on a robot";
-const s128 = [s90, s126, s120, s127, "Fast DDS", s90];
-const s129 = [s101, s101, s120, s101, "Fast DDS", s101];
-const s130 = "both as Cyclone DDS was measured";
-const s131 = "Cyclone DDS peers";
-const s132 = ["peers", "static peers", s130, s131, "Cyclone DDS", "peers"];
-const s133 = "endpoints by multicast";
-const s134 = "Cyclone DDS multicast SEDP";
-const s135 = [s96, s133, s130, s134, "Cyclone DDS", s96];
-const s136 = [1, "within a second at best"];
-const s137 = [Infinity, "leases at risk"];
-const s138 = "never catches up";
-const s139 = {"until": [s136, [Infinity, "slow at best"], s137], "never": s138};
-const s140 = {"second": 1, "ever": Infinity};
-const s141 = {"count": "count", "more": ["more", "more2"]};
-const s142 = [s141, s141, s141];
-const s143 = {"count": "count2", "more": ["more3", "more4", "more5"]};
-const s144 = [s143, s143, s143];
-const s145 = {"count": "count3", "more": ["more6", "more7", "more8"]};
-const s146 = [s145, s145, s145];
-const s147 = {"burst": 1, "second": 1, "ever": 0};
-const s148 = "a router behind the access point";
-const s149 = "both as Zenoh peer with tokens was measured";
-const s150 = "Zenoh peer, tokens";
-const s151 = ["router", s148, s149, "Zenoh router", s150, "router"];
-const s152 = "a router on each host";
-const s153 = "Zenoh router per host";
-const s154 = [s98, s152, s149, s153, s150, s98];
-const s155 = "a router on each host, linked with one behind the access point";
-const s156 = "Zenoh router per host, star";
-const s157 = [s100, s155, s149, s156, s150, s100];
-const s158 = "--ds-family-zenoh";
-const s159 = [s142, s146, s144];
-const s160 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s147];
-const s161 = "switching to Fast DDS with a Discovery Server";
-const s162 = "middleware and discovery server";
-const s163 = "switching to Fast DDS with two Discovery Servers";
-const s164 = "middleware and two discovery servers";
-const s165 = "switching to Fast DDS with a Discovery Server on a robot";
-const s166 = "middleware and discovery server on a robot";
-const s167 = "switching to Fast DDS with static endpoints";
-const s168 = "middleware and static endpoints";
-const s169 = "switching to Zenoh with a router behind the access point";
-const s170 = "middleware and router";
-const s171 = "switching to Zenoh with a router on each host";
-const s172 = "middleware and router on each host";
-const s173 = "switching to Zenoh with a router on each host, linked with one behind the access point";
-const s174 = "middleware and star of routers";
-const s175 = "calmer announcements";
-const s176 = "switching to Cyclone DDS, version 11";
-const s177 = "Cyclone DDS, version 11";
-const s178 = "switching to Fast DDS";
-const s179 = "switching to Zenoh peer, tokens";
-const s180 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-const s181 = "--ds-product-cyclone-dds";
-const s182 = [
-[1, 1.67, 11.3, "In 11 swarms within that range that the table was not fitted to, discovery took 0.68 to 1.12 times the airtime it says, typically 7% more or less"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range that the table was not fitted to, discovery took 0.99 to 1.09 times the airtime it says, typically 5% more or less"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that the table was not fitted to, discovery took 1.31 to 1.47 times the airtime it says, typically 39% more or less"],
+const s118 = "a Discovery Server";
+const s119 = "both values are of Fast DDS's measured model";
+const s120 = "Fast DDS Discovery Server";
+const s121 = [s88, s118, s119, s120, "Fast DDS", s88];
+const s122 = "two Discovery Servers";
+const s123 = "Fast DDS Discovery Server, two";
+const s124 = [s101, s122, s119, s123, "Fast DDS", s101];
+const s125 = "a Discovery Server on a robot";
+const s126 = "Fast DDS Discovery Server, on a robot";
+const s127 = [s90, s125, s119, s126, "Fast DDS", s90];
+const s128 = [s100, s100, s119, s100, "Fast DDS", s100];
+const s129 = "both values are of Cyclone DDS's measured model";
+const s130 = "Cyclone DDS peers";
+const s131 = ["peers", "static peers", s129, s130, "Cyclone DDS", "peers"];
+const s132 = "multicast SEDP announcements";
+const s133 = "Cyclone DDS multicast SEDP";
+const s134 = [s95, s132, s129, s133, "Cyclone DDS", s95];
+const s135 = [1, "within a second at best"];
+const s136 = [Infinity, "leases at risk"];
+const s137 = "never catches up";
+const s138 = {"until": [s135, [Infinity, "slow at best"], s136], "never": s137};
+const s139 = {"second": 1, "ever": Infinity};
+const s140 = {"count": "count", "more": ["more", "more2"]};
+const s141 = [s140, s140, s140];
+const s142 = {"count": "count2", "more": ["more3", "more4", "more5"]};
+const s143 = [s142, s142, s142];
+const s144 = {"count": "count3", "more": ["more6", "more7", "more8"]};
+const s145 = [s144, s144, s144];
+const s146 = {"burst": 1, "second": 1, "ever": 0};
+const s147 = "a router behind the access point";
+const s148 = "both values are of Zenoh peer with tokens's measured model";
+const s149 = "Zenoh peer, tokens";
+const s150 = ["router", s147, s148, "Zenoh router", s149, "router"];
+const s151 = "a router on each host";
+const s152 = "Zenoh router per host";
+const s153 = [s97, s151, s148, s152, s149, s97];
+const s154 = "a router on each host, linked with one behind the access point";
+const s155 = "Zenoh router per host, star";
+const s156 = [s99, s154, s148, s155, s149, s99];
+const s157 = "--ds-family-zenoh";
+const s158 = [s141, s145, s143];
+const s159 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s146];
+const s160 = "switching to Fast DDS with a Discovery Server";
+const s161 = "middleware and discovery server";
+const s162 = "switching to Fast DDS with two Discovery Servers";
+const s163 = "middleware and two discovery servers";
+const s164 = "switching to Fast DDS with a Discovery Server on a robot";
+const s165 = "middleware and discovery server on a robot";
+const s166 = "switching to Fast DDS with static endpoints";
+const s167 = "middleware and static endpoints";
+const s168 = "switching to Zenoh with a router behind the access point";
+const s169 = "middleware and router";
+const s170 = "switching to Zenoh with a router on each host";
+const s171 = "middleware and router on each host";
+const s172 = "switching to Zenoh with a router on each host, linked with one behind the access point";
+const s173 = "middleware and star of routers";
+const s174 = "a longer announcement interval";
+const s175 = "switching to Cyclone DDS, version 11";
+const s176 = "Cyclone DDS, version 11";
+const s177 = "switching to Fast DDS";
+const s178 = "switching to Zenoh peer, tokens";
+const s179 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
+const s180 = "--ds-product-cyclone-dds";
+const s181 = [
+[1, 1.67, 11.3, "In 11 swarms within that range that we did not fit, discovery took 0.68 to 1.12 times the airtime of the model (typical error 7%)"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice that range that we did not fit, discovery took 0.99 to 1.09 times the airtime of the model (typical error 5%)"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we did not fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%)"],
 ];
-const s183 = {"until": [s136, [10, "slow at best"], s137], "never": s138};
-const s184 = {"second": 1, "lease": 10, "ever": Infinity};
-const s185 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
-const s186 = [s185, s185, s185];
-const s187 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
-const s188 = [s187, s187, s187];
-const s189 = {"count": "count6", "more": []};
-const s190 = [s189, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
-const s191 = [s142, s146, s144, s186, s188, s190, [s189, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
-const s192 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
-const s193 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
-const s194 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
-const s195 = 972.4761045987376;
-const s196 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
-const s197 = 154.45158821278227;
-const s198 = "Heartbeat of data";
-const s199 = 187.0099502487562;
-const s200 = "ACKNACK for others";
-const s201 = 179.99005799502902;
-const s202 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
-const s203 = ["Liveliness", "unicast", s201, 0.7242, 1, 1, "up down", s202];
-const s204 = "Liveliness at start";
-const s205 = 190.54725731648807;
-const s206 = "Liveliness for others";
-const s207 = "Liveliness Heartbeat";
-const s208 = 180.02610587382162;
-const s209 = [s207, "unicast", s208, 0.2758, 1, 1, "up down", s202];
-const s210 = "Liveliness Heartbeat at start";
-const s211 = 153.8987676056338;
-const s212 = "Liveliness ACKNACK";
-const s213 = [s212, "unicast", 128, 1, 1, 1, "up down", s202];
-const s214 = "Liveliness ACKNACK at start";
-const s215 = 181.3784494086728;
-const s216 = "Liveliness ACKNACK for others";
-const s217 = "Type lookup Heartbeat";
-const s218 = 129.08962679988247;
-const s219 = "Type lookup ACKNACK";
-const s220 = 195.20030291556228;
-const s221 = "Type lookup ACKNACK for others";
-const s222 = "User Heartbeat";
-const s223 = 139.31615175284134;
-const s224 = "User Heartbeat for others";
-const s225 = 182.43195266272187;
-const s226 = "User ACKNACK for others";
-const s227 = "Cyclone DDS, wired";
-const s228 = "switching to Cyclone DDS";
-const s229 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s230 = [[1, 1, 1, "In 7 swarms within that range that the table was not fitted to, discovery took 0.95 to 1.13 times the airtime it says, typically 5% more or less"]];
-const s231 = [s142, s146, s144, s188, s190];
-const s232 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s192];
-const s233 = 493.08762420957544;
-const s234 = 1167.7479630635523;
-const s235 = "SEDP multicast";
-const s236 = 961.6660682226212;
-const s237 = "Heartbeat multicast";
-const s238 = 201.42013994523882;
-const s239 = 199.39703903095557;
-const s240 = 150.79816322270926;
-const s241 = "Liveliness unicast";
-const s242 = 245.09790605546124;
-const s243 = "Liveliness Heartbeat unicast";
-const s244 = 234.05196032120926;
-const s245 = 187.1920199501247;
-const s246 = 224.96579476861166;
-const s247 = "Type lookup Heartbeat unicast";
-const s248 = 230.92749087115283;
-const s249 = 230.46065100947672;
-const s250 = "User Heartbeat multicast";
-const s251 = 232.6802973977695;
-const s252 = 226.06745510293473;
-const s253 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
-const s254 = [
-[1, 1.67, 11.3, "In 11 swarms within that range that the table was not fitted to, discovery took 0.72 to 1.13 times the airtime it says, typically 9% more or less"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range that the table was not fitted to, discovery took 1.15 to 1.24 times the airtime it says, typically 20% more or less"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that the table was not fitted to, discovery took 1.28 to 1.48 times the airtime it says, typically 38% more or less"],
+const s182 = {"until": [s135, [10, "slow at best"], s136], "never": s137};
+const s183 = {"second": 1, "lease": 10, "ever": Infinity};
+const s184 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
+const s185 = [s184, s184, s184];
+const s186 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
+const s187 = [s186, s186, s186];
+const s188 = {"count": "count6", "more": []};
+const s189 = [s188, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
+const s190 = [s141, s145, s143, s185, s187, s189, [s188, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
+const s191 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
+const s192 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
+const s193 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
+const s194 = 972.4761045987376;
+const s195 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
+const s196 = 154.45158821278227;
+const s197 = "Heartbeat of data";
+const s198 = 187.0099502487562;
+const s199 = "ACKNACK for others";
+const s200 = 179.99005799502902;
+const s201 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
+const s202 = ["Liveliness", "unicast", s200, 0.7242, 1, 1, "up down", s201];
+const s203 = "Liveliness at start";
+const s204 = 190.54725731648807;
+const s205 = "Liveliness for others";
+const s206 = "Liveliness Heartbeat";
+const s207 = 180.02610587382162;
+const s208 = [s206, "unicast", s207, 0.2758, 1, 1, "up down", s201];
+const s209 = "Liveliness Heartbeat at start";
+const s210 = 153.8987676056338;
+const s211 = "Liveliness ACKNACK";
+const s212 = [s211, "unicast", 128, 1, 1, 1, "up down", s201];
+const s213 = "Liveliness ACKNACK at start";
+const s214 = 181.3784494086728;
+const s215 = "Liveliness ACKNACK for others";
+const s216 = "Type lookup Heartbeat";
+const s217 = 129.08962679988247;
+const s218 = "Type lookup ACKNACK";
+const s219 = 195.20030291556228;
+const s220 = "Type lookup ACKNACK for others";
+const s221 = "User Heartbeat";
+const s222 = 139.31615175284134;
+const s223 = "User Heartbeat for others";
+const s224 = 182.43195266272187;
+const s225 = "User ACKNACK for others";
+const s226 = "Cyclone DDS, wired";
+const s227 = "switching to Cyclone DDS";
+const s228 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
+const s229 = [[1, 1, 1, "In 7 swarms within that range that we did not fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%)"]];
+const s230 = [s141, s145, s143, s187, s189];
+const s231 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s191];
+const s232 = 493.08762420957544;
+const s233 = 1167.7479630635523;
+const s234 = "SEDP multicast";
+const s235 = 961.6660682226212;
+const s236 = "Heartbeat multicast";
+const s237 = 201.42013994523882;
+const s238 = 199.39703903095557;
+const s239 = 150.79816322270926;
+const s240 = "Liveliness unicast";
+const s241 = 245.09790605546124;
+const s242 = "Liveliness Heartbeat unicast";
+const s243 = 234.05196032120926;
+const s244 = 187.1920199501247;
+const s245 = 224.96579476861166;
+const s246 = "Type lookup Heartbeat unicast";
+const s247 = 230.92749087115283;
+const s248 = 230.46065100947672;
+const s249 = "User Heartbeat multicast";
+const s250 = 232.6802973977695;
+const s251 = 226.06745510293473;
+const s252 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
+const s253 = [
+[1, 1.67, 11.3, "In 11 swarms within that range that we did not fit, discovery took 0.72 to 1.13 times the airtime of the model (typical error 9%)"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice that range that we did not fit, discovery took 1.15 to 1.24 times the airtime of the model (typical error 20%)"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we did not fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%)"],
 ];
-const s255 = 432.2946357085669;
-const s256 = 726.2444541104828;
-const s257 = 153.93607305936075;
-const s258 = 186.8277247614264;
-const s259 = 187.05568338702255;
-const s260 = 156.2517609634174;
-const s261 = 190.87976752633492;
-const s262 = 132.5107047976246;
-const s263 = 204.12578616352204;
-const s264 = 133.94982078853047;
-const s265 = 167.8055937643283;
-const s266 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s267 = [[1, 1, 1, "In 7 swarms within that range that the table was not fitted to, discovery took 0.94 to 1.33 times the airtime it says, typically 5% more or less"]];
-const s268 = {"count": "count11", "more": ["more31", "more32", "more2"]};
-const s269 = [s268, s268, s268];
-const s270 = {"count": "count12", "more": ["more33", "more34", "more35"]};
-const s271 = [s270, s270, s270];
-const s272 = [s269, s271, s146, s144, s186, s188, s190];
-const s273 = "ICMP unreachable";
-const s274 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-const s275 = 442.0177243557095;
-const s276 = 1224.46511627907;
-const s277 = 334.84114485689287;
-const s278 = 150.13620569840168;
-const s279 = 191.25372354324537;
-const s280 = 180.00607650876952;
-const s281 = 170.0050484920951;
-const s282 = 179.9840521928235;
-const s283 = 156.0150305307656;
-const s284 = 190.60377358490564;
-const s285 = 134.67330119732546;
-const s286 = 185.2367491166078;
-const s287 = 147.20074005550418;
-const s288 = 166.51716247139586;
-const s289 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s290 = [[1, 1, 1, "In 7 swarms within that range that the table was not fitted to, discovery took 0.91 to 1.10 times the airtime it says, typically 8% more or less"]];
-const s291 = 492.4140969162995;
-const s292 = 1040.4988009592325;
-const s293 = 965.8901890189019;
-const s294 = 215.89285714285714;
-const s295 = 213.31594018453706;
-const s296 = 200.7060146149522;
-const s297 = 180.02209944751382;
-const s298 = 152.05954502568403;
-const s299 = 510.6666666666667;
-const s300 = 179.94202898550725;
-const s301 = 201.4570446735395;
-const s302 = 219.65142364106987;
-const s303 = 186.30392156862746;
-const s304 = 207.01075268817203;
-const s305 = 249.3997682502897;
-const s306 = 210.50383141762453;
-const s307 = 176.79097672186225;
-const s308 = 122.00209989500526;
-const s309 = 167.19174466042716;
-const s310 = "switching to Cyclone DDS with static peers";
-const s311 = "middleware and peers";
-const s312 = "switching to Cyclone DDS with endpoints by multicast";
-const s313 = "middleware and multicast endpoint data";
-const s314 = "--ds-product-fast-dds";
-const s315 = {"until": [s136, [20, "slow at best"], s137], "never": s138};
-const s316 = {"second": 1, "lease": 20, "ever": Infinity};
-const s317 = {"count": "count13", "more": ["more36", "more37", "more38"]};
-const s318 = {"count": "count14", "more": ["more39", "more40"]};
-const s319 = [s318, s318, s318];
-const s320 = {"count": "count16", "more": ["more44", "more45", "more5"]};
-const s321 = {"count": "count17", "more": ["more46", "more47", "more38"]};
-const s322 = [s189, s321, s321];
-const s323 = [s142, [s189, s317, s317], s319, [s189, {"count": "count15", "more": ["more41", "more42", "more43"]}, s320], s322, s190];
-const s324 = "SPDP to server";
-const s325 = 0.3333333333333333;
-const s326 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s325};
-const s327 = "SPDP of server";
-const s328 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s325};
-const s329 = "SPDP of server at discovery";
-const s330 = 748.3930635838151;
-const s331 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-const s332 = "SPDP of others";
-const s333 = 683.9365973934484;
-const s334 = "SPDP Heartbeat";
-const s335 = "SPDP Heartbeat of server";
-const s336 = 250.29586195342605;
-const s337 = "SPDP Heartbeat of others";
-const s338 = 354.98051539912007;
-const s339 = "SPDP ACKNACK of others";
-const s340 = "SPDP ACKNACK of server";
-const s341 = 204.14209591474247;
-const s342 = "SEDP to server";
-const s343 = "SEDP of others";
-const s344 = 655.9962112242481;
-const s345 = "Heartbeat of server";
-const s346 = "Heartbeat of others";
-const s347 = 451.4893977947413;
-const s348 = "ACKNACK of others";
-const s349 = "ACKNACK of server";
-const s350 = 205.97133664814274;
-const s351 = "Liveliness Heartbeat to server";
-const s352 = "Liveliness Heartbeat of server";
-const s353 = [s207, "unicast", 192, 1, 4, 1.292, "up down", s331];
-const s354 = "Liveliness ACKNACK to server";
-const s355 = "Liveliness ACKNACK of server";
-const s356 = [s212, "unicast", 188, 1, 4, 1.292, "up down", s331];
-const s357 = [s222, "unicast", 192, 1, 5, 1.021, "up down", s331];
-const s358 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s331];
-const s359 = {"count": "count18", "more": ["more48", "more2"]};
-const s360 = {"count": "count19", "more": ["more49", "more50", "more38"]};
-const s361 = {"count": "count20", "more": ["more51", "more40"]};
-const s362 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s363 = [
-[1, 1.67, 11.3, "In 11 swarms within that range that the table was not fitted to, discovery took 0.91 to 1.04 times the airtime it says, typically 3% more or less"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range that the table was not fitted to, discovery took 0.95 to 1.22 times the airtime it says, typically 13% more or less"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that the table was not fitted to, discovery took 2.06 to 2.29 times the airtime it says, typically 118% more or less"],
+const s254 = 432.2946357085669;
+const s255 = 726.2444541104828;
+const s256 = 153.93607305936075;
+const s257 = 186.8277247614264;
+const s258 = 187.05568338702255;
+const s259 = 156.2517609634174;
+const s260 = 190.87976752633492;
+const s261 = 132.5107047976246;
+const s262 = 204.12578616352204;
+const s263 = 133.94982078853047;
+const s264 = 167.8055937643283;
+const s265 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
+const s266 = [[1, 1, 1, "In 7 swarms within that range that we did not fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%)"]];
+const s267 = {"count": "count11", "more": ["more31", "more32", "more2"]};
+const s268 = [s267, s267, s267];
+const s269 = {"count": "count12", "more": ["more33", "more34", "more35"]};
+const s270 = [s269, s269, s269];
+const s271 = [s268, s270, s145, s143, s185, s187, s189];
+const s272 = "ICMP unreachable";
+const s273 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+const s274 = 442.0177243557095;
+const s275 = 1224.46511627907;
+const s276 = 334.84114485689287;
+const s277 = 150.13620569840168;
+const s278 = 191.25372354324537;
+const s279 = 180.00607650876952;
+const s280 = 170.0050484920951;
+const s281 = 179.9840521928235;
+const s282 = 156.0150305307656;
+const s283 = 190.60377358490564;
+const s284 = 134.67330119732546;
+const s285 = 185.2367491166078;
+const s286 = 147.20074005550418;
+const s287 = 166.51716247139586;
+const s288 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
+const s289 = [[1, 1, 1, "In 7 swarms within that range that we did not fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%)"]];
+const s290 = 492.4140969162995;
+const s291 = 1040.4988009592325;
+const s292 = 965.8901890189019;
+const s293 = 215.89285714285714;
+const s294 = 213.31594018453706;
+const s295 = 200.7060146149522;
+const s296 = 180.02209944751382;
+const s297 = 152.05954502568403;
+const s298 = 510.6666666666667;
+const s299 = 179.94202898550725;
+const s300 = 201.4570446735395;
+const s301 = 219.65142364106987;
+const s302 = 186.30392156862746;
+const s303 = 207.01075268817203;
+const s304 = 249.3997682502897;
+const s305 = 210.50383141762453;
+const s306 = 176.79097672186225;
+const s307 = 122.00209989500526;
+const s308 = 167.19174466042716;
+const s309 = "switching to Cyclone DDS with static peers";
+const s310 = "middleware and peers";
+const s311 = "switching to Cyclone DDS with multicast SEDP announcements";
+const s312 = "middleware and multicast endpoint data";
+const s313 = "--ds-product-fast-dds";
+const s314 = {"until": [s135, [20, "slow at best"], s136], "never": s137};
+const s315 = {"second": 1, "lease": 20, "ever": Infinity};
+const s316 = {"count": "count13", "more": ["more36", "more37", "more38"]};
+const s317 = {"count": "count14", "more": ["more39", "more40"]};
+const s318 = [s317, s317, s317];
+const s319 = {"count": "count16", "more": ["more44", "more45", "more5"]};
+const s320 = {"count": "count17", "more": ["more46", "more47", "more38"]};
+const s321 = [s188, s320, s320];
+const s322 = [s141, [s188, s316, s316], s318, [s188, {"count": "count15", "more": ["more41", "more42", "more43"]}, s319], s321, s189];
+const s323 = "SPDP to server";
+const s324 = 0.3333333333333333;
+const s325 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s324};
+const s326 = "SPDP of server";
+const s327 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s324};
+const s328 = "SPDP of server at discovery";
+const s329 = 748.3930635838151;
+const s330 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+const s331 = "SPDP of others";
+const s332 = 683.9365973934484;
+const s333 = "SPDP Heartbeat";
+const s334 = "SPDP Heartbeat of server";
+const s335 = 250.29586195342605;
+const s336 = "SPDP Heartbeat of others";
+const s337 = 354.98051539912007;
+const s338 = "SPDP ACKNACK of others";
+const s339 = "SPDP ACKNACK of server";
+const s340 = 204.14209591474247;
+const s341 = "SEDP to server";
+const s342 = "SEDP of others";
+const s343 = 655.9962112242481;
+const s344 = "Heartbeat of server";
+const s345 = "Heartbeat of others";
+const s346 = 451.4893977947413;
+const s347 = "ACKNACK of others";
+const s348 = "ACKNACK of server";
+const s349 = 205.97133664814274;
+const s350 = "Liveliness Heartbeat to server";
+const s351 = "Liveliness Heartbeat of server";
+const s352 = [s206, "unicast", 192, 1, 4, 1.292, "up down", s330];
+const s353 = "Liveliness ACKNACK to server";
+const s354 = "Liveliness ACKNACK of server";
+const s355 = [s211, "unicast", 188, 1, 4, 1.292, "up down", s330];
+const s356 = [s221, "unicast", 192, 1, 5, 1.021, "up down", s330];
+const s357 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s330];
+const s358 = {"count": "count18", "more": ["more48", "more2"]};
+const s359 = {"count": "count19", "more": ["more49", "more50", "more38"]};
+const s360 = {"count": "count20", "more": ["more51", "more40"]};
+const s361 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+const s362 = [
+[1, 1.67, 11.3, "In 11 swarms within that range that we did not fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%)"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice that range that we did not fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%)"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we did not fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%)"],
 ];
-const s364 = {"count": "count23", "more": ["more56", "more57", "more8"]};
-const s365 = [s364, s364, s364];
-const s366 = [s142, s365, s146, s188, s144, s190];
-const s367 = "SPDP at discovery";
-const s368 = 4.833333333333333;
-const s369 = 5.166666666666666;
-const s370 = {"burst": s368, "second": s369, "lease": 0.575, "ever": s325};
-const s371 = "SPDP unicast at discovery";
-const s372 = "SPDP unicast for others";
-const s373 = 852.6666666666666;
-const s374 = "Heartbeat for others";
-const s375 = "ACKNACK of data";
-const s376 = "--ds-basis-proposal";
-const s377 = {"until": [s136, [23, "slow at best"], s137], "never": s138};
-const s378 = {"second": 1, "lease": 23, "ever": Infinity};
-const s379 = {"count": "count24", "more": ["more58", "more35"]};
-const s380 = [s379, s379, s379];
-const s381 = {"count": "more35", "more": ["more35"]};
-const s382 = [s381, s381, s381];
-const s383 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-const s384 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s383];
-const s385 = ["Process", "multicast", 24, 0, 1, 1, "up down", s383];
-const s386 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s383];
-const s387 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s383];
-const s388 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s383];
-const s389 = {"burst": 0, "second": s325, "lease": s325, "ever": s325};
-const s390 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s389];
-const s391 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s389];
-const s392 = {"count": "count25", "more": ["count25"]};
-const s393 = "switching to DDS, periods of Cyclone DDS";
-const s394 = "DDS, periods of Cyclone DDS";
-const s395 = "DDS, periods of Fast DDS";
-const s396 = "switching to Zenoh, periods of Zenoh peer";
-const s397 = "Zenoh, periods of Zenoh peer";
-const s398 = "switching to DDS, periods of Fast DDS";
-const s399 = "--ds-product-zenoh";
-const s400 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-const s401 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-const s402 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s401];
-const s403 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s404 = [[1, 1, 1, "In 10 swarms within that range that the table was not fitted to, discovery took 0.95 to 1.31 times the airtime it says, typically 5% more or less"]];
-const s405 = [s320, s320, s320];
-const s406 = {"count": "count26", "more": ["more59", "more60"]};
-const s407 = {"count": "count27", "more": ["more61", "more62", "more63"]};
-const s408 = [s142, s365, s319, s146, s188, s144, s405, [s406, s406, s406], s186, [s407, s407, s407], s190];
-const s409 = "SPDP of endpoints";
-const s410 = "SPDP unicast of endpoints";
-const s411 = "Listed at discovery";
-const s412 = "Listed of endpoints";
-const s413 = "Listed unicast";
-const s414 = "Listed unicast at discovery";
-const s415 = "Listed unicast for others";
-const s416 = "Listed unicast of endpoints";
-const s417 = "peers, each linked with each other (measured with 1.10.2)";
-const s418 = [[1, 1, 1, "In 10 swarms within that range that the table was not fitted to, discovery took 0.86 to 1.12 times the airtime it says, typically 8% more or less"]];
-const s419 = [s143, {"count": "count28", "more": ["more64", "more65", "more66"]}, s189];
-const s420 = [s142, s146, s188, s144, s419, s190];
-const s421 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s400];
-const s422 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-const s423 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s196];
-const s424 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s196];
-const s425 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s196];
-const s426 = 163.4251497005988;
-const s427 = "OAM for others";
-const s428 = 106.65917220235053;
-const s429 = "Declare key expression";
-const s430 = 229.04217991787982;
-const s431 = "Declare key expression of matching";
-const s432 = 112.31961259079904;
-const s433 = "Frame of endpoints";
-const s434 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s401];
-const s435 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s196];
-const s436 = "TCP ACK at start";
-const s437 = "TCP ACK of endpoints";
-const s438 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-const s439 = [
-[1, 1.67, 11.3, "In 12 swarms within that range that the table was not fitted to, discovery took 0.90 to 1.41 times the airtime it says, typically 6% more or less"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice that range that the table was not fitted to, discovery took 0.99 to 1.02 times the airtime it says, typically 1% more or less"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that the table was not fitted to, discovery took 0.93 to 1.15 times the airtime it says, typically 11% more or less"],
+const s363 = {"count": "count23", "more": ["more56", "more57", "more8"]};
+const s364 = [s363, s363, s363];
+const s365 = [s141, s364, s145, s187, s143, s189];
+const s366 = "SPDP at discovery";
+const s367 = 4.833333333333333;
+const s368 = 5.166666666666666;
+const s369 = {"burst": s367, "second": s368, "lease": 0.575, "ever": s324};
+const s370 = "SPDP unicast at discovery";
+const s371 = "SPDP unicast for others";
+const s372 = 852.6666666666666;
+const s373 = "Heartbeat for others";
+const s374 = "ACKNACK of data";
+const s375 = "--ds-basis-proposal";
+const s376 = {"until": [s135, [23, "slow at best"], s136], "never": s137};
+const s377 = {"second": 1, "lease": 23, "ever": Infinity};
+const s378 = {"count": "count24", "more": ["more58", "more35"]};
+const s379 = [s378, s378, s378];
+const s380 = {"count": "more35", "more": ["more35"]};
+const s381 = [s380, s380, s380];
+const s382 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+const s383 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s382];
+const s384 = ["Process", "multicast", 24, 0, 1, 1, "up down", s382];
+const s385 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s382];
+const s386 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s382];
+const s387 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s382];
+const s388 = {"burst": 0, "second": s324, "lease": s324, "ever": s324};
+const s389 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s388];
+const s390 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s388];
+const s391 = {"count": "count25", "more": ["count25"]};
+const s392 = "switching to DDS, periods of Cyclone DDS";
+const s393 = "DDS, periods of Cyclone DDS";
+const s394 = "DDS, periods of Fast DDS";
+const s395 = "switching to Zenoh, periods of Zenoh peer";
+const s396 = "Zenoh, periods of Zenoh peer";
+const s397 = "switching to DDS, periods of Fast DDS";
+const s398 = "--ds-product-zenoh";
+const s399 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+const s400 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+const s401 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s400];
+const s402 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+const s403 = [[1, 1, 1, "In 10 swarms within that range that we did not fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%)"]];
+const s404 = [s319, s319, s319];
+const s405 = {"count": "count26", "more": ["more59", "more60"]};
+const s406 = {"count": "count27", "more": ["more61", "more62", "more63"]};
+const s407 = [s141, s364, s318, s145, s187, s143, s404, [s405, s405, s405], s185, [s406, s406, s406], s189];
+const s408 = "SPDP of endpoints";
+const s409 = "SPDP unicast of endpoints";
+const s410 = "Listed at discovery";
+const s411 = "Listed of endpoints";
+const s412 = "Listed unicast";
+const s413 = "Listed unicast at discovery";
+const s414 = "Listed unicast for others";
+const s415 = "Listed unicast of endpoints";
+const s416 = "peers, each linked with each other (measured with 1.10.2)";
+const s417 = [[1, 1, 1, "In 10 swarms within that range that we did not fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%)"]];
+const s418 = [s142, {"count": "count28", "more": ["more64", "more65", "more66"]}, s188];
+const s419 = [s141, s145, s187, s143, s418, s189];
+const s420 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s399];
+const s421 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+const s422 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s195];
+const s423 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s195];
+const s424 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s195];
+const s425 = 163.4251497005988;
+const s426 = "OAM for others";
+const s427 = 106.65917220235053;
+const s428 = "Declare key expression";
+const s429 = 229.04217991787982;
+const s430 = "Declare key expression of matching";
+const s431 = 112.31961259079904;
+const s432 = "Frame of endpoints";
+const s433 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s400];
+const s434 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s195];
+const s435 = "TCP ACK at start";
+const s436 = "TCP ACK of endpoints";
+const s437 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+const s438 = [
+[1, 1.67, 11.3, "In 12 swarms within that range that we did not fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%)"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice that range that we did not fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%)"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we did not fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%)"],
 ];
-const s440 = 179.4287333522244;
-const s441 = 167.6030534351145;
-const s442 = 175.50248756218906;
-const s443 = "Declare token of node";
-const s444 = 362.8385800401876;
-const s445 = "Declare key expression of node";
-const s446 = 159.33333333333334;
-const s447 = 142.56804733727813;
-const s448 = "--ds-product-rmw-zenoh";
-const s449 = {"until": [s136, [60, "slow at best"], s137], "never": s138};
-const s450 = {"second": 1, "lease": 60, "ever": Infinity};
-const s451 = [s318, {"count": "count29", "more": ["more67", "more68"]}, s189];
-const s452 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-const s453 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s452];
-const s454 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s452];
-const s455 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s452];
-const s456 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s452];
-const s457 = 154.5017382527756;
-const s458 = 192.6407465007776;
-const s459 = 358.9464799539613;
-const s460 = 137.8131868131868;
-const s461 = 282.5695792880259;
-const s462 = 622.248870141609;
-const s463 = 148.72727272727272;
-const s464 = 156.64516129032256;
-const s465 = 0.03333333333333333;
-const s466 = {"burst": 0, "second": s465, "lease": s465, "ever": s465};
-const s467 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s466];
-const s468 = "TCP ACK at start down";
-const s469 = "TCP ACK of endpoints down";
-const s470 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
-const s471 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
-const s472 = {"count": "count34", "more": ["more80", "more81", "more40"]};
-const s473 = [s472, s472, s472];
-const s474 = [s472, {"count": "count35", "more": ["more82", "more83", "more68"]}, s189];
-const s475 = [s189, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
-const s476 = 1523.8764478764479;
-const s477 = 1523.7329974811084;
-const s478 = "Frame of gossip";
-const s479 = 86.42028482111844;
-const s480 = "Declare of matching";
-const s481 = 1523.275922671353;
-const s482 = "Declare key expression of tokens";
-const s483 = 1524.2088308803109;
-const s484 = 86.11918147065437;
-const s485 = 1524.6626402070751;
-const s486 = 1523.8867459991793;
-const s487 = 1523.9638009049772;
-const s488 = [s144, s146];
-const s489 = {"until": [s136, [100, "slow at best"], s137], "never": s138};
-const s490 = {"second": 1, "lease": 100, "ever": Infinity};
-const s491 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s465};
-const s492 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s465};
-const s493 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-const s494 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-const s495 = 0.01020408163265306;
-const s496 = {"burst": 0, "second": s495, "lease": s495, "ever": s495};
-const s497 = ["Liveliness", "unicast", s201, 0.7242, 1, 1, "up down", s496];
-const s498 = [s207, "unicast", s208, 0.2758, 1, 1, "up down", s496];
-const s499 = [s212, "unicast", 128, 1, 1, 1, "up down", s496];
-const s500 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s491];
-const s501 = 0.06666666666666667;
-const s502 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s501};
-const s503 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s501};
-const s504 = {"burst": s368, "second": s369, "lease": 0.38166666666666665, "ever": s325};
-const s505 = [s146, s188, s144, s419, s190];
-const s506 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s196];
-const s507 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s196];
-const s508 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s196];
-const s509 = 0.9997000149992501;
-const s510 = ["KeepAlive", "unicast", 79, 1, 0, s509, "up down", s401];
-const s511 = ["TCP control", "unicast", 76, 1, 0, s509, "up down", s196];
+const s439 = 179.4287333522244;
+const s440 = 167.6030534351145;
+const s441 = 175.50248756218906;
+const s442 = "Declare token of node";
+const s443 = 362.8385800401876;
+const s444 = "Declare key expression of node";
+const s445 = 159.33333333333334;
+const s446 = 142.56804733727813;
+const s447 = "--ds-product-rmw-zenoh";
+const s448 = {"until": [s135, [60, "slow at best"], s136], "never": s137};
+const s449 = {"second": 1, "lease": 60, "ever": Infinity};
+const s450 = [s317, {"count": "count29", "more": ["more67", "more68"]}, s188];
+const s451 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+const s452 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s451];
+const s453 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s451];
+const s454 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s451];
+const s455 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s451];
+const s456 = 154.5017382527756;
+const s457 = 192.6407465007776;
+const s458 = 358.9464799539613;
+const s459 = 137.8131868131868;
+const s460 = 282.5695792880259;
+const s461 = 622.248870141609;
+const s462 = 148.72727272727272;
+const s463 = 156.64516129032256;
+const s464 = 0.03333333333333333;
+const s465 = {"burst": 0, "second": s464, "lease": s464, "ever": s464};
+const s466 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s465];
+const s467 = "TCP ACK at start down";
+const s468 = "TCP ACK of endpoints down";
+const s469 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
+const s470 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
+const s471 = {"count": "count34", "more": ["more80", "more81", "more40"]};
+const s472 = [s471, s471, s471];
+const s473 = [s471, {"count": "count35", "more": ["more82", "more83", "more68"]}, s188];
+const s474 = [s188, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
+const s475 = 1523.8764478764479;
+const s476 = 1523.7329974811084;
+const s477 = "Frame of gossip";
+const s478 = 86.42028482111844;
+const s479 = "Declare of matching";
+const s480 = 1523.275922671353;
+const s481 = "Declare key expression of tokens";
+const s482 = 1524.2088308803109;
+const s483 = 86.11918147065437;
+const s484 = 1524.6626402070751;
+const s485 = 1523.8867459991793;
+const s486 = 1523.9638009049772;
+const s487 = [s143, s145];
+const s488 = {"until": [s135, [100, "slow at best"], s136], "never": s137};
+const s489 = {"second": 1, "lease": 100, "ever": Infinity};
+const s490 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s464};
+const s491 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s464};
+const s492 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+const s493 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+const s494 = 0.01020408163265306;
+const s495 = {"burst": 0, "second": s494, "lease": s494, "ever": s494};
+const s496 = ["Liveliness", "unicast", s200, 0.7242, 1, 1, "up down", s495];
+const s497 = [s206, "unicast", s207, 0.2758, 1, 1, "up down", s495];
+const s498 = [s211, "unicast", 128, 1, 1, 1, "up down", s495];
+const s499 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s490];
+const s500 = 0.06666666666666667;
+const s501 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s500};
+const s502 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s500};
+const s503 = {"burst": s367, "second": s368, "lease": 0.38166666666666665, "ever": s324};
+const s504 = [s145, s187, s143, s418, s189];
+const s505 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s195];
+const s506 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s195];
+const s507 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s195];
+const s508 = 0.9997000149992501;
+const s509 = ["KeepAlive", "unicast", 79, 1, 0, s508, "up down", s400];
+const s510 = ["TCP control", "unicast", 76, 1, 0, s508, "up down", s195];
 return {
 "start": {"robot": s1, "middleware": "Fast DDS"},
 "groups": [s2, s3, s4, s5, s6],
@@ -685,14 +684,14 @@ return {
 "model": "linear",
 "values": {"R_uni": 144400000, "O_uni": 0.00018, "R_multi": 6000000, "O_multi": 0.00012},
 "remedies": [
-{"kind": s12, "what": s13, "note": "both by the standard's timing", "base": s16, "wifi": {"name": s17, "model": "padded", "values": s18}},
-{"kind": "radio", "what": s19, "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": s16, "wifi": s22},
-{"kind": "radio", "what": s23, "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": s16, "wifi": s27},
-{"kind": "radio", "what": s28, "note": "instead of 802.11n 20 MHz 2x2, both by the standard's timing: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": s16, "wifi": s32},
+{"kind": s12, "what": s13, "note": "both values use standard timing", "base": s16, "wifi": {"name": s17, "model": "padded", "values": s18}},
+{"kind": "radio", "what": s19, "note": "compared with 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead per frame exchange. Both values use standard timing", "base": s16, "wifi": s22},
+{"kind": "radio", "what": s23, "note": "compared with 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead per frame exchange. Both values use standard timing", "base": s16, "wifi": s27},
+{"kind": "radio", "what": s28, "note": "compared with 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead per frame exchange. Both values use standard timing", "base": s16, "wifi": s32},
 {
 "kind": "aggregation",
 "what": "aggregating up to 64 frames",
-"note": "both by the standard's timing; simulated by the paper's tables, 20 robots of 2 processes with 10 endpoints all know each other in 18 s instead of 31 s with DDS and in 31 s instead of 65 s with Zenoh (medians)",
+"note": "both values use standard timing. When we simulated the paper model's startup of 20 robots of 2 processes with 10 endpoints each, they needed 18 s instead of 31 s with DDS and 31 s instead of 65 s with Zenoh (medians)",
 "base": s16,
 "wifi": s33,
 },
@@ -704,9 +703,9 @@ return {
 "values": s35,
 "remedies": [
 {"kind": s12, "what": s13, "note": "", "base": s36, "wifi": {"name": "802.11a 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": s37}},
-{"kind": "radio", "what": s19, "note": "instead of 802.11a 20 MHz 1x1: 300 instead of 54 Mbit/s and 186 instead of 166 µs of overhead an exchange", "base": s36, "wifi": s22},
-{"kind": "radio", "what": s23, "note": "instead of 802.11a 20 MHz 1x1: 867 instead of 54 Mbit/s and 190 instead of 166 µs of overhead an exchange", "base": s36, "wifi": s27},
-{"kind": "radio", "what": s28, "note": "instead of 802.11a 20 MHz 1x1: 2402 instead of 54 Mbit/s and 196 instead of 166 µs of overhead an exchange", "base": s36, "wifi": s32},
+{"kind": "radio", "what": s19, "note": "compared with 802.11a 20 MHz 1x1: 300 instead of 54 Mbit/s and 186 instead of 166 µs of overhead per frame exchange", "base": s36, "wifi": s22},
+{"kind": "radio", "what": s23, "note": "compared with 802.11a 20 MHz 1x1: 867 instead of 54 Mbit/s and 190 instead of 166 µs of overhead per frame exchange", "base": s36, "wifi": s27},
+{"kind": "radio", "what": s28, "note": "compared with 802.11a 20 MHz 1x1: 2402 instead of 54 Mbit/s and 196 instead of 166 µs of overhead per frame exchange", "base": s36, "wifi": s32},
 ],
 },
 {
@@ -715,9 +714,9 @@ return {
 "values": s39,
 "remedies": [
 {"kind": s12, "what": s40, "note": "", "base": s41, "wifi": {"name": "802.11g 20 MHz 1x1, multicast 24 Mbit/s", "model": "padded", "values": s37}},
-{"kind": "radio", "what": s19, "note": "instead of 802.11g 20 MHz 1x1: 300 instead of 54 Mbit/s, 186 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s22},
-{"kind": "radio", "what": s23, "note": "instead of 802.11g 20 MHz 1x1: 867 instead of 54 Mbit/s, 190 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s27},
-{"kind": "radio", "what": s28, "note": "instead of 802.11g 20 MHz 1x1: 2402 instead of 54 Mbit/s, 196 instead of 166 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s32},
+{"kind": "radio", "what": s19, "note": "compared with 802.11g 20 MHz 1x1: 300 instead of 54 Mbit/s, 186 instead of 166 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s22},
+{"kind": "radio", "what": s23, "note": "compared with 802.11g 20 MHz 1x1: 867 instead of 54 Mbit/s, 190 instead of 166 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s27},
+{"kind": "radio", "what": s28, "note": "compared with 802.11g 20 MHz 1x1: 2402 instead of 54 Mbit/s, 196 instead of 166 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s41, "wifi": s32},
 ],
 },
 {
@@ -728,9 +727,9 @@ return {
 "simulated": "n",
 "remedies": [
 {"kind": s12, "what": s13, "note": "", "base": s43, "wifi": {"name": s17, "model": "padded", "values": s18, "full": {"name": "802.11n 20 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64", "model": "aggregated", "values": s44}, "simulated": null}},
-{"kind": "radio", "what": s19, "note": "instead of 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead an exchange", "base": s43, "wifi": s46},
-{"kind": "radio", "what": s23, "note": "instead of 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": s43, "wifi": s48},
-{"kind": "radio", "what": s28, "note": "instead of 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": s43, "wifi": s50},
+{"kind": "radio", "what": s19, "note": "compared with 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead per frame exchange", "base": s43, "wifi": s46},
+{"kind": "radio", "what": s23, "note": "compared with 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead per frame exchange", "base": s43, "wifi": s48},
+{"kind": "radio", "what": s28, "note": "compared with 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead per frame exchange", "base": s43, "wifi": s50},
 ],
 },
 {
@@ -741,9 +740,9 @@ return {
 "simulated": null,
 "remedies": [
 {"kind": s12, "what": s40, "note": "", "base": s54, "wifi": {"name": "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s", "model": "padded", "values": s18, "full": {"name": "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s, A-MPDU 64", "model": "aggregated", "values": s44}, "simulated": null}},
-{"kind": "radio", "what": s19, "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 300 instead of 144 Mbit/s, 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s46},
-{"kind": "radio", "what": s23, "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 867 instead of 144 Mbit/s, 190 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s48},
-{"kind": "radio", "what": s28, "note": "instead of 802.11n 20 MHz 2x2, 2.4 GHz: 2402 instead of 144 Mbit/s, 196 instead of 186 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s50},
+{"kind": "radio", "what": s19, "note": "compared with 802.11n 20 MHz 2x2, 2.4 GHz: 300 instead of 144 Mbit/s, 186 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s46},
+{"kind": "radio", "what": s23, "note": "compared with 802.11n 20 MHz 2x2, 2.4 GHz: 867 instead of 144 Mbit/s, 190 instead of 186 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s48},
+{"kind": "radio", "what": s28, "note": "compared with 802.11n 20 MHz 2x2, 2.4 GHz: 2402 instead of 144 Mbit/s, 196 instead of 186 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s54, "wifi": s50},
 ],
 },
 {
@@ -770,8 +769,8 @@ return {
 "simulated": null,
 },
 },
-{"kind": "radio", "what": s23, "note": "instead of 802.11n 40 MHz 2x2: 867 instead of 300 Mbit/s and 190 instead of 186 µs of overhead an exchange", "base": s46, "wifi": s48},
-{"kind": "radio", "what": s28, "note": "instead of 802.11n 40 MHz 2x2: 2402 instead of 300 Mbit/s and 196 instead of 186 µs of overhead an exchange", "base": s46, "wifi": s50},
+{"kind": "radio", "what": s23, "note": "compared with 802.11n 40 MHz 2x2: 867 instead of 300 Mbit/s and 190 instead of 186 µs of overhead per frame exchange", "base": s46, "wifi": s48},
+{"kind": "radio", "what": s28, "note": "compared with 802.11n 40 MHz 2x2: 2402 instead of 300 Mbit/s and 196 instead of 186 µs of overhead per frame exchange", "base": s46, "wifi": s50},
 ],
 },
 {
@@ -798,7 +797,7 @@ return {
 "simulated": null,
 },
 },
-{"kind": "radio", "what": s28, "note": "instead of 802.11ac 80 MHz 2x2: 2402 instead of 867 Mbit/s and 196 instead of 190 µs of overhead an exchange", "base": s48, "wifi": s50},
+{"kind": "radio", "what": s28, "note": "compared with 802.11ac 80 MHz 2x2: 2402 instead of 867 Mbit/s and 196 instead of 190 µs of overhead per frame exchange", "base": s48, "wifi": s50},
 ],
 },
 {
@@ -825,9 +824,9 @@ return {
 "simulated": null,
 },
 },
-{"kind": "radio", "what": s19, "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 300 instead of 287 Mbit/s, 186 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s46},
-{"kind": "radio", "what": s23, "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 867 instead of 287 Mbit/s, 190 instead of 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s48},
-{"kind": "radio", "what": s28, "note": "instead of 802.11ax 20 MHz 2x2, 2.4 GHz: 2402 instead of 287 Mbit/s, 196 µs of overhead an exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s50},
+{"kind": "radio", "what": s19, "note": "compared with 802.11ax 20 MHz 2x2, 2.4 GHz: 300 instead of 287 Mbit/s, 186 instead of 196 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s46},
+{"kind": "radio", "what": s23, "note": "compared with 802.11ax 20 MHz 2x2, 2.4 GHz: 867 instead of 287 Mbit/s, 190 instead of 196 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s48},
+{"kind": "radio", "what": s28, "note": "compared with 802.11ax 20 MHz 2x2, 2.4 GHz: 2402 instead of 287 Mbit/s, 196 µs of overhead per frame exchange and multicast at 6 instead of 1 Mbit/s", "base": s59, "wifi": s50},
 ],
 },
 {
@@ -854,7 +853,7 @@ return {
 "simulated": null,
 },
 },
-{"kind": "radio", "what": s28, "note": "instead of 802.11ax 80 MHz 2x2: 2402 instead of 1201 Mbit/s and 196 µs of overhead an exchange", "base": s64, "wifi": s50},
+{"kind": "radio", "what": s28, "note": "compared with 802.11ax 80 MHz 2x2: 2402 instead of 1201 Mbit/s and 196 µs of overhead per frame exchange", "base": s64, "wifi": s50},
 ],
 },
 {
@@ -907,7 +906,7 @@ return {
 "simulated": null,
 },
 },
-{"kind": "radio", "what": s28, "note": "instead of 802.11be 80 MHz 2x2: 2402 instead of 1441 Mbit/s and 196 instead of 204 µs of overhead an exchange", "base": s69, "wifi": s50},
+{"kind": "radio", "what": s28, "note": "compared with 802.11be 80 MHz 2x2: 2402 instead of 1441 Mbit/s and 196 instead of 204 µs of overhead per frame exchange", "base": s69, "wifi": s50},
 ],
 },
 {
@@ -1329,7 +1328,7 @@ return {
 "topology": "one access point, infrastructure",
 "limit": 1,
 "told": 2,
-"beyond": "; how far it is off for a fleet of this size was not measured",
+"beyond": "; we did not measure the error for a fleet of this size",
 "times": [[0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1, "s"], [100, 60, "minutes"], [6000, 3600, "hours"], [172800, 86400, "days"], [60480000, 31557600, "years"]],
 "airtime": {"inside": {"up": s80, "multicast": "inside_multicast", "unicast": s80}, "linear": {"up": s81, "multicast": "linear_multicast", "unicast": s81}, "padded": {"up": s82, "multicast": s83, "unicast": s82}, "aggregated": {"up": s84, "multicast": s83, "unicast": s84}},
 "laptop_nodes": 2,
@@ -1338,50 +1337,59 @@ return {
 "shared_endpoints": [2, 4],
 "remedies": {
 "aggregation": {"steps": ["aggregation"], "of": {"DDS": s86, "Zenoh": s86, "None": s86}},
-"announcements": {"steps": ["announcements"], "of": {"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "that a robot is gone is noticed later, and a lost announcement is made up for later"}, "Zenoh": null, "None": null}},
-"discovery server": {"steps": [s88], "of": {"DDS": {"effort": 3, "takes": s89, "best_case": false, "mind": "address on each robot; ros2 tools must be super clients; nobody new is found without it, nor after short outages without -b"}, "Zenoh": null, "None": null}},
-"discovery server on a robot": {"steps": [s90], "of": {"DDS": {"effort": 3, "takes": s89, "best_case": false, "mind": "address on each robot; ros2 tools must be super clients; nobody new is found while that robot is away"}, "Zenoh": null, "None": null}},
-"endpoints": {"steps": ["endpoints"], "of": {"DDS": s92, "Zenoh": s92, "None": s92}},
-"middleware": {"steps": ["middleware"], "of": {"DDS": s94, "Zenoh": {"effort": 7, "takes": s93, "best_case": false, "mind": "all hosts must change together; counted as peers that scout by multicast; the paper counts no tokens of rmw_zenoh"}, "None": s94}},
-"middleware and discovery server": {"steps": ["middleware", s88], "of": {"DDS": {"effort": 7, "takes": s95, "best_case": false, "mind": "all hosts must change together; address on each robot; ros2 tools must be super clients; nobody new is found without it, nor after short outages without -b"}, "Zenoh": null, "None": null}},
-"middleware and discovery server on a robot": {"steps": ["middleware", s90], "of": {"DDS": {"effort": 7, "takes": s95, "best_case": false, "mind": "all hosts must change together; address on each robot; ros2 tools must be super clients; nobody new is found while that robot is away"}, "Zenoh": null, "None": null}},
-"middleware and multicast endpoint data": {"steps": ["middleware", s96], "of": {"DDS": {"effort": 7, "takes": s97, "best_case": false, "mind": "all hosts must change together; multicast is sent at the basic rate and not acknowledged, so that what is lost is asked for later"}, "Zenoh": null, "None": null}},
+"announcements": {"steps": ["announcements"], "of": {"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "a failed robot is noticed later, and a lost announcement is repeated later"}, "Zenoh": null, "None": null}},
+"discovery server": {"steps": [s88], "of": {"DDS": {"effort": 3, "takes": s89, "best_case": false, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages without -b"}, "Zenoh": null, "None": null}},
+"discovery server on a robot": {"steps": [s90], "of": {"DDS": {"effort": 3, "takes": s89, "best_case": false, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null}},
+"endpoints": {"steps": ["endpoints"], "of": {"DDS": s91, "Zenoh": s91, "None": s91}},
+"middleware": {"steps": ["middleware"], "of": {"DDS": s93, "Zenoh": {"effort": 7, "takes": s92, "best_case": false, "mind": "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh"}, "None": s93}},
+"middleware and discovery server": {
+"steps": ["middleware", s88],
+"of": {"DDS": {"effort": 7, "takes": s94, "best_case": false, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages without -b"}, "Zenoh": null, "None": null},
+},
+"middleware and discovery server on a robot": {"steps": ["middleware", s90], "of": {"DDS": {"effort": 7, "takes": s94, "best_case": false, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null}},
+"middleware and multicast endpoint data": {"steps": ["middleware", s95], "of": {"DDS": {"effort": 7, "takes": s96, "best_case": false, "mind": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
 "middleware and peers": {
 "steps": ["middleware", "peers"],
 "of": {
-"DDS": {"effort": 7, "takes": s97, "best_case": false, "mind": "all hosts must change together; addresses must be known beforehand, and every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32"},
-"Zenoh": {"effort": 7, "takes": s97, "best_case": false, "mind": "all hosts must change together; addresses must be known beforehand; who is dialed before it is up may be dialed every 4 s for good"},
+"DDS": {"effort": 7, "takes": s96, "best_case": false, "mind": "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32"},
+"Zenoh": {"effort": 7, "takes": s96, "best_case": false, "mind": "all hosts must change together; you must know the addresses beforehand; a process that dials a peer before it is up may dial it every 4 s indefinitely"},
 "None": null,
 },
 },
-"middleware and router": {"steps": ["middleware", "router"], "of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s95, "best_case": false, "mind": "all hosts must change together; its address on each robot; data takes it, too; nobody hears anybody until 2.2 s after it is back (killed, lease of 10 s)"}, "None": null}},
-"middleware and router on each host": {"steps": ["middleware", s98], "of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s99, "best_case": false, "mind": "all hosts must change together; each router must be told of others; a robot whose router is down hears no other until 4.2 s after it is back"}, "None": null}},
-"middleware and star of routers": {"steps": ["middleware", s100], "of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s99, "best_case": false, "mind": "all hosts must change together; the wired router's address on each robot; robots hear no other while the wired router is away"}, "None": null}},
-"middleware and static endpoints": {"steps": ["middleware", s101], "of": {"DDS": {"effort": 7, "takes": "another middleware and work on the nodes", "best_case": false, "mind": "all hosts must change together; whoever adds an endpoint must list it everywhere, ROS 2's own too; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
-"middleware and two discovery servers": {"steps": ["middleware", s102], "of": {"DDS": {"effort": 7, "takes": s99, "best_case": false, "mind": "all hosts must change together; both addresses on each robot; ros2 tools must be super clients; nobody new is found while both servers are down"}, "Zenoh": null, "None": null}},
-"multicast endpoint data": {"steps": [s96], "of": {"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "multicast is sent at the basic rate and not acknowledged, so that what is lost is asked for later"}, "Zenoh": null, "None": null}},
-"multicast rate": {"steps": [s12], "of": {"DDS": s103, "Zenoh": s103, "None": s103}},
+"middleware and router": {
+"steps": ["middleware", "router"],
+"of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s94, "best_case": false, "mind": "all hosts must change together; each robot needs its address; data goes through it, too; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)"}, "None": null},
+},
+"middleware and router on each host": {"steps": ["middleware", s97], "of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s98, "best_case": false, "mind": "all hosts must change together; every router needs the addresses of the others; a robot whose router is down hears no other robot until 4.2 s after the router is back"}, "None": null}},
+"middleware and star of routers": {"steps": ["middleware", s99], "of": {"DDS": null, "Zenoh": {"effort": 7, "takes": s98, "best_case": false, "mind": "all hosts must change together; every robot needs the wired router's address; robots do not hear each other while the wired router is away"}, "None": null}},
+"middleware and static endpoints": {
+"steps": ["middleware", s100],
+"of": {"DDS": {"effort": 7, "takes": "another middleware and rebuilt nodes", "best_case": false, "mind": "all hosts must change together; whoever adds an endpoint must list it in every file, and ROS 2's own endpoints too; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null},
+},
+"middleware and two discovery servers": {"steps": ["middleware", s101], "of": {"DDS": {"effort": 7, "takes": s98, "best_case": false, "mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down"}, "Zenoh": null, "None": null}},
+"multicast endpoint data": {"steps": [s95], "of": {"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
+"multicast rate": {"steps": [s12], "of": {"DDS": s102, "Zenoh": s102, "None": s102}},
 "peers": {
 "steps": ["peers"],
 "of": {
-"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "addresses must be known beforehand, and every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32"},
-"Zenoh": {"effort": 2, "takes": s87, "best_case": false, "mind": "addresses must be known beforehand; who is dialed before it is up may be dialed every 4 s for good"},
+"DDS": {"effort": 2, "takes": s87, "best_case": false, "mind": "you must know the addresses beforehand; every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32"},
+"Zenoh": {"effort": 2, "takes": s87, "best_case": false, "mind": "you must know the addresses beforehand; a process that dials a peer before it is up may dial it every 4 s indefinitely"},
 "None": null,
 },
 },
-"processes": {"steps": ["processes"], "of": {"DDS": s104, "Zenoh": s104, "None": s104}},
-"radio": {"steps": ["radio"], "of": {"DDS": s105, "Zenoh": s105, "None": s105}},
-"router": {"steps": ["router"], "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": s89, "best_case": false, "mind": "its address on each robot; data takes it, too; nobody hears anybody until 2.2 s after it is back (killed, lease of 10 s)"}, "None": null}},
-"router on each host": {"steps": [s98], "of": {"DDS": null, "Zenoh": {"effort": 4, "takes": s106, "best_case": false, "mind": "each router must be told of others; a robot whose router is down hears no other until 4.2 s after it is back"}, "None": null}},
-"star of routers": {"steps": [s100], "of": {"DDS": null, "Zenoh": {"effort": 4, "takes": s106, "best_case": false, "mind": "the wired router's address on each robot; robots hear no other while the wired router is away"}, "None": null}},
-"static endpoints": {"steps": [s101], "of": {"DDS": {"effort": 5, "takes": s91, "best_case": false, "mind": "whoever adds an endpoint must list it everywhere, ROS 2's own too; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
-"two discovery servers": {"steps": [s102], "of": {"DDS": {"effort": 4, "takes": s106, "best_case": false, "mind": "both addresses on each robot; ros2 tools must be super clients; nobody new is found while both servers are down"}, "Zenoh": null, "None": null}},
+"processes": {"steps": ["processes"], "of": {"DDS": s103, "Zenoh": s103, "None": s103}},
+"radio": {"steps": ["radio"], "of": {"DDS": s104, "Zenoh": s104, "None": s104}},
+"router": {"steps": ["router"], "of": {"DDS": null, "Zenoh": {"effort": 3, "takes": s89, "best_case": false, "mind": "each robot needs its address; data goes through it, too; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)"}, "None": null}},
+"router on each host": {"steps": [s97], "of": {"DDS": null, "Zenoh": {"effort": 4, "takes": s105, "best_case": false, "mind": "every router needs the addresses of the others; a robot whose router is down hears no other robot until 4.2 s after the router is back"}, "None": null}},
+"star of routers": {"steps": [s99], "of": {"DDS": null, "Zenoh": {"effort": 4, "takes": s105, "best_case": false, "mind": "every robot needs the wired router's address; robots do not hear each other while the wired router is away"}, "None": null}},
+"static endpoints": {"steps": [s100], "of": {"DDS": {"effort": 5, "takes": "rebuilt nodes", "best_case": false, "mind": "whoever adds an endpoint must list it in every file, and ROS 2's own endpoints too; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
+"two discovery servers": {"steps": [s101], "of": {"DDS": {"effort": 4, "takes": s105, "best_case": false, "mind": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down"}, "Zenoh": null, "None": null}},
 },
 "pastes": {
 "aggregation": {
 "any": [
 {
-"where": s107,
+"where": s106,
 "version": "hostapd 2.10",
 "text": "# hostapd 2.10: hostapd.conf of the access point\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Leave band, channel and width as they are. With 802.11ac and ax, vht_capab lets 64 frames of any\n# length into an exchange; with 802.11n alone, leave out the last two lines.\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[SHORT-GI-20]\nieee80211ac=1\nvht_capab=[MAX-A-MPDU-LEN-EXP7]\n",
 },
@@ -1390,53 +1398,53 @@ return {
 "announcements": {
 "Fast DDS": [
 {
-"where": s108,
-"version": s109,
+"where": s107,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: for every process -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"calm\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <initialAnnouncements>\n              <count>1</count>\n              <period>\n                <sec>1</sec>\n              </period>\n            </initialAnnouncements>\n            <leaseAnnouncement>\n              <sec>15</sec>\n            </leaseAnnouncement>\n            <leaseDuration>\n              <sec>100</sec>\n            </leaseDuration>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
 ],
 "Cyclone DDS": [
 {
-"where": s108,
-"version": s110,
+"where": s107,
+"version": s109,
 "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <Discovery>\n      <LeaseDuration>100 s</LeaseDuration>\n      <SPDPInterval>30 s</SPDPInterval>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 },
 "discovery server": {
 "any": [
-{"where": s111, "version": s109, "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
+{"where": s110, "version": s108, "text": "# Fast DDS 2.9.1: on a computer that is wired to the access point\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
 {
 "where": "on the same computer, with a backup file",
-"version": s109,
+"version": s108,
 "text": "# Fast DDS 2.9.1: on the same computer, with a backup file\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# In place of the command above. -b keeps the server's state in a file, here in /var/tmp. We let a\n# process start while the server was away for 3 to 10 s: undiscovered in 14 of 15 runs, with -b\n# in 0 of 15. Without -b wait for the lease of 20 s before you start the server again.\ncd /var/tmp && fastdds discovery -i 0 -l 192.168.1.10 -p 11811 -b\n",
 },
-s113,
+s112,
 {
 "where": "for the server if it is a program of your own",
-"version": s109,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: for the server if it is a program of your own -->\n<!-- Load: save as /etc/fast_dds.xml; the server's process runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
 {
 "where": "for a client that reads no environment",
-"version": s109,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: for a client that reads no environment -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
+s113,
 s114,
-s115,
 ],
 },
 "discovery server on a robot": {
 "any": [
-{"where": "on one of the robots", "version": s109, "text": "# Fast DDS 2.9.1: on one of the robots\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
+{"where": "on one of the robots", "version": s108, "text": "# Fast DDS 2.9.1: on one of the robots\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# The address is that of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
 {
 "where": "on the same robot, with a backup file",
-"version": s109,
+"version": s108,
 "text": "# Fast DDS 2.9.1: on the same robot, with a backup file\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# In place of the command above. -b keeps the server's state in a file, here in /var/tmp. We let a\n# process start while the server was away for 3 to 10 s: undiscovered in 14 of 15 runs, with -b\n# in 0 of 15. Without -b wait for the lease of 20 s before you start the server again.\ncd /var/tmp && fastdds discovery -i 0 -l 192.168.1.10 -p 11811 -b\n",
 },
+s112,
 s113,
 s114,
-s115,
 ],
 },
 "endpoints": {
@@ -1451,21 +1459,21 @@ s115,
 "middleware": {
 "Fast DDS": [
 {
-"where": s116,
+"where": s115,
 "version": "ROS 2 Jazzy",
 "text": "# ROS 2 Jazzy: on every computer\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n",
 },
 ],
 "Cyclone DDS": [
 {
-"where": s116,
+"where": s115,
 "version": "ROS 2 Jazzy",
 "text": "# ROS 2 Jazzy: on every computer\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n",
 },
 ],
 "Zenoh": [
 {
-"where": s116,
+"where": s115,
 "version": "ROS 2 Jazzy",
 "text": "# ROS 2 Jazzy: on every computer\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The file for every process that is pasted beside this. Peers need no router: they warn and go on.\n# A router, where there is one, starts first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
 },
@@ -1481,8 +1489,8 @@ s115,
 "multicast endpoint data": {
 "any": [
 {
-"where": s108,
-"version": s110,
+"where": s107,
+"version": s109,
 "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- On Wi-Fi it would send by multicast no more than its announcements. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
@@ -1490,7 +1498,7 @@ s115,
 "multicast rate": {
 "any": [
 {
-"where": s107,
+"where": s106,
 "version": "hostapd 2.10",
 "text": "# hostapd 2.10: hostapd.conf of the access point\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in\n# units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is\n# too far away for it cannot join.\n# Band and channel: as you have them.\nhw_mode=a\nchannel=36\nsupported_rates=240 360 480 540\nbasic_rates=240\n",
 },
@@ -1499,14 +1507,14 @@ s115,
 "peers": {
 "Cyclone DDS": [
 {
-"where": s108,
-"version": s110,
+"where": s107,
+"version": s109,
 "text": "<!-- Cyclone DDS 0.10.2 and 11.0.1: for every process -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- At least as many as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- Every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 "DDS": [
 {
-"where": s112,
+"where": s111,
 "version": "ROS 2 Jazzy",
 "text": "# ROS 2 Jazzy: on every robot\n# Load: both are environment variables of every ROS 2 process: run in the shell or put in\n# the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n",
 },
@@ -1532,21 +1540,21 @@ s115,
 "radio": {
 "802.11n 40 MHz": [
 {
-"where": s107,
+"where": s106,
 "version": "hostapd 2.10",
 "text": "# hostapd 2.10: hostapd.conf of the access point\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\n",
 },
 ],
 "802.11ac 80 MHz": [
 {
-"where": s107,
+"where": s106,
 "version": "hostapd 2.10",
 "text": "# hostapd 2.10: hostapd.conf of the access point\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\nvht_capab=[SHORT-GI-80][MAX-A-MPDU-LEN-EXP7]\n",
 },
 ],
 "802.11ax 160 MHz": [
 {
-"where": s107,
+"where": s106,
 "version": "hostapd 2.10",
 "text": "# hostapd 2.10: hostapd.conf of the access point\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Channels 52 to 64 are shared with radars: that needs a country.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nvht_capab=[VHT160][SHORT-GI-80][SHORT-GI-160][MAX-A-MPDU-LEN-EXP7]\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n",
 },
@@ -1554,9 +1562,9 @@ s115,
 },
 "router": {
 "any": [
-s117,
+s116,
 {
-"where": s108,
+"where": s107,
 "version": "Zenoh 1.10.2",
 "text": "// Zenoh 1.10.2: for every process\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
@@ -1569,30 +1577,30 @@ s117,
 "version": "Zenoh 1.10.2",
 "text": "// Zenoh 1.10.2: on every robot for its router, which is told of the robots of lower addresses\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Robots of lower addresses: each two are linked once, or both send KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
-s118,
+s117,
 ],
 },
 "star of routers": {
 "any": [
-s117,
+s116,
 {
 "where": "on every robot for its router, which is told of the wired one alone",
 "version": "Zenoh 1.10.2",
 "text": "// Zenoh 1.10.2: on every robot for its router, which is told of the wired one alone\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // The router that is wired to the access point, and no other robot.\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
-s118,
+s117,
 ],
 },
 "static endpoints": {
 "any": [
 {
-"where": s108,
-"version": s109,
+"where": s107,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: for every process -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
 },
 {
-"where": s112,
-"version": s109,
+"where": s111,
+"version": s108,
 "text": "<!-- Fast DDS 2.9.1: on every robot -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, where the profile for every process -->\n<!-- looks for it; no environment variable of its own -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints; no two of them all have the same number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
 },
 ],
@@ -1601,16 +1609,16 @@ s118,
 "any": [
 {
 "where": "on two computers that are wired to the access point",
-"version": s109,
+"version": s108,
 "text": "# Fast DDS 2.9.1: on two computers that are wired to the access point\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# The first line on one of them, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
 },
 {
 "where": "on every robot; the servers stand in the order of their numbers",
-"version": s109,
+"version": s108,
 "text": "# Fast DDS 2.9.1: on every robot; the servers stand in the order of their numbers\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n",
 },
+s113,
 s114,
-s115,
 ],
 },
 },
@@ -1772,7 +1780,7 @@ s115,
 "group": s4,
 "family": "DDS",
 "product": null,
-"tables": [s122, s125, s128, s129, s132, s135, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]],
+"tables": [s121, s124, s127, s128, s131, s134, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]],
 "about": "",
 "color": "--ds-family-dds",
 "measured": [],
@@ -1781,87 +1789,87 @@ s115,
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s139,
-"windows": s140,
-"units": [s142, s144, s146],
+"outlooks": s138,
+"windows": s139,
+"units": [s141, s143, s145],
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s147], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s147], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s147], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s147]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s146], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s146], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s146], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s146]],
 },
 "Zenoh": {
 "group": s4,
 "family": "Zenoh",
 "product": null,
-"tables": [s151, s154, s157, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]],
+"tables": [s150, s153, s156, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]],
 "about": "",
-"color": s158,
+"color": s157,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s139,
-"windows": s140,
-"units": s159,
+"outlooks": s138,
+"windows": s139,
+"units": s158,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s147], ["Hello", "unicast", 144, 1, 1, 1, "up down", s147], ["Declare", "unicast", 176, 1, 2, 1, "up down", s147], s160],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s146], ["Hello", "unicast", 144, 1, 1, 1, "up down", s146], ["Declare", "unicast", 176, 1, 2, 1, "up down", s146], s159],
 },
 "Cyclone DDS": {
 "group": s2,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [
-[s88, s161, "", s121, "Cyclone DDS", s162],
-[s102, s163, "", s124, "Cyclone DDS", s164],
-[s90, s165, "", s127, "Cyclone DDS", s166],
-[s101, s167, "", s101, "Cyclone DDS", s168],
-["peers", "static peers", "", s131, "Cyclone DDS", "peers"],
-[s96, s133, "", s134, "Cyclone DDS", s96],
-["router", s169, "", "Zenoh router", "Cyclone DDS", s170],
-[s98, s171, "", s153, "Cyclone DDS", s172],
-[s100, s173, "", s156, "Cyclone DDS", s174],
-["announcements", s175, "", "Cyclone DDS, calmer announcements", "Cyclone DDS", "announcements"],
-["middleware", s176, "", s177, "Cyclone DDS", "middleware"],
-["middleware", s178, "", "Fast DDS", "Cyclone DDS", "middleware"],
-["middleware", s179, "", s150, "Cyclone DDS", "middleware"],
+[s88, s160, "", s120, "Cyclone DDS", s161],
+[s101, s162, "", s123, "Cyclone DDS", s163],
+[s90, s164, "", s126, "Cyclone DDS", s165],
+[s100, s166, "", s100, "Cyclone DDS", s167],
+["peers", "static peers", "", s130, "Cyclone DDS", "peers"],
+[s95, s132, "", s133, "Cyclone DDS", s95],
+["router", s168, "", "Zenoh router", "Cyclone DDS", s169],
+[s97, s170, "", s152, "Cyclone DDS", s171],
+[s99, s172, "", s155, "Cyclone DDS", s173],
+["announcements", s174, "", "Cyclone DDS, a longer announcement interval", "Cyclone DDS", "announcements"],
+["middleware", s175, "", s176, "Cyclone DDS", "middleware"],
+["middleware", s177, "", "Fast DDS", "Cyclone DDS", "middleware"],
+["middleware", s178, "", s149, "Cyclone DDS", "middleware"],
 ],
-"about": s180,
-"color": s181,
+"about": s179,
+"color": s180,
 "measured": [8, 12, 60],
-"band": s182,
+"band": s181,
 "reboot": [1.45, 3.59],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s191,
+"outlooks": s182,
+"windows": s183,
+"units": s190,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s192],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s193],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s194],
-["SEDP", "unicast", s195, 0.2218, 2, 1, "up down", s196],
-["SEDP again", "unicast", s195, 0.2218, 3, 0.103, "up down", s196],
-["Heartbeat", "unicast", s197, 0.5226, 1, 2, "up down", s196],
-[s198, "unicast", s197, 0.5226, 1, 2.481, "up down", s196],
-["ACKNACK", "unicast", s199, 0.402, 1, 4.635, "up down", s196],
-[s200, "unicast", s199, 0.402, 4, 0.09896, "up down", s196],
-s203,
-[s204, "unicast", s205, 0.6253, 1, 1, "up down", s196],
-[s206, "unicast", s205, 0.6253, 4, 0.1067, "up down", s196],
-s209,
-[s210, "unicast", s211, 0.4544, 1, 2.222, "up down", s196],
-s213,
-[s214, "unicast", s215, 0.3044, 1, 2.312, "up down", s196],
-[s216, "unicast", s215, 0.3044, 4, 0.05208, "up down", s196],
-[s217, "unicast", s218, 0.6806, 1, 2.333, "up down", s196],
-[s219, "unicast", s220, 0.2641, 1, 2, "up down", s196],
-[s221, "unicast", s220, 0.2641, 4, 0.2188, "up down", s196],
-[s222, "unicast", s223, 0.6247, 5, 1.006, "up down", s196],
-[s224, "unicast", s223, 0.6247, 6, 0.07217, "up down", s196],
-["User ACKNACK", "unicast", s225, 0.338, 5, 1.404, "up down", s196],
-[s226, "unicast", s225, 0.338, 6, 0.09793, "up down", s196],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s191],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s192],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s193],
+["SEDP", "unicast", s194, 0.2218, 2, 1, "up down", s195],
+["SEDP again", "unicast", s194, 0.2218, 3, 0.103, "up down", s195],
+["Heartbeat", "unicast", s196, 0.5226, 1, 2, "up down", s195],
+[s197, "unicast", s196, 0.5226, 1, 2.481, "up down", s195],
+["ACKNACK", "unicast", s198, 0.402, 1, 4.635, "up down", s195],
+[s199, "unicast", s198, 0.402, 4, 0.09896, "up down", s195],
+s202,
+[s203, "unicast", s204, 0.6253, 1, 1, "up down", s195],
+[s205, "unicast", s204, 0.6253, 4, 0.1067, "up down", s195],
+s208,
+[s209, "unicast", s210, 0.4544, 1, 2.222, "up down", s195],
+s212,
+[s213, "unicast", s214, 0.3044, 1, 2.312, "up down", s195],
+[s215, "unicast", s214, 0.3044, 4, 0.05208, "up down", s195],
+[s216, "unicast", s217, 0.6806, 1, 2.333, "up down", s195],
+[s218, "unicast", s219, 0.2641, 1, 2, "up down", s195],
+[s220, "unicast", s219, 0.2641, 4, 0.2188, "up down", s195],
+[s221, "unicast", s222, 0.6247, 5, 1.006, "up down", s195],
+[s223, "unicast", s222, 0.6247, 6, 0.07217, "up down", s195],
+["User ACKNACK", "unicast", s224, 0.338, 5, 1.404, "up down", s195],
+[s225, "unicast", s224, 0.338, 6, 0.09793, "up down", s195],
 ],
 },
 "Cyclone DDS, wired": {
@@ -1869,58 +1877,58 @@ s213,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [
-[s88, s161, "", s121, s227, s162],
-[s102, s163, "", s124, s227, s164],
-[s90, s165, "", s127, s227, s166],
-[s101, s167, "", s101, s227, s168],
-s132,
-s135,
-["router", s169, "", "Zenoh router", s227, s170],
-[s98, s171, "", s153, s227, s172],
-[s100, s173, "", s156, s227, s174],
-["announcements", s175, "", "Cyclone DDS, wired, calmer announcements", s227, "announcements"],
-["middleware", s228, "", "Cyclone DDS", s227, "middleware"],
-["middleware", s176, "", s177, s227, "middleware"],
-["middleware", s178, "", "Fast DDS", s227, "middleware"],
-["middleware", s179, "", s150, s227, "middleware"],
+[s88, s160, "", s120, s226, s161],
+[s101, s162, "", s123, s226, s163],
+[s90, s164, "", s126, s226, s165],
+[s100, s166, "", s100, s226, s167],
+s131,
+s134,
+["router", s168, "", "Zenoh router", s226, s169],
+[s97, s170, "", s152, s226, s171],
+[s99, s172, "", s155, s226, s173],
+["announcements", s174, "", "Cyclone DDS, wired, a longer announcement interval", s226, "announcements"],
+["middleware", s227, "", "Cyclone DDS", s226, "middleware"],
+["middleware", s175, "", s176, s226, "middleware"],
+["middleware", s177, "", "Fast DDS", s226, "middleware"],
+["middleware", s178, "", s149, s226, "middleware"],
 ],
-"about": s229,
-"color": s181,
+"about": s228,
+"color": s180,
 "measured": [8, 12, 20],
-"band": s230,
+"band": s229,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s231,
+"outlooks": s182,
+"windows": s183,
+"units": s230,
 "degree": 3,
 "messages": [
-s232,
-["SPDP directed", "unicast", s233, 0.9963, 1, 0.6667, "up down", s194],
-["SEDP", "unicast", s234, 0.1841, 2, 0.5833, "up down", s196],
-[s235, "multicast", s236, 0.2228, 2, 0.1667, "up down", s196],
-[s237, "multicast", 232, 0.25, 0, 2, "up down", s196],
-["Heartbeat", "unicast", s238, 0.3287, 1, 3, "up down", s196],
-["ACKNACK", "unicast", s239, 0.3715, 1, 4.05, "up down", s196],
-[s200, "unicast", s239, 0.3715, 3, 0.2833, "up down", s196],
-["Liveliness", "multicast", s201, 0.7242, 0, 1, "up down", s202],
-[s204, "multicast", s240, 0.9582, 0, 0.3333, "up down", s196],
-[s241, "unicast", 429, 0.2, 1, 0.5, "up down", s196],
-[s207, "multicast", s208, 0.2758, 0, 1, "up down", s202],
-[s210, "multicast", s242, 0.1767, 0, 0.875, "up down", s196],
-[s243, "unicast", s244, 0.2117, 1, 1.625, "up down", s196],
-s213,
-[s214, "unicast", s245, 0.2807, 1, 2.344, "up down", s196],
-[s216, "unicast", s245, 0.2807, 3, 0.07812, "up down", s196],
-[s217, "multicast", s246, 0.1988, 0, 2, "up down", s196],
-[s247, "unicast", s248, 0.1917, 1, 0.6667, "up down", s196],
-[s219, "unicast", 211.5, 0.2, 1, 2, "up down", s196],
-[s221, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s196],
-[s222, "unicast", s249, 0.2427, 4, 0.75, "up down", s196],
-[s250, "multicast", s251, 0.2152, 4, 0.25, "up down", s196],
-["User ACKNACK", "unicast", s252, 0.2283, 4, 2, "up down", s196],
+s231,
+["SPDP directed", "unicast", s232, 0.9963, 1, 0.6667, "up down", s193],
+["SEDP", "unicast", s233, 0.1841, 2, 0.5833, "up down", s195],
+[s234, "multicast", s235, 0.2228, 2, 0.1667, "up down", s195],
+[s236, "multicast", 232, 0.25, 0, 2, "up down", s195],
+["Heartbeat", "unicast", s237, 0.3287, 1, 3, "up down", s195],
+["ACKNACK", "unicast", s238, 0.3715, 1, 4.05, "up down", s195],
+[s199, "unicast", s238, 0.3715, 3, 0.2833, "up down", s195],
+["Liveliness", "multicast", s200, 0.7242, 0, 1, "up down", s201],
+[s203, "multicast", s239, 0.9582, 0, 0.3333, "up down", s195],
+[s240, "unicast", 429, 0.2, 1, 0.5, "up down", s195],
+[s206, "multicast", s207, 0.2758, 0, 1, "up down", s201],
+[s209, "multicast", s241, 0.1767, 0, 0.875, "up down", s195],
+[s242, "unicast", s243, 0.2117, 1, 1.625, "up down", s195],
+s212,
+[s213, "unicast", s244, 0.2807, 1, 2.344, "up down", s195],
+[s215, "unicast", s244, 0.2807, 3, 0.07812, "up down", s195],
+[s216, "multicast", s245, 0.1988, 0, 2, "up down", s195],
+[s246, "unicast", s247, 0.1917, 1, 0.6667, "up down", s195],
+[s218, "unicast", 211.5, 0.2, 1, 2, "up down", s195],
+[s220, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s195],
+[s221, "unicast", s248, 0.2427, 4, 0.75, "up down", s195],
+[s249, "multicast", s250, 0.2152, 4, 0.25, "up down", s195],
+["User ACKNACK", "unicast", s251, 0.2283, 4, 2, "up down", s195],
 ],
 },
 "Cyclone DDS, version 11": {
@@ -1928,57 +1936,57 @@ s213,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [
-[s88, s161, "", s121, s177, s162],
-[s102, s163, "", s124, s177, s164],
-[s90, s165, "", s127, s177, s166],
-[s101, s167, "", s101, s177, s168],
-s132,
-s135,
-["router", s169, "", "Zenoh router", s177, s170],
-[s98, s171, "", s153, s177, s172],
-[s100, s173, "", s156, s177, s174],
-["announcements", s175, "", "Cyclone DDS, version 11, calmer announcements", s177, "announcements"],
-["middleware", s228, "", "Cyclone DDS", s177, "middleware"],
-["middleware", s178, "", "Fast DDS", s177, "middleware"],
-["middleware", s179, "", s150, s177, "middleware"],
+[s88, s160, "", s120, s176, s161],
+[s101, s162, "", s123, s176, s163],
+[s90, s164, "", s126, s176, s165],
+[s100, s166, "", s100, s176, s167],
+s131,
+s134,
+["router", s168, "", "Zenoh router", s176, s169],
+[s97, s170, "", s152, s176, s171],
+[s99, s172, "", s155, s176, s173],
+["announcements", s174, "", "Cyclone DDS, version 11, a longer announcement interval", s176, "announcements"],
+["middleware", s227, "", "Cyclone DDS", s176, "middleware"],
+["middleware", s177, "", "Fast DDS", s176, "middleware"],
+["middleware", s178, "", s149, s176, "middleware"],
 ],
-"about": s253,
-"color": s181,
+"about": s252,
+"color": s180,
 "measured": [8, 12, 60],
-"band": s254,
+"band": s253,
 "reboot": [1.31, 3.21],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s191,
+"outlooks": s182,
+"windows": s183,
+"units": s190,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s192],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s193],
-["SPDP directed", "unicast", s255, 0.9992, 1, 0.5413, "up down", s194],
-["SEDP", "unicast", s256, 0.4598, 2, 1, "up down", s196],
-["SEDP again", "unicast", s256, 0.4598, 3, 0.09093, "up down", s196],
-["Heartbeat", "unicast", s257, 0.5475, 1, 2, "up down", s196],
-[s198, "unicast", s257, 0.5475, 1, 2.833, "up down", s196],
-["ACKNACK", "unicast", s258, 0.3982, 1, 5.167, "up down", s196],
-[s200, "unicast", s258, 0.3982, 4, 0.125, "up down", s196],
-s203,
-[s204, "unicast", s259, 0.6519, 1, 1, "up down", s196],
-[s206, "unicast", s259, 0.6519, 4, 0.09103, "up down", s196],
-s209,
-[s210, "unicast", s260, 0.4401, 1, 2.188, "up down", s196],
-s213,
-[s214, "unicast", s261, 0.2753, 1, 2.278, "up down", s196],
-[s216, "unicast", s261, 0.2753, 4, 0.05556, "up down", s196],
-[s217, "unicast", s262, 0.6399, 1, 2.542, "up down", s196],
-[s219, "unicast", s263, 0.2385, 1, 2, "up down", s196],
-[s221, "unicast", s263, 0.2385, 4, 0.1997, "up down", s196],
-[s222, "unicast", s264, 0.6975, 5, 1.06, "up down", s196],
-[s224, "unicast", s264, 0.6975, 6, 0.06995, "up down", s196],
-["User ACKNACK", "unicast", s265, 0.4362, 5, 1.562, "up down", s196],
-[s226, "unicast", s265, 0.4362, 6, 0.09399, "up down", s196],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s191],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s192],
+["SPDP directed", "unicast", s254, 0.9992, 1, 0.5413, "up down", s193],
+["SEDP", "unicast", s255, 0.4598, 2, 1, "up down", s195],
+["SEDP again", "unicast", s255, 0.4598, 3, 0.09093, "up down", s195],
+["Heartbeat", "unicast", s256, 0.5475, 1, 2, "up down", s195],
+[s197, "unicast", s256, 0.5475, 1, 2.833, "up down", s195],
+["ACKNACK", "unicast", s257, 0.3982, 1, 5.167, "up down", s195],
+[s199, "unicast", s257, 0.3982, 4, 0.125, "up down", s195],
+s202,
+[s203, "unicast", s258, 0.6519, 1, 1, "up down", s195],
+[s205, "unicast", s258, 0.6519, 4, 0.09103, "up down", s195],
+s208,
+[s209, "unicast", s259, 0.4401, 1, 2.188, "up down", s195],
+s212,
+[s213, "unicast", s260, 0.2753, 1, 2.278, "up down", s195],
+[s215, "unicast", s260, 0.2753, 4, 0.05556, "up down", s195],
+[s216, "unicast", s261, 0.6399, 1, 2.542, "up down", s195],
+[s218, "unicast", s262, 0.2385, 1, 2, "up down", s195],
+[s220, "unicast", s262, 0.2385, 4, 0.1997, "up down", s195],
+[s221, "unicast", s263, 0.6975, 5, 1.06, "up down", s195],
+[s223, "unicast", s263, 0.6975, 6, 0.06995, "up down", s195],
+["User ACKNACK", "unicast", s264, 0.4362, 5, 1.562, "up down", s195],
+[s225, "unicast", s264, 0.4362, 6, 0.09399, "up down", s195],
 ],
 },
 "Cyclone DDS peers": {
@@ -1986,55 +1994,55 @@ s213,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [
-[s88, s161, "", s121, s131, s162],
-[s102, s163, "", s124, s131, s164],
-[s90, s165, "", s127, s131, s166],
-[s101, s167, "", s101, s131, s168],
-[s96, s133, "", s134, s131, s96],
-["router", s169, "", "Zenoh router", s131, s170],
-[s98, s171, "", s153, s131, s172],
-[s100, s173, "", s156, s131, s174],
-["announcements", s175, "", "Cyclone DDS peers, calmer announcements", s131, "announcements"],
-["middleware", s228, "", "Cyclone DDS", s131, "middleware"],
-["middleware", s176, "", s177, s131, "middleware"],
-["middleware", s178, "", "Fast DDS", s131, "middleware"],
-["middleware", s179, "", s150, s131, "middleware"],
+[s88, s160, "", s120, s130, s161],
+[s101, s162, "", s123, s130, s163],
+[s90, s164, "", s126, s130, s165],
+[s100, s166, "", s100, s130, s167],
+[s95, s132, "", s133, s130, s95],
+["router", s168, "", "Zenoh router", s130, s169],
+[s97, s170, "", s152, s130, s171],
+[s99, s172, "", s155, s130, s173],
+["announcements", s174, "", "Cyclone DDS peers, a longer announcement interval", s130, "announcements"],
+["middleware", s227, "", "Cyclone DDS", s130, "middleware"],
+["middleware", s175, "", s176, s130, "middleware"],
+["middleware", s177, "", "Fast DDS", s130, "middleware"],
+["middleware", s178, "", s149, s130, "middleware"],
 ],
-"about": s266,
-"color": s181,
+"about": s265,
+"color": s180,
 "measured": [8, 12, 10],
-"band": s267,
+"band": s266,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s272,
+"outlooks": s182,
+"windows": s183,
+"units": s271,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s192],
-[s273, "unicast", 448, 1, 1, 6, "up down", s274],
-["SPDP directed", "unicast", s275, 0.9817, 2, 0.8333, "up down", s194],
-["SEDP", "unicast", s276, 0.172, 3, 1, "up down", s196],
-["SEDP again", "unicast", s277, 0.8001, 4, 0.08633, "up down", s196],
-["Heartbeat", "unicast", s278, 0.5756, 2, 2, "up down", s196],
-[s198, "unicast", s278, 0.5756, 2, 2.944, "up down", s196],
-["ACKNACK", "unicast", s279, 0.3827, 2, 4.424, "up down", s196],
-[s200, "unicast", s279, 0.3827, 5, 0.2049, "up down", s196],
-["Liveliness", "unicast", s280, 0.7241, 2, 1, "up down", s202],
-[s204, "unicast", s281, 0.7527, 2, 1, "up down", s196],
-[s206, "unicast", s281, 0.7527, 5, 0.08333, "up down", s196],
-[s207, "unicast", s282, 0.2759, 2, 1, "up down", s202],
-[s210, "unicast", s283, 0.4258, 2, 2.556, "up down", s196],
-[s212, "unicast", 128, 1, 2, 1, "up down", s202],
-[s214, "unicast", s284, 0.265, 2, 2.296, "up down", s196],
-[s216, "unicast", s284, 0.265, 5, 0.09271, "up down", s196],
-[s217, "unicast", s285, 0.6431, 2, 3, "up down", s196],
-[s219, "unicast", s286, 0.283, 2, 2, "up down", s196],
-[s221, "unicast", s286, 0.283, 5, 0.3631, "up down", s196],
-[s222, "unicast", s287, 0.5405, 6, 1.542, "up down", s196],
-["User ACKNACK", "unicast", s288, 0.437, 6, 2.208, "up down", s196],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s191],
+[s272, "unicast", 448, 1, 1, 6, "up down", s273],
+["SPDP directed", "unicast", s274, 0.9817, 2, 0.8333, "up down", s193],
+["SEDP", "unicast", s275, 0.172, 3, 1, "up down", s195],
+["SEDP again", "unicast", s276, 0.8001, 4, 0.08633, "up down", s195],
+["Heartbeat", "unicast", s277, 0.5756, 2, 2, "up down", s195],
+[s197, "unicast", s277, 0.5756, 2, 2.944, "up down", s195],
+["ACKNACK", "unicast", s278, 0.3827, 2, 4.424, "up down", s195],
+[s199, "unicast", s278, 0.3827, 5, 0.2049, "up down", s195],
+["Liveliness", "unicast", s279, 0.7241, 2, 1, "up down", s201],
+[s203, "unicast", s280, 0.7527, 2, 1, "up down", s195],
+[s205, "unicast", s280, 0.7527, 5, 0.08333, "up down", s195],
+[s206, "unicast", s281, 0.2759, 2, 1, "up down", s201],
+[s209, "unicast", s282, 0.4258, 2, 2.556, "up down", s195],
+[s211, "unicast", 128, 1, 2, 1, "up down", s201],
+[s213, "unicast", s283, 0.265, 2, 2.296, "up down", s195],
+[s215, "unicast", s283, 0.265, 5, 0.09271, "up down", s195],
+[s216, "unicast", s284, 0.6431, 2, 3, "up down", s195],
+[s218, "unicast", s285, 0.283, 2, 2, "up down", s195],
+[s220, "unicast", s285, 0.283, 5, 0.3631, "up down", s195],
+[s221, "unicast", s286, 0.5405, 6, 1.542, "up down", s195],
+["User ACKNACK", "unicast", s287, 0.437, 6, 2.208, "up down", s195],
 ],
 },
 "Cyclone DDS multicast SEDP": {
@@ -2042,57 +2050,57 @@ s213,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [
-[s88, s161, "", s121, s134, s162],
-[s102, s163, "", s124, s134, s164],
-[s90, s165, "", s127, s134, s166],
-[s101, s167, "", s101, s134, s168],
-["peers", "static peers", "", s131, s134, "peers"],
-["router", s169, "", "Zenoh router", s134, s170],
-[s98, s171, "", s153, s134, s172],
-[s100, s173, "", s156, s134, s174],
-["announcements", s175, "", "Cyclone DDS multicast SEDP, calmer announcements", s134, "announcements"],
-["middleware", s228, "", "Cyclone DDS", s134, "middleware"],
-["middleware", s176, "", s177, s134, "middleware"],
-["middleware", s178, "", "Fast DDS", s134, "middleware"],
-["middleware", s179, "", s150, s134, "middleware"],
+[s88, s160, "", s120, s133, s161],
+[s101, s162, "", s123, s133, s163],
+[s90, s164, "", s126, s133, s165],
+[s100, s166, "", s100, s133, s167],
+["peers", "static peers", "", s130, s133, "peers"],
+["router", s168, "", "Zenoh router", s133, s169],
+[s97, s170, "", s152, s133, s171],
+[s99, s172, "", s155, s133, s173],
+["announcements", s174, "", "Cyclone DDS multicast SEDP, a longer announcement interval", s133, "announcements"],
+["middleware", s227, "", "Cyclone DDS", s133, "middleware"],
+["middleware", s175, "", s176, s133, "middleware"],
+["middleware", s177, "", "Fast DDS", s133, "middleware"],
+["middleware", s178, "", s149, s133, "middleware"],
 ],
-"about": s289,
-"color": s181,
+"about": s288,
+"color": s180,
 "measured": [8, 12, 10],
-"band": s290,
+"band": s289,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s231,
+"outlooks": s182,
+"windows": s183,
+"units": s230,
 "degree": 3,
 "messages": [
-s232,
-["SPDP directed", "unicast", s291, 0.9988, 1, 0.8, "up down", s194],
-["SEDP", "unicast", s292, 0.2085, 2, 0.3719, "up down", s196],
-[s235, "multicast", s293, 0.2222, 2, 0.23, "up down", s196],
-[s237, "multicast", s294, 0.28, 0, 1.833, "up down", s196],
-["Heartbeat", "unicast", s295, 0.3143, 1, 3.333, "up down", s196],
-["ACKNACK", "unicast", s296, 0.3558, 1, 4.517, "up down", s196],
-[s200, "unicast", s296, 0.3558, 3, 0.1494, "up down", s196],
-["Liveliness", "multicast", s297, 0.724, 0, 1, "up down", s202],
-[s204, "multicast", s298, 0.9539, 0, 0.8333, "up down", s196],
-[s241, "unicast", s299, 0.15, 1, 0.5, "up down", s196],
-[s207, "multicast", s300, 0.276, 0, 1, "up down", s202],
-[s210, "multicast", s301, 0.2328, 0, 1, "up down", s196],
-[s243, "unicast", s302, 0.2318, 1, 1.75, "up down", s196],
-s213,
-[s214, "unicast", s303, 0.2856, 1, 2.379, "up down", s196],
-[s216, "unicast", s303, 0.2856, 3, 0.08854, "up down", s196],
-[s217, "multicast", s304, 0.2325, 0, 2, "up down", s196],
-[s247, "unicast", s305, 0.1726, 1, 1.167, "up down", s196],
-[s219, "unicast", s306, 0.2088, 1, 2, "up down", s196],
-[s221, "unicast", s306, 0.2088, 3, 0.3274, "up down", s196],
-[s222, "unicast", s307, 0.4167, 4, 0.7917, "up down", s196],
-[s250, "multicast", s308, 0.6667, 4, 0.1667, "up down", s196],
-["User ACKNACK", "unicast", s309, 0.4167, 4, 2.167, "up down", s196],
+s231,
+["SPDP directed", "unicast", s290, 0.9988, 1, 0.8, "up down", s193],
+["SEDP", "unicast", s291, 0.2085, 2, 0.3719, "up down", s195],
+[s234, "multicast", s292, 0.2222, 2, 0.23, "up down", s195],
+[s236, "multicast", s293, 0.28, 0, 1.833, "up down", s195],
+["Heartbeat", "unicast", s294, 0.3143, 1, 3.333, "up down", s195],
+["ACKNACK", "unicast", s295, 0.3558, 1, 4.517, "up down", s195],
+[s199, "unicast", s295, 0.3558, 3, 0.1494, "up down", s195],
+["Liveliness", "multicast", s296, 0.724, 0, 1, "up down", s201],
+[s203, "multicast", s297, 0.9539, 0, 0.8333, "up down", s195],
+[s240, "unicast", s298, 0.15, 1, 0.5, "up down", s195],
+[s206, "multicast", s299, 0.276, 0, 1, "up down", s201],
+[s209, "multicast", s300, 0.2328, 0, 1, "up down", s195],
+[s242, "unicast", s301, 0.2318, 1, 1.75, "up down", s195],
+s212,
+[s213, "unicast", s302, 0.2856, 1, 2.379, "up down", s195],
+[s215, "unicast", s302, 0.2856, 3, 0.08854, "up down", s195],
+[s216, "multicast", s303, 0.2325, 0, 2, "up down", s195],
+[s246, "unicast", s304, 0.1726, 1, 1.167, "up down", s195],
+[s218, "unicast", s305, 0.2088, 1, 2, "up down", s195],
+[s220, "unicast", s305, 0.2088, 3, 0.3274, "up down", s195],
+[s221, "unicast", s306, 0.4167, 4, 0.7917, "up down", s195],
+[s249, "multicast", s307, 0.6667, 4, 0.1667, "up down", s195],
+["User ACKNACK", "unicast", s308, 0.4167, 4, 2.167, "up down", s195],
 ],
 },
 "Fast DDS Discovery Server": {
@@ -2100,60 +2108,60 @@ s213,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [
-[s102, s123, "", s124, s121, s102],
-[s90, s126, "", s127, s121, s90],
-[s101, s101, "", s101, s121, s101],
-["peers", s310, "", s131, s121, s311],
-[s96, s312, "", s134, s121, s313],
-["router", s169, "", "Zenoh router", s121, s170],
-[s98, s171, "", s153, s121, s172],
-[s100, s173, "", s156, s121, s174],
-["middleware", s228, "", "Cyclone DDS", s121, "middleware"],
-["middleware", s176, "", s177, s121, "middleware"],
-["middleware", s178, "", "Fast DDS", s121, "middleware"],
-["middleware", s179, "", s150, s121, "middleware"],
+[s101, s122, "", s123, s120, s101],
+[s90, s125, "", s126, s120, s90],
+[s100, s100, "", s100, s120, s100],
+["peers", s309, "", s130, s120, s310],
+[s95, s311, "", s133, s120, s312],
+["router", s168, "", "Zenoh router", s120, s169],
+[s97, s170, "", s152, s120, s171],
+[s99, s172, "", s155, s120, s173],
+["middleware", s227, "", "Cyclone DDS", s120, "middleware"],
+["middleware", s175, "", s176, s120, "middleware"],
+["middleware", s177, "", "Fast DDS", s120, "middleware"],
+["middleware", s178, "", s149, s120, "middleware"],
 ],
 "about": "one server, wired to the access point (measured with 2.9.1)",
-"color": s314,
+"color": s313,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range that the table was not fitted to, discovery took 1.00 to 1.10 times the airtime it says, typically 4% more or less"]],
+"band": [[1, 1, 1, "In 6 swarms within that range that we did not fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%)"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": s323,
+"outlooks": s314,
+"windows": s315,
+"units": s322,
 "degree": 2,
 "messages": [
-[s324, "unicast", 652, 1, 0, 1, "up", s326],
-[s327, "unicast", 700, 1, 0, 1, "down", s328],
-[s329, "unicast", s330, 0.865, 0, 1, "down", s331],
-[s332, "unicast", s333, 0.8517, 1, 1.967, "down", s331],
-[s334, "unicast", 192, 1, 0, 2, "up", s331],
-[s335, "unicast", s336, 0.5969, 0, 2.167, "down", s331],
-[s337, "unicast", s338, 0.3182, 1, 2.908, "down", s331],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s331],
-[s339, "unicast", 190.2, 1, 1, 0.5083, "up", s331],
-[s340, "unicast", 188, 1, 0, 2, "down", s331],
-["SPDP Gap", "unicast", s341, 0.6193, 1, 1.6, "down", s331],
-[s342, "unicast", 1152, 0.45, 2, 1, "up", s331],
-[s343, "unicast", s344, 0.8446, 3, 1.237, "down", s331],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up", s331],
-[s345, "unicast", 192, 1, 0, 4, "down", s331],
-[s346, "unicast", s347, 0.2358, 3, 1.892, "down", s331],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up", s331],
-[s348, "unicast", 191.3, 1, 3, 0.45, "up", s331],
-[s349, "unicast", 188.5, 1, 0, 15.6, "down", s331],
-["Gap", "unicast", s350, 0.6838, 3, 0.645, "down", s331],
-[s351, "unicast", 192, 1, 0, 1, "up", s331],
-[s352, "unicast", 192, 1, 0, 2, "down", s331],
-s353,
-[s354, "unicast", 188, 1, 0, 2, "up", s331],
-[s355, "unicast", 188, 1, 0, 2, "down", s331],
+[s323, "unicast", 652, 1, 0, 1, "up", s325],
+[s326, "unicast", 700, 1, 0, 1, "down", s327],
+[s328, "unicast", s329, 0.865, 0, 1, "down", s330],
+[s331, "unicast", s332, 0.8517, 1, 1.967, "down", s330],
+[s333, "unicast", 192, 1, 0, 2, "up", s330],
+[s334, "unicast", s335, 0.5969, 0, 2.167, "down", s330],
+[s336, "unicast", s337, 0.3182, 1, 2.908, "down", s330],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s330],
+[s338, "unicast", 190.2, 1, 1, 0.5083, "up", s330],
+[s339, "unicast", 188, 1, 0, 2, "down", s330],
+["SPDP Gap", "unicast", s340, 0.6193, 1, 1.6, "down", s330],
+[s341, "unicast", 1152, 0.45, 2, 1, "up", s330],
+[s342, "unicast", s343, 0.8446, 3, 1.237, "down", s330],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up", s330],
+[s344, "unicast", 192, 1, 0, 4, "down", s330],
+[s345, "unicast", s346, 0.2358, 3, 1.892, "down", s330],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up", s330],
+[s347, "unicast", 191.3, 1, 3, 0.45, "up", s330],
+[s348, "unicast", 188.5, 1, 0, 15.6, "down", s330],
+["Gap", "unicast", s349, 0.6838, 3, 0.645, "down", s330],
+[s350, "unicast", 192, 1, 0, 1, "up", s330],
+[s351, "unicast", 192, 1, 0, 2, "down", s330],
+s352,
+[s353, "unicast", 188, 1, 0, 2, "up", s330],
+[s354, "unicast", 188, 1, 0, 2, "down", s330],
+s355,
 s356,
 s357,
-s358,
 ],
 },
 "Fast DDS Discovery Server, two": {
@@ -2161,60 +2169,60 @@ s358,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [
-[s88, s119, "", s121, s124, s88],
-[s90, s126, "", s127, s124, s90],
-[s101, s101, "", s101, s124, s101],
-["peers", s310, "", s131, s124, s311],
-[s96, s312, "", s134, s124, s313],
-["router", s169, "", "Zenoh router", s124, s170],
-[s98, s171, "", s153, s124, s172],
-[s100, s173, "", s156, s124, s174],
-["middleware", s228, "", "Cyclone DDS", s124, "middleware"],
-["middleware", s176, "", s177, s124, "middleware"],
-["middleware", s178, "", "Fast DDS", s124, "middleware"],
-["middleware", s179, "", s150, s124, "middleware"],
+[s88, s118, "", s120, s123, s88],
+[s90, s125, "", s126, s123, s90],
+[s100, s100, "", s100, s123, s100],
+["peers", s309, "", s130, s123, s310],
+[s95, s311, "", s133, s123, s312],
+["router", s168, "", "Zenoh router", s123, s169],
+[s97, s170, "", s152, s123, s171],
+[s99, s172, "", s155, s123, s173],
+["middleware", s227, "", "Cyclone DDS", s123, "middleware"],
+["middleware", s175, "", s176, s123, "middleware"],
+["middleware", s177, "", "Fast DDS", s123, "middleware"],
+["middleware", s178, "", s149, s123, "middleware"],
 ],
 "about": "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)",
-"color": s314,
+"color": s313,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range that the table was not fitted to, discovery took 1.00 to 1.05 times the airtime it says, typically 2% more or less"]],
+"band": [[1, 1, 1, "In 6 swarms within that range that we did not fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%)"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": s323,
+"outlooks": s314,
+"windows": s315,
+"units": s322,
 "degree": 2,
 "messages": [
-[s324, "unicast", 636, 1, 0, 2, "up", s326],
-[s327, "unicast", 700, 1, 0, 2, "down", s328],
-[s329, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s331],
-[s332, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s331],
-[s334, "unicast", 192, 1, 0, 4, "up", s331],
-[s335, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s331],
-[s337, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s331],
-["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s331],
-[s339, "unicast", 190.5, 1, 1, 0.9417, "up", s331],
-[s340, "unicast", 188, 1, 0, 4, "down", s331],
-["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s331],
-[s342, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s331],
-[s343, "unicast", s344, 0.8446, 3, 2.45, "down", s331],
-["Heartbeat", "unicast", 184, 1, 0, 8, "up", s331],
-[s345, "unicast", 192, 1, 0, 8, "down", s331],
-[s346, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s331],
-["ACKNACK", "unicast", 188, 1, 0, 8, "up", s331],
-[s348, "unicast", 190.8, 1, 3, 0.85, "up", s331],
-[s349, "unicast", 188.5, 1, 0, 31.6, "down", s331],
-["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s331],
-[s351, "unicast", 192, 1, 0, 2, "up", s331],
-[s352, "unicast", 192, 1, 0, 4, "down", s331],
-[s207, "unicast", 192, 1, 4, 1.208, "up down", s331],
-[s354, "unicast", 188, 1, 0, 4, "up", s331],
-[s355, "unicast", 188, 1, 0, 4, "down", s331],
-[s212, "unicast", 188, 1, 4, 1.208, "up down", s331],
-[s222, "unicast", 192, 1, 5, 1.08, "up down", s331],
-["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s331],
+[s323, "unicast", 636, 1, 0, 2, "up", s325],
+[s326, "unicast", 700, 1, 0, 2, "down", s327],
+[s328, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s330],
+[s331, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s330],
+[s333, "unicast", 192, 1, 0, 4, "up", s330],
+[s334, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s330],
+[s336, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s330],
+["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s330],
+[s338, "unicast", 190.5, 1, 1, 0.9417, "up", s330],
+[s339, "unicast", 188, 1, 0, 4, "down", s330],
+["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s330],
+[s341, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s330],
+[s342, "unicast", s343, 0.8446, 3, 2.45, "down", s330],
+["Heartbeat", "unicast", 184, 1, 0, 8, "up", s330],
+[s344, "unicast", 192, 1, 0, 8, "down", s330],
+[s345, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s330],
+["ACKNACK", "unicast", 188, 1, 0, 8, "up", s330],
+[s347, "unicast", 190.8, 1, 3, 0.85, "up", s330],
+[s348, "unicast", 188.5, 1, 0, 31.6, "down", s330],
+["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s330],
+[s350, "unicast", 192, 1, 0, 2, "up", s330],
+[s351, "unicast", 192, 1, 0, 4, "down", s330],
+[s206, "unicast", 192, 1, 4, 1.208, "up down", s330],
+[s353, "unicast", 188, 1, 0, 4, "up", s330],
+[s354, "unicast", 188, 1, 0, 4, "down", s330],
+[s211, "unicast", 188, 1, 4, 1.208, "up down", s330],
+[s221, "unicast", 192, 1, 5, 1.08, "up down", s330],
+["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s330],
 ],
 },
 "Fast DDS Discovery Server, on a robot": {
@@ -2222,60 +2230,60 @@ s358,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [
-[s88, s119, "", s121, s127, s88],
-[s102, s123, "", s124, s127, s102],
-[s101, s101, "", s101, s127, s101],
-["peers", s310, "", s131, s127, s311],
-[s96, s312, "", s134, s127, s313],
-["router", s169, "", "Zenoh router", s127, s170],
-[s98, s171, "", s153, s127, s172],
-[s100, s173, "", s156, s127, s174],
-["middleware", s228, "", "Cyclone DDS", s127, "middleware"],
-["middleware", s176, "", s177, s127, "middleware"],
-["middleware", s178, "", "Fast DDS", s127, "middleware"],
-["middleware", s179, "", s150, s127, "middleware"],
+[s88, s118, "", s120, s126, s88],
+[s101, s122, "", s123, s126, s101],
+[s100, s100, "", s100, s126, s100],
+["peers", s309, "", s130, s126, s310],
+[s95, s311, "", s133, s126, s312],
+["router", s168, "", "Zenoh router", s126, s169],
+[s97, s170, "", s152, s126, s171],
+[s99, s172, "", s155, s126, s173],
+["middleware", s227, "", "Cyclone DDS", s126, "middleware"],
+["middleware", s175, "", s176, s126, "middleware"],
+["middleware", s177, "", "Fast DDS", s126, "middleware"],
+["middleware", s178, "", s149, s126, "middleware"],
 ],
 "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
-"color": s314,
+"color": s313,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range that the table was not fitted to, discovery took 0.97 to 1.16 times the airtime it says, typically 3% more or less"]],
+"band": [[1, 1, 1, "In 6 swarms within that range that we did not fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%)"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": [[s359, s359, s359], [s189, s360, s360], [s361, s361, s361], [s189, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s322, s190],
+"outlooks": s314,
+"windows": s315,
+"units": [[s358, s358, s358], [s188, s359, s359], [s360, s360, s360], [s188, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s321, s189],
 "degree": 2,
 "messages": [
-[s324, "unicast", 652, 1, 0, 1, "up down", s326],
-[s327, "unicast", 700, 1, 0, 1, "up down", s328],
-[s329, "unicast", s330, 0.865, 0, 1, "up down", s331],
-[s332, "unicast", s333, 0.8517, 1, 1.967, "up down", s331],
-[s334, "unicast", 192, 1, 0, 2, "up down", s331],
-[s335, "unicast", s336, 0.5969, 0, 2.167, "up down", s331],
-[s337, "unicast", s338, 0.3182, 1, 2.908, "up down", s331],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s331],
-[s339, "unicast", 190.2, 1, 1, 0.5083, "up down", s331],
-[s340, "unicast", 188, 1, 0, 2, "up down", s331],
-["SPDP Gap", "unicast", s341, 0.6193, 1, 1.6, "up down", s331],
-[s342, "unicast", 1152, 0.45, 2, 1, "up down", s331],
-[s343, "unicast", s344, 0.8446, 3, 1.237, "up down", s331],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s331],
-[s345, "unicast", 192, 1, 0, 4, "up down", s331],
-[s346, "unicast", s347, 0.2358, 3, 1.892, "up down", s331],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s331],
-[s348, "unicast", 191.3, 1, 3, 0.45, "up down", s331],
-[s349, "unicast", 188.5, 1, 0, 15.6, "up down", s331],
-["Gap", "unicast", s350, 0.6838, 3, 0.645, "up down", s331],
-[s351, "unicast", 192, 1, 0, 1, "up down", s331],
-[s352, "unicast", 192, 1, 0, 2, "up down", s331],
-s353,
-[s354, "unicast", 188, 1, 0, 2, "up down", s331],
-[s355, "unicast", 188, 1, 0, 2, "up down", s331],
+[s323, "unicast", 652, 1, 0, 1, "up down", s325],
+[s326, "unicast", 700, 1, 0, 1, "up down", s327],
+[s328, "unicast", s329, 0.865, 0, 1, "up down", s330],
+[s331, "unicast", s332, 0.8517, 1, 1.967, "up down", s330],
+[s333, "unicast", 192, 1, 0, 2, "up down", s330],
+[s334, "unicast", s335, 0.5969, 0, 2.167, "up down", s330],
+[s336, "unicast", s337, 0.3182, 1, 2.908, "up down", s330],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s330],
+[s338, "unicast", 190.2, 1, 1, 0.5083, "up down", s330],
+[s339, "unicast", 188, 1, 0, 2, "up down", s330],
+["SPDP Gap", "unicast", s340, 0.6193, 1, 1.6, "up down", s330],
+[s341, "unicast", 1152, 0.45, 2, 1, "up down", s330],
+[s342, "unicast", s343, 0.8446, 3, 1.237, "up down", s330],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s330],
+[s344, "unicast", 192, 1, 0, 4, "up down", s330],
+[s345, "unicast", s346, 0.2358, 3, 1.892, "up down", s330],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s330],
+[s347, "unicast", 191.3, 1, 3, 0.45, "up down", s330],
+[s348, "unicast", 188.5, 1, 0, 15.6, "up down", s330],
+["Gap", "unicast", s349, 0.6838, 3, 0.645, "up down", s330],
+[s350, "unicast", 192, 1, 0, 1, "up down", s330],
+[s351, "unicast", 192, 1, 0, 2, "up down", s330],
+s352,
+[s353, "unicast", 188, 1, 0, 2, "up down", s330],
+[s354, "unicast", 188, 1, 0, 2, "up down", s330],
+s355,
 s356,
 s357,
-s358,
 ],
 },
 "Fast DDS": {
@@ -2283,49 +2291,49 @@ s358,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [
-[s88, s119, "", s121, "Fast DDS", s88],
-[s102, s123, "", s124, "Fast DDS", s102],
-[s90, s126, "", s127, "Fast DDS", s90],
-[s101, s101, "", s101, "Fast DDS", s101],
-["peers", s310, "", s131, "Fast DDS", s311],
-[s96, s312, "", s134, "Fast DDS", s313],
-["router", s169, "", "Zenoh router", "Fast DDS", s170],
-[s98, s171, "", s153, "Fast DDS", s172],
-[s100, s173, "", s156, "Fast DDS", s174],
-["announcements", s175, "", "Fast DDS, calmer announcements", "Fast DDS", "announcements"],
-["middleware", s228, "", "Cyclone DDS", "Fast DDS", "middleware"],
-["middleware", s176, "", s177, "Fast DDS", "middleware"],
-["middleware", s179, "", s150, "Fast DDS", "middleware"],
+[s88, s118, "", s120, "Fast DDS", s88],
+[s101, s122, "", s123, "Fast DDS", s101],
+[s90, s125, "", s126, "Fast DDS", s90],
+[s100, s100, "", s100, "Fast DDS", s100],
+["peers", s309, "", s130, "Fast DDS", s310],
+[s95, s311, "", s133, "Fast DDS", s312],
+["router", s168, "", "Zenoh router", "Fast DDS", s169],
+[s97, s170, "", s152, "Fast DDS", s171],
+[s99, s172, "", s155, "Fast DDS", s173],
+["announcements", s174, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
+["middleware", s227, "", "Cyclone DDS", "Fast DDS", "middleware"],
+["middleware", s175, "", s176, "Fast DDS", "middleware"],
+["middleware", s178, "", s149, "Fast DDS", "middleware"],
 ],
-"about": s362,
-"color": s314,
+"about": s361,
+"color": s313,
 "measured": [8, 12, 60],
-"band": s363,
+"band": s362,
 "reboot": [1.21, 1.71],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": s366,
+"outlooks": s314,
+"windows": s315,
+"units": s365,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s326],
-[s367, "multicast", 580, 1, 1, 1, "up down", s331],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s370],
-[s371, "unicast", 580, 1, 2, 1, "up down", s331],
-[s372, "unicast", 580, 1, 3, 0.5, "up down", s331],
-["SEDP", "unicast", s373, 0.6, 4, 1, "up down", s331],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s331],
-[s198, "unicast", 184.3, 1, 2, 1.65, "up down", s331],
-[s374, "unicast", 184.3, 1, 3, 0.4252, "up down", s331],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s331],
-[s375, "unicast", 189.4, 1, 2, 2.072, "up down", s331],
-[s200, "unicast", 189.4, 1, 3, 0.2616, "up down", s331],
-[s207, "unicast", 192, 1, 2, 1.148, "up down", s331],
-[s212, "unicast", 188, 1, 2, 1.148, "up down", s331],
-[s222, "unicast", 192, 1, 5, 1.4, "up down", s331],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s331],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s325],
+[s366, "multicast", 580, 1, 1, 1, "up down", s330],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s369],
+[s370, "unicast", 580, 1, 2, 1, "up down", s330],
+[s371, "unicast", 580, 1, 3, 0.5, "up down", s330],
+["SEDP", "unicast", s372, 0.6, 4, 1, "up down", s330],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s330],
+[s197, "unicast", 184.3, 1, 2, 1.65, "up down", s330],
+[s373, "unicast", 184.3, 1, 3, 0.4252, "up down", s330],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s330],
+[s374, "unicast", 189.4, 1, 2, 2.072, "up down", s330],
+[s199, "unicast", 189.4, 1, 3, 0.2616, "up down", s330],
+[s206, "unicast", 192, 1, 2, 1.148, "up down", s330],
+[s211, "unicast", 188, 1, 2, 1.148, "up down", s330],
+[s221, "unicast", 192, 1, 5, 1.4, "up down", s330],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s330],
 ],
 },
 "hybrid": {
@@ -2334,18 +2342,18 @@ s358,
 "product": null,
 "tables": [],
 "about": "this book's proposal, for hosts with unlike software",
-"color": s376,
+"color": s375,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s377,
-"windows": s378,
-"units": [s380, s142, s319, s382, s271],
+"outlooks": s376,
+"windows": s377,
+"units": [s379, s141, s318, s381, s270],
 "degree": 2,
-"messages": [s384, s385, s386, s387, s388, s390, s391],
+"messages": [s383, s384, s385, s386, s387, s389, s390],
 },
 "hybrid, alike": {
 "group": s6,
@@ -2353,134 +2361,134 @@ s358,
 "product": null,
 "tables": [],
 "about": "this book's proposal, for hosts that are alike",
-"color": s376,
+"color": s375,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s377,
-"windows": s378,
-"units": [s380, s142, [s392, s392, s392], s382, s271],
+"outlooks": s376,
+"windows": s377,
+"units": [s379, s141, [s391, s391, s391], s381, s270],
 "degree": 2,
-"messages": [s384, s385, ["Software", "multicast", 8, 0, 0, 1, "up down", s383], s386, s387, s388, s390, s391],
+"messages": [s383, s384, ["Software", "multicast", 8, 0, 0, 1, "up down", s382], s385, s386, s387, s389, s390],
 },
 "DDS, periods of Fast DDS": {
 "group": s5,
 "family": "DDS",
 "product": null,
-"tables": [s122, s125, s128, s129, s132, s135, ["middleware", s393, "", s394, s395, "middleware"], ["middleware", s396, "", s397, s395, "middleware"]],
+"tables": [s121, s124, s127, s128, s131, s134, ["middleware", s392, "", s393, s394, "middleware"], ["middleware", s395, "", s396, s394, "middleware"]],
 "about": "",
-"color": s314,
+"color": s313,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": s159,
+"outlooks": s314,
+"windows": s315,
+"units": s158,
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s326], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s326], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s331], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s331], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s331]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s325], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s325], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s330], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s330], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s330]],
 },
 "DDS, periods of Cyclone DDS": {
 "group": s5,
 "family": "DDS",
 "product": null,
-"tables": [s122, s125, s128, s129, s132, s135, ["middleware", s398, "", s395, s394, "middleware"], ["middleware", s396, "", s397, s394, "middleware"]],
+"tables": [s121, s124, s127, s128, s131, s134, ["middleware", s397, "", s394, s393, "middleware"], ["middleware", s395, "", s396, s393, "middleware"]],
 "about": "",
-"color": s181,
+"color": s180,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s159,
+"outlooks": s182,
+"windows": s183,
+"units": s158,
 "degree": 2,
 "messages": [
-["SPDP", "multicast", 414, 1, 0, 1, "up down", s192],
-["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s194],
-["SEDP", "unicast", 464, 1, 2, 1, "up down", s196],
-["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s196],
-["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s196],
-["Liveliness", "unicast", 180, 1, 1, 1, "up down", s274],
-["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s274],
+["SPDP", "multicast", 414, 1, 0, 1, "up down", s191],
+["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s193],
+["SEDP", "unicast", 464, 1, 2, 1, "up down", s195],
+["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s195],
+["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s195],
+["Liveliness", "unicast", 180, 1, 1, 1, "up down", s273],
+["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s273],
 ],
 },
 "Zenoh, periods of Zenoh peer": {
 "group": s5,
 "family": "Zenoh",
 "product": null,
-"tables": [s151, s154, s157, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s397, "peers"], ["middleware", s398, "", s395, s397, "middleware"], ["middleware", s393, "", s394, s397, "middleware"]],
+"tables": [s150, s153, s156, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s396, "peers"], ["middleware", s397, "", s394, s396, "middleware"], ["middleware", s392, "", s393, s396, "middleware"]],
 "about": "",
-"color": s399,
+"color": s398,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s159,
+"outlooks": s182,
+"windows": s183,
+"units": s158,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s400], ["Hello", "unicast", 144, 1, 1, 1, "up down", s400], ["Declare", "unicast", 176, 1, 2, 1, "up down", s196], s402],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s399], ["Hello", "unicast", 144, 1, 1, 1, "up down", s399], ["Declare", "unicast", 176, 1, 2, 1, "up down", s195], s401],
 },
 "static endpoints": {
 "group": s3,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [
-[s88, s119, "", s121, s101, s88],
-[s102, s123, "", s124, s101, s102],
-[s90, s126, "", s127, s101, s90],
-["peers", s310, "", s131, s101, s311],
-[s96, s312, "", s134, s101, s313],
-["router", s169, "", "Zenoh router", s101, s170],
-[s98, s171, "", s153, s101, s172],
-[s100, s173, "", s156, s101, s174],
-["announcements", s175, "", "static endpoints, calmer announcements", s101, "announcements"],
-["middleware", s228, "", "Cyclone DDS", s101, "middleware"],
-["middleware", s176, "", s177, s101, "middleware"],
-["middleware", s178, "", "Fast DDS", s101, "middleware"],
-["middleware", s179, "", s150, s101, "middleware"],
+[s88, s118, "", s120, s100, s88],
+[s101, s122, "", s123, s100, s101],
+[s90, s125, "", s126, s100, s90],
+["peers", s309, "", s130, s100, s310],
+[s95, s311, "", s133, s100, s312],
+["router", s168, "", "Zenoh router", s100, s169],
+[s97, s170, "", s152, s100, s171],
+[s99, s172, "", s155, s100, s173],
+["announcements", s174, "", "static endpoints, a longer announcement interval", s100, "announcements"],
+["middleware", s227, "", "Cyclone DDS", s100, "middleware"],
+["middleware", s175, "", s176, s100, "middleware"],
+["middleware", s177, "", "Fast DDS", s100, "middleware"],
+["middleware", s178, "", s149, s100, "middleware"],
 ],
-"about": s403,
-"color": s314,
+"about": s402,
+"color": s313,
 "measured": [8, 8, 84],
-"band": s404,
+"band": s403,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s315,
-"windows": s316,
-"units": s408,
+"outlooks": s314,
+"windows": s315,
+"units": s407,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s326],
-[s367, "multicast", 589.2, 1, 1, 1, "up down", s331],
-[s409, "multicast", 589.2, 1, 2, 1, "up down", s331],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s370],
-[s371, "unicast", 589.2, 1, 3, 1, "up down", s331],
-[s372, "unicast", 589.2, 1, 4, 0.5, "up down", s331],
-[s410, "unicast", 589.2, 1, 5, 0.6542, "up down", s331],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s370],
-[s411, "multicast", 59.47, 0, 6, 0.8987, "up down", s331],
-[s412, "multicast", 59.47, 0, 7, 0.8987, "up down", s331],
-[s413, "unicast", 59.47, 0, 5, 1, "up down", s370],
-[s414, "unicast", 59.47, 0, 5, 0.9528, "up down", s331],
-[s415, "unicast", 59.47, 0, 8, 0.4764, "up down", s331],
-[s416, "unicast", 59.47, 0, 9, 0.6233, "up down", s331],
-[s207, "unicast", 192, 1, 3, 1.167, "up down", s331],
-[s212, "unicast", 188, 1, 3, 1.167, "up down", s331],
-[s222, "unicast", 192, 1, 10, 1.33, "up down", s331],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s331],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s325],
+[s366, "multicast", 589.2, 1, 1, 1, "up down", s330],
+[s408, "multicast", 589.2, 1, 2, 1, "up down", s330],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s369],
+[s370, "unicast", 589.2, 1, 3, 1, "up down", s330],
+[s371, "unicast", 589.2, 1, 4, 0.5, "up down", s330],
+[s409, "unicast", 589.2, 1, 5, 0.6542, "up down", s330],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s369],
+[s410, "multicast", 59.47, 0, 6, 0.8987, "up down", s330],
+[s411, "multicast", 59.47, 0, 7, 0.8987, "up down", s330],
+[s412, "unicast", 59.47, 0, 5, 1, "up down", s369],
+[s413, "unicast", 59.47, 0, 5, 0.9528, "up down", s330],
+[s414, "unicast", 59.47, 0, 8, 0.4764, "up down", s330],
+[s415, "unicast", 59.47, 0, 9, 0.6233, "up down", s330],
+[s206, "unicast", 192, 1, 3, 1.167, "up down", s330],
+[s211, "unicast", 188, 1, 3, 1.167, "up down", s330],
+[s221, "unicast", 192, 1, 10, 1.33, "up down", s330],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s330],
 ],
 },
 "Zenoh peer": {
@@ -2488,54 +2496,54 @@ s358,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [
-[s88, s161, "", s121, "Zenoh peer", s162],
-[s102, s163, "", s124, "Zenoh peer", s164],
-[s90, s165, "", s127, "Zenoh peer", s166],
-[s101, s167, "", s101, "Zenoh peer", s168],
-["peers", s310, "", s131, "Zenoh peer", s311],
-[s96, s312, "", s134, "Zenoh peer", s313],
-s151,
-s154,
-s157,
+[s88, s160, "", s120, "Zenoh peer", s161],
+[s101, s162, "", s123, "Zenoh peer", s163],
+[s90, s164, "", s126, "Zenoh peer", s165],
+[s100, s166, "", s100, "Zenoh peer", s167],
+["peers", s309, "", s130, "Zenoh peer", s310],
+[s95, s311, "", s133, "Zenoh peer", s312],
+s150,
+s153,
+s156,
 ["peers", "static peers", "", "Zenoh peer, static peers", "Zenoh peer", "peers"],
-["middleware", s228, "", "Cyclone DDS", "Zenoh peer", "middleware"],
-["middleware", s176, "", s177, "Zenoh peer", "middleware"],
-["middleware", s178, "", "Fast DDS", "Zenoh peer", "middleware"],
-["middleware", s179, "", s150, "Zenoh peer", "middleware"],
+["middleware", s227, "", "Cyclone DDS", "Zenoh peer", "middleware"],
+["middleware", s175, "", s176, "Zenoh peer", "middleware"],
+["middleware", s177, "", "Fast DDS", "Zenoh peer", "middleware"],
+["middleware", s178, "", s149, "Zenoh peer", "middleware"],
 ],
-"about": s417,
-"color": s399,
+"about": s416,
+"color": s398,
 "measured": [8, 12, 60],
-"band": s418,
+"band": s417,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s420,
+"outlooks": s182,
+"windows": s183,
+"units": s419,
 "degree": 3,
 "messages": [
+s420,
 s421,
+["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s195],
+["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s195],
 s422,
-["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s196],
-["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s196],
 s423,
 s424,
-s425,
-["OAM", "unicast", s426, 0.835, 1, 1, "up down", s196],
-[s427, "unicast", s426, 0.835, 2, 0.625, "up down", s196],
-["Declare", "unicast", s428, 0.1957, 3, 0.5, "up down", s196],
-[s429, "unicast", s430, 0.8037, 4, 0.5, "up down", s196],
-[s431, "unicast", s430, 0.8037, 5, 0.5, "up down", s196],
-["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s196],
-["Frame", "unicast", s432, 0.2478, 1, 1, "up down", s196],
-[s433, "unicast", s432, 0.2478, 3, 0.6083, "up down", s196],
+["OAM", "unicast", s425, 0.835, 1, 1, "up down", s195],
+[s426, "unicast", s425, 0.835, 2, 0.625, "up down", s195],
+["Declare", "unicast", s427, 0.1957, 3, 0.5, "up down", s195],
+[s428, "unicast", s429, 0.8037, 4, 0.5, "up down", s195],
+[s430, "unicast", s429, 0.8037, 5, 0.5, "up down", s195],
+["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s195],
+["Frame", "unicast", s431, 0.2478, 1, 1, "up down", s195],
+[s432, "unicast", s431, 0.2478, 3, 0.6083, "up down", s195],
+s433,
 s434,
-s435,
-["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s401],
-[s436, "unicast", 76, 1, 1, 2.496, "up down", s196],
-[s437, "unicast", 76, 1, 3, 0.2188, "up down", s196],
+["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s400],
+[s435, "unicast", 76, 1, 1, 2.496, "up down", s195],
+[s436, "unicast", 76, 1, 3, 0.2188, "up down", s195],
 ],
 },
 "Zenoh peer, tokens": {
@@ -2543,56 +2551,56 @@ s435,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [
-[s88, s161, "", s121, s150, s162],
-[s102, s163, "", s124, s150, s164],
-[s90, s165, "", s127, s150, s166],
-[s101, s167, "", s101, s150, s168],
-["peers", s310, "", s131, s150, s311],
-[s96, s312, "", s134, s150, s313],
-["router", s148, "", "Zenoh router", s150, "router"],
-[s98, s152, "", s153, s150, s98],
-[s100, s155, "", s156, s150, s100],
-["peers", "static peers", "", "Zenoh peer, tokens, static peers", s150, "peers"],
-["middleware", s228, "", "Cyclone DDS", s150, "middleware"],
-["middleware", s176, "", s177, s150, "middleware"],
-["middleware", s178, "", "Fast DDS", s150, "middleware"],
+[s88, s160, "", s120, s149, s161],
+[s101, s162, "", s123, s149, s163],
+[s90, s164, "", s126, s149, s165],
+[s100, s166, "", s100, s149, s167],
+["peers", s309, "", s130, s149, s310],
+[s95, s311, "", s133, s149, s312],
+["router", s147, "", "Zenoh router", s149, "router"],
+[s97, s151, "", s152, s149, s97],
+[s99, s154, "", s155, s149, s99],
+["peers", "static peers", "", "Zenoh peer, tokens, static peers", s149, "peers"],
+["middleware", s227, "", "Cyclone DDS", s149, "middleware"],
+["middleware", s175, "", s176, s149, "middleware"],
+["middleware", s177, "", "Fast DDS", s149, "middleware"],
 ],
-"about": s438,
-"color": s399,
+"about": s437,
+"color": s398,
 "measured": [8, 12, 60],
-"band": s439,
+"band": s438,
 "reboot": [0.896, 1.43],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s420,
+"outlooks": s182,
+"windows": s183,
+"units": s419,
 "degree": 3,
 "messages": [
+s420,
 s421,
+["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s195],
+["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s195],
 s422,
-["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s196],
-["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s196],
 s423,
 s424,
-s425,
-["OAM", "unicast", s440, 0.7058, 1, 1, "up down", s196],
-[s427, "unicast", s440, 0.7058, 2, 0.6493, "up down", s196],
-["Declare", "unicast", s441, 0.0655, 3, 0.5, "up down", s196],
-["Declare token", "unicast", s442, 0.0603, 3, 1, "up down", s196],
-[s443, "unicast", s442, 0.0603, 1, 1, "up down", s196],
-[s429, "unicast", s444, 0.5972, 4, 1.5, "up down", s196],
-[s431, "unicast", s444, 0.5972, 5, 2.5, "up down", s196],
-[s445, "unicast", s444, 0.5972, 1, 1, "up down", s196],
-["Declare final", "unicast", s446, 0.06, 1, 1, "up down", s196],
-["Frame", "unicast", s447, 0.1352, 1, 2, "up down", s196],
-[s433, "unicast", s447, 0.1352, 3, 1, "up down", s196],
+["OAM", "unicast", s439, 0.7058, 1, 1, "up down", s195],
+[s426, "unicast", s439, 0.7058, 2, 0.6493, "up down", s195],
+["Declare", "unicast", s440, 0.0655, 3, 0.5, "up down", s195],
+["Declare token", "unicast", s441, 0.0603, 3, 1, "up down", s195],
+[s442, "unicast", s441, 0.0603, 1, 1, "up down", s195],
+[s428, "unicast", s443, 0.5972, 4, 1.5, "up down", s195],
+[s430, "unicast", s443, 0.5972, 5, 2.5, "up down", s195],
+[s444, "unicast", s443, 0.5972, 1, 1, "up down", s195],
+["Declare final", "unicast", s445, 0.06, 1, 1, "up down", s195],
+["Frame", "unicast", s446, 0.1352, 1, 2, "up down", s195],
+[s432, "unicast", s446, 0.1352, 3, 1, "up down", s195],
+s433,
 s434,
-s435,
-["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s401],
-[s436, "unicast", 76, 1, 1, 3.325, "up down", s196],
-[s437, "unicast", 76, 1, 3, 0.4208, "up down", s196],
+["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s400],
+[s435, "unicast", 76, 1, 1, 3.325, "up down", s195],
+[s436, "unicast", 76, 1, 3, 0.4208, "up down", s195],
 ],
 },
 "Zenoh router": {
@@ -2600,69 +2608,69 @@ s435,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [
-[s88, s161, "", s121, "Zenoh router", s162],
-[s102, s163, "", s124, "Zenoh router", s164],
-[s90, s165, "", s127, "Zenoh router", s166],
-[s101, s167, "", s101, "Zenoh router", s168],
-["peers", s310, "", s131, "Zenoh router", s311],
-[s96, s312, "", s134, "Zenoh router", s313],
-[s98, s152, "", s153, "Zenoh router", s98],
-[s100, s155, "", s156, "Zenoh router", s100],
-["middleware", s228, "", "Cyclone DDS", "Zenoh router", "middleware"],
-["middleware", s176, "", s177, "Zenoh router", "middleware"],
-["middleware", s178, "", "Fast DDS", "Zenoh router", "middleware"],
-["middleware", s179, "", s150, "Zenoh router", "middleware"],
+[s88, s160, "", s120, "Zenoh router", s161],
+[s101, s162, "", s123, "Zenoh router", s163],
+[s90, s164, "", s126, "Zenoh router", s165],
+[s100, s166, "", s100, "Zenoh router", s167],
+["peers", s309, "", s130, "Zenoh router", s310],
+[s95, s311, "", s133, "Zenoh router", s312],
+[s97, s151, "", s152, "Zenoh router", s97],
+[s99, s154, "", s155, "Zenoh router", s99],
+["middleware", s227, "", "Cyclone DDS", "Zenoh router", "middleware"],
+["middleware", s175, "", s176, "Zenoh router", "middleware"],
+["middleware", s177, "", "Fast DDS", "Zenoh router", "middleware"],
+["middleware", s178, "", s149, "Zenoh router", "middleware"],
 ],
 "about": "one router, wired to the access point, and every process its client, with liveliness tokens, as rmw_zenoh has them (measured with 1.10.2)",
-"color": s448,
+"color": s447,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within that range that the table was not fitted to, discovery took 0.84 to 1.18 times the airtime it says, typically 10% more or less"]],
+"band": [[1, 1, 1, "In 7 swarms within that range that we did not fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%)"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s449,
-"windows": s450,
-"units": [s142, s319, s451, [s189, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s365, s405],
+"outlooks": s448,
+"windows": s449,
+"units": [s141, s318, s450, [s188, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s364, s404],
 "degree": 2,
 "messages": [
-["TCP SYN", "unicast", 76, 1, 0, 1, "up", s452],
-["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s452],
+["TCP SYN", "unicast", 76, 1, 0, 1, "up", s451],
+["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s451],
+s452,
 s453,
 s454,
 s455,
-s456,
-["Interest in tokens", "unicast", s457, 0.08917, 0, 1, "up", s452],
-["Interest of publishers", "unicast", s457, 0.08917, 1, 0.5, "up", s452],
-["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s452],
-[s443, "unicast", s458, 0.05144, 0, 1, "up", s452],
-["Declare token", "unicast", s458, 0.05144, 1, 1, "up", s452],
-[s445, "unicast", s459, 0.5213, 0, 2, "up", s452],
-[s429, "unicast", s459, 0.5213, 1, 1.5, "up", s452],
-["Declare key expression of unmatched", "unicast", s459, 0.5213, 2, 0.5, "up", s452],
-["Frame up", "unicast", s460, 0.1456, 0, 1.417, "up", s452],
-["Frame of endpoints up", "unicast", s460, 0.1456, 1, 1.292, "up", s452],
-["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s452],
-["Declare token of own node", "unicast", s461, 0.0309, 0, 1, "down", s452],
-["Declare own token", "unicast", s461, 0.0309, 1, 1, "down", s452],
-["Declare token of node passed on", "unicast", s461, 0.0309, 4, 1, "down", s452],
-["Declare token passed on", "unicast", s461, 0.0309, 5, 1, "down", s452],
-["Declare key expression of node passed on", "unicast", s462, 0.3319, 4, 1, "down", s452],
-["Declare key expression passed on", "unicast", s462, 0.3319, 5, 1, "down", s452],
-["Declare final", "unicast", s463, 0.06875, 0, 1, "down", s452],
-["Declare final to publishers", "unicast", s463, 0.06875, 1, 0.5, "down", s452],
-["Frame down", "unicast", s464, 0.1116, 0, 3.188, "down", s452],
-["Frame of endpoints down", "unicast", s464, 0.1116, 1, 1.206, "down", s452],
-["Frame of others down", "unicast", s464, 0.1116, 5, 0.025, "down", s452],
-["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s466],
-s467,
-["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s466],
-["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s466],
-["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s452],
-["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s452],
-["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s452],
-[s468, "unicast", 76, 1, 0, 4.104, "down", s452],
-[s469, "unicast", 76, 1, 1, 0.07292, "down", s452],
+["Interest in tokens", "unicast", s456, 0.08917, 0, 1, "up", s451],
+["Interest of publishers", "unicast", s456, 0.08917, 1, 0.5, "up", s451],
+["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s451],
+[s442, "unicast", s457, 0.05144, 0, 1, "up", s451],
+["Declare token", "unicast", s457, 0.05144, 1, 1, "up", s451],
+[s444, "unicast", s458, 0.5213, 0, 2, "up", s451],
+[s428, "unicast", s458, 0.5213, 1, 1.5, "up", s451],
+["Declare key expression of unmatched", "unicast", s458, 0.5213, 2, 0.5, "up", s451],
+["Frame up", "unicast", s459, 0.1456, 0, 1.417, "up", s451],
+["Frame of endpoints up", "unicast", s459, 0.1456, 1, 1.292, "up", s451],
+["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s451],
+["Declare token of own node", "unicast", s460, 0.0309, 0, 1, "down", s451],
+["Declare own token", "unicast", s460, 0.0309, 1, 1, "down", s451],
+["Declare token of node passed on", "unicast", s460, 0.0309, 4, 1, "down", s451],
+["Declare token passed on", "unicast", s460, 0.0309, 5, 1, "down", s451],
+["Declare key expression of node passed on", "unicast", s461, 0.3319, 4, 1, "down", s451],
+["Declare key expression passed on", "unicast", s461, 0.3319, 5, 1, "down", s451],
+["Declare final", "unicast", s462, 0.06875, 0, 1, "down", s451],
+["Declare final to publishers", "unicast", s462, 0.06875, 1, 0.5, "down", s451],
+["Frame down", "unicast", s463, 0.1116, 0, 3.188, "down", s451],
+["Frame of endpoints down", "unicast", s463, 0.1116, 1, 1.206, "down", s451],
+["Frame of others down", "unicast", s463, 0.1116, 5, 0.025, "down", s451],
+["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s465],
+s466,
+["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s465],
+["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s465],
+["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s451],
+["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s451],
+["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s451],
+[s467, "unicast", 76, 1, 0, 4.104, "down", s451],
+[s468, "unicast", 76, 1, 1, 0.07292, "down", s451],
 ],
 },
 "Zenoh router per host": {
@@ -2670,56 +2678,56 @@ s467,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [
-[s88, s161, "", s121, s153, s162],
-[s102, s163, "", s124, s153, s164],
-[s90, s165, "", s127, s153, s166],
-[s101, s167, "", s101, s153, s168],
-["peers", s310, "", s131, s153, s311],
-[s96, s312, "", s134, s153, s313],
-["router", s148, "", "Zenoh router", s153, "router"],
-[s100, s155, "", s156, s153, s100],
-["middleware", s228, "", "Cyclone DDS", s153, "middleware"],
-["middleware", s176, "", s177, s153, "middleware"],
-["middleware", s178, "", "Fast DDS", s153, "middleware"],
-["middleware", s179, "", s150, s153, "middleware"],
+[s88, s160, "", s120, s152, s161],
+[s101, s162, "", s123, s152, s163],
+[s90, s164, "", s126, s152, s165],
+[s100, s166, "", s100, s152, s167],
+["peers", s309, "", s130, s152, s310],
+[s95, s311, "", s133, s152, s312],
+["router", s147, "", "Zenoh router", s152, "router"],
+[s99, s154, "", s155, s152, s99],
+["middleware", s227, "", "Cyclone DDS", s152, "middleware"],
+["middleware", s175, "", s176, s152, "middleware"],
+["middleware", s177, "", "Fast DDS", s152, "middleware"],
+["middleware", s178, "", s149, s152, "middleware"],
 ],
 "about": "a router on each host, as rmw_zenoh has it, linked with all others; processes meet their own host's on loopback (measured with 1.10.2)",
-"color": s448,
+"color": s447,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within that range that the table was not fitted to, discovery took 0.84 to 1.25 times the airtime it says, typically 2% more or less"]],
+"band": [[1, 1, 1, "In 11 swarms within that range that we did not fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%)"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s449,
-"windows": s450,
-"units": [s271, [s470, s470, s470], [s471, s471, s471], s473, s474, s475, s269],
+"outlooks": s448,
+"windows": s449,
+"units": [s270, [s469, s469, s469], [s470, s470, s470], s472, s473, s474, s268],
 "degree": 4,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up down", s452],
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s452],
-["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s452],
-["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s452],
-["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s452],
-["OAM", "unicast", s476, 0.04144, 0, 2, "up down", s452],
-["OAM of third hosts", "unicast", s477, 0.03176, 1, 0.3843, "up down", s452],
-["OAM passed on", "unicast", s477, 0.03176, 2, 0.4715, "up down", s452],
-[s478, "unicast", s479, 0.8637, 0, 4.25, "up down", s452],
-["Frame of gossip passed on", "unicast", s479, 0.8637, 1, 1.6, "up down", s452],
-[s433, "unicast", s479, 0.8637, 3, 0.775, "up down", s452],
-["Declare", "unicast", s476, 0.004144, 4, 0.5, "up down", s452],
-[s480, "unicast", s476, 0.004144, 5, 0.5, "up down", s452],
-[s443, "unicast", s476, 0.004144, 6, 1, "up down", s452],
-["Declare token", "unicast", s476, 0.004144, 3, 1, "up down", s452],
-[s429, "unicast", s481, 0.1138, 4, 0.5, "up down", s452],
-[s431, "unicast", s481, 0.1138, 5, 0.2634, "up down", s452],
-[s482, "unicast", s481, 0.1138, 3, 1, "up down", s452],
-[s445, "unicast", s481, 0.1138, 6, 1, "up down", s452],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s466],
-["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s466],
-[s436, "unicast", 76, 1, 0, 6.597, "up down", s452],
-["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s452],
-[s437, "unicast", 76, 1, 3, 0.1124, "up down", s452],
+["TCP control", "unicast", 76, 1, 0, 1, "up down", s451],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s451],
+["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s451],
+["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s451],
+["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s451],
+["OAM", "unicast", s475, 0.04144, 0, 2, "up down", s451],
+["OAM of third hosts", "unicast", s476, 0.03176, 1, 0.3843, "up down", s451],
+["OAM passed on", "unicast", s476, 0.03176, 2, 0.4715, "up down", s451],
+[s477, "unicast", s478, 0.8637, 0, 4.25, "up down", s451],
+["Frame of gossip passed on", "unicast", s478, 0.8637, 1, 1.6, "up down", s451],
+[s432, "unicast", s478, 0.8637, 3, 0.775, "up down", s451],
+["Declare", "unicast", s475, 0.004144, 4, 0.5, "up down", s451],
+[s479, "unicast", s475, 0.004144, 5, 0.5, "up down", s451],
+[s442, "unicast", s475, 0.004144, 6, 1, "up down", s451],
+["Declare token", "unicast", s475, 0.004144, 3, 1, "up down", s451],
+[s428, "unicast", s480, 0.1138, 4, 0.5, "up down", s451],
+[s430, "unicast", s480, 0.1138, 5, 0.2634, "up down", s451],
+[s481, "unicast", s480, 0.1138, 3, 1, "up down", s451],
+[s444, "unicast", s480, 0.1138, 6, 1, "up down", s451],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s465],
+["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s465],
+[s435, "unicast", 76, 1, 0, 6.597, "up down", s451],
+["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s451],
+[s436, "unicast", 76, 1, 3, 0.1124, "up down", s451],
 ],
 },
 "Zenoh router per host, star": {
@@ -2727,69 +2735,69 @@ s467,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [
-[s88, s161, "", s121, s156, s162],
-[s102, s163, "", s124, s156, s164],
-[s90, s165, "", s127, s156, s166],
-[s101, s167, "", s101, s156, s168],
-["peers", s310, "", s131, s156, s311],
-[s96, s312, "", s134, s156, s313],
-["router", s148, "", "Zenoh router", s156, "router"],
-[s98, s152, "", s153, s156, s98],
-["middleware", s228, "", "Cyclone DDS", s156, "middleware"],
-["middleware", s176, "", s177, s156, "middleware"],
-["middleware", s178, "", "Fast DDS", s156, "middleware"],
-["middleware", s179, "", s150, s156, "middleware"],
+[s88, s160, "", s120, s155, s161],
+[s101, s162, "", s123, s155, s163],
+[s90, s164, "", s126, s155, s165],
+[s100, s166, "", s100, s155, s167],
+["peers", s309, "", s130, s155, s310],
+[s95, s311, "", s133, s155, s312],
+["router", s147, "", "Zenoh router", s155, "router"],
+[s97, s151, "", s152, s155, s97],
+["middleware", s227, "", "Cyclone DDS", s155, "middleware"],
+["middleware", s175, "", s176, s155, "middleware"],
+["middleware", s177, "", "Fast DDS", s155, "middleware"],
+["middleware", s178, "", s149, s155, "middleware"],
 ],
 "about": "a router on each host, as rmw_zenoh has it, linked with one router that is wired to the access point; processes meet their own host's on loopback (measured with 1.10.2)",
-"color": s448,
+"color": s447,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range that the table was not fitted to, discovery took 0.85 to 1.18 times the airtime it says, typically 15% more or less"]],
+"band": [[1, 1, 1, "In 6 swarms within that range that we did not fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%)"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s449,
-"windows": s450,
-"units": [s380, s271, s319, s451, [s189, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s142, s269, s474, s475, s473, s382],
+"outlooks": s448,
+"windows": s449,
+"units": [s379, s270, s318, s450, [s188, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s141, s268, s473, s474, s472, s381],
 "degree": 2,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up", s452],
-["TCP control down", "unicast", 76, 1, 0, 1, "down", s452],
+["TCP control", "unicast", 76, 1, 0, 1, "up", s451],
+["TCP control down", "unicast", 76, 1, 0, 1, "down", s451],
+s452,
 s453,
 s454,
 s455,
-s456,
-["OAM", "unicast", s483, 0.03601, 0, 2, "up", s452],
-["OAM of others", "unicast", s483, 0.03601, 1, 1.045, "up", s452],
-[s478, "unicast", s484, 0.8894, 0, 12.18, "up", s452],
-[s433, "unicast", s484, 0.8894, 2, 0.4077, "up", s452],
-["Declare", "unicast", s476, 0.004144, 3, 0.5, "up", s452],
-[s480, "unicast", s476, 0.004144, 4, 0.5, "up", s452],
-[s443, "unicast", s476, 0.004144, 5, 1, "up", s452],
-["Declare token", "unicast", s476, 0.004144, 2, 1, "up", s452],
-[s429, "unicast", s485, 0.1159, 3, 0.5, "up", s452],
-[s431, "unicast", s485, 0.1159, 4, 0.1042, "up", s452],
-[s482, "unicast", s485, 0.1159, 2, 1, "up", s452],
-[s445, "unicast", s485, 0.1159, 5, 1, "up", s452],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up", s466],
-["TCP ACK", "unicast", 76, 1, 0, 1, "up", s466],
-[s436, "unicast", 76, 1, 0, 3.783, "up", s452],
-["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s452],
-["OAM down", "unicast", s486, 0.04874, 0, 2, "down", s452],
-["OAM of others down", "unicast", s486, 0.04874, 1, 1.045, "down", s452],
-["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s452],
-["Declare down", "unicast", s487, 0.005525, 7, 0.5, "down", s452],
-["Declare of matching down", "unicast", s487, 0.005525, 8, 0.5, "down", s452],
-["Declare token of node down", "unicast", s487, 0.005525, 6, 1, "down", s452],
-["Declare token down", "unicast", s487, 0.005525, 9, 1, "down", s452],
-["Declare key expression down", "unicast", s485, 0.1159, 7, 0.5, "down", s452],
-["Declare key expression of matching down", "unicast", s485, 0.1159, 8, 0.0625, "down", s452],
-["Declare key expression of tokens down", "unicast", s485, 0.1159, 9, 1, "down", s452],
-["Declare key expression of node down", "unicast", s485, 0.1159, 6, 1, "down", s452],
-s467,
-["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s466],
-[s468, "unicast", 76, 1, 0, 4.958, "down", s452],
-[s469, "unicast", 76, 1, 2, 0.1354, "down", s452],
+["OAM", "unicast", s482, 0.03601, 0, 2, "up", s451],
+["OAM of others", "unicast", s482, 0.03601, 1, 1.045, "up", s451],
+[s477, "unicast", s483, 0.8894, 0, 12.18, "up", s451],
+[s432, "unicast", s483, 0.8894, 2, 0.4077, "up", s451],
+["Declare", "unicast", s475, 0.004144, 3, 0.5, "up", s451],
+[s479, "unicast", s475, 0.004144, 4, 0.5, "up", s451],
+[s442, "unicast", s475, 0.004144, 5, 1, "up", s451],
+["Declare token", "unicast", s475, 0.004144, 2, 1, "up", s451],
+[s428, "unicast", s484, 0.1159, 3, 0.5, "up", s451],
+[s430, "unicast", s484, 0.1159, 4, 0.1042, "up", s451],
+[s481, "unicast", s484, 0.1159, 2, 1, "up", s451],
+[s444, "unicast", s484, 0.1159, 5, 1, "up", s451],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up", s465],
+["TCP ACK", "unicast", 76, 1, 0, 1, "up", s465],
+[s435, "unicast", 76, 1, 0, 3.783, "up", s451],
+["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s451],
+["OAM down", "unicast", s485, 0.04874, 0, 2, "down", s451],
+["OAM of others down", "unicast", s485, 0.04874, 1, 1.045, "down", s451],
+["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s451],
+["Declare down", "unicast", s486, 0.005525, 7, 0.5, "down", s451],
+["Declare of matching down", "unicast", s486, 0.005525, 8, 0.5, "down", s451],
+["Declare token of node down", "unicast", s486, 0.005525, 6, 1, "down", s451],
+["Declare token down", "unicast", s486, 0.005525, 9, 1, "down", s451],
+["Declare key expression down", "unicast", s484, 0.1159, 7, 0.5, "down", s451],
+["Declare key expression of matching down", "unicast", s484, 0.1159, 8, 0.0625, "down", s451],
+["Declare key expression of tokens down", "unicast", s484, 0.1159, 9, 1, "down", s451],
+["Declare key expression of node down", "unicast", s484, 0.1159, 6, 1, "down", s451],
+s466,
+["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s465],
+[s467, "unicast", 76, 1, 0, 4.958, "down", s451],
+[s468, "unicast", 76, 1, 2, 0.1354, "down", s451],
 ],
 },
 "Zenoh, static peers": {
@@ -2798,271 +2806,271 @@ s467,
 "product": null,
 "tables": [],
 "about": "",
-"color": s158,
+"color": s157,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s139,
-"windows": s140,
-"units": s488,
+"outlooks": s138,
+"windows": s139,
+"units": s487,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s147], s160],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s146], s159],
 },
-"Cyclone DDS, calmer announcements": {
+"Cyclone DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [],
-"about": s180,
-"color": s181,
+"about": s179,
+"color": s180,
 "measured": [8, 12, 60],
-"band": s182,
+"band": s181,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s191,
+"outlooks": s488,
+"windows": s489,
+"units": s190,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s491],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s492],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s493],
-["SEDP", "unicast", s195, 0.2218, 2, 1, "up down", s494],
-["SEDP again", "unicast", s195, 0.2218, 3, 0.103, "up down", s494],
-["Heartbeat", "unicast", s197, 0.5226, 1, 2, "up down", s494],
-[s198, "unicast", s197, 0.5226, 1, 2.481, "up down", s494],
-["ACKNACK", "unicast", s199, 0.402, 1, 4.635, "up down", s494],
-[s200, "unicast", s199, 0.402, 4, 0.09896, "up down", s494],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s490],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s491],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s492],
+["SEDP", "unicast", s194, 0.2218, 2, 1, "up down", s493],
+["SEDP again", "unicast", s194, 0.2218, 3, 0.103, "up down", s493],
+["Heartbeat", "unicast", s196, 0.5226, 1, 2, "up down", s493],
+[s197, "unicast", s196, 0.5226, 1, 2.481, "up down", s493],
+["ACKNACK", "unicast", s198, 0.402, 1, 4.635, "up down", s493],
+[s199, "unicast", s198, 0.402, 4, 0.09896, "up down", s493],
+s496,
+[s203, "unicast", s204, 0.6253, 1, 1, "up down", s493],
+[s205, "unicast", s204, 0.6253, 4, 0.1067, "up down", s493],
 s497,
-[s204, "unicast", s205, 0.6253, 1, 1, "up down", s494],
-[s206, "unicast", s205, 0.6253, 4, 0.1067, "up down", s494],
+[s209, "unicast", s210, 0.4544, 1, 2.222, "up down", s493],
 s498,
-[s210, "unicast", s211, 0.4544, 1, 2.222, "up down", s494],
-s499,
-[s214, "unicast", s215, 0.3044, 1, 2.312, "up down", s494],
-[s216, "unicast", s215, 0.3044, 4, 0.05208, "up down", s494],
-[s217, "unicast", s218, 0.6806, 1, 2.333, "up down", s494],
-[s219, "unicast", s220, 0.2641, 1, 2, "up down", s494],
-[s221, "unicast", s220, 0.2641, 4, 0.2188, "up down", s494],
-[s222, "unicast", s223, 0.6247, 5, 1.006, "up down", s494],
-[s224, "unicast", s223, 0.6247, 6, 0.07217, "up down", s494],
-["User ACKNACK", "unicast", s225, 0.338, 5, 1.404, "up down", s494],
-[s226, "unicast", s225, 0.338, 6, 0.09793, "up down", s494],
+[s213, "unicast", s214, 0.3044, 1, 2.312, "up down", s493],
+[s215, "unicast", s214, 0.3044, 4, 0.05208, "up down", s493],
+[s216, "unicast", s217, 0.6806, 1, 2.333, "up down", s493],
+[s218, "unicast", s219, 0.2641, 1, 2, "up down", s493],
+[s220, "unicast", s219, 0.2641, 4, 0.2188, "up down", s493],
+[s221, "unicast", s222, 0.6247, 5, 1.006, "up down", s493],
+[s223, "unicast", s222, 0.6247, 6, 0.07217, "up down", s493],
+["User ACKNACK", "unicast", s224, 0.338, 5, 1.404, "up down", s493],
+[s225, "unicast", s224, 0.338, 6, 0.09793, "up down", s493],
 ],
 },
-"Cyclone DDS, wired, calmer announcements": {
+"Cyclone DDS, wired, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [],
-"about": s229,
-"color": s181,
+"about": s228,
+"color": s180,
 "measured": [8, 12, 20],
-"band": s230,
+"band": s229,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s231,
+"outlooks": s488,
+"windows": s489,
+"units": s230,
 "degree": 3,
 "messages": [
-s500,
-["SPDP directed", "unicast", s233, 0.9963, 1, 0.6667, "up down", s493],
-["SEDP", "unicast", s234, 0.1841, 2, 0.5833, "up down", s494],
-[s235, "multicast", s236, 0.2228, 2, 0.1667, "up down", s494],
-[s237, "multicast", 232, 0.25, 0, 2, "up down", s494],
-["Heartbeat", "unicast", s238, 0.3287, 1, 3, "up down", s494],
-["ACKNACK", "unicast", s239, 0.3715, 1, 4.05, "up down", s494],
-[s200, "unicast", s239, 0.3715, 3, 0.2833, "up down", s494],
-["Liveliness", "multicast", s201, 0.7242, 0, 1, "up down", s496],
-[s204, "multicast", s240, 0.9582, 0, 0.3333, "up down", s494],
-[s241, "unicast", 429, 0.2, 1, 0.5, "up down", s494],
-[s207, "multicast", s208, 0.2758, 0, 1, "up down", s496],
-[s210, "multicast", s242, 0.1767, 0, 0.875, "up down", s494],
-[s243, "unicast", s244, 0.2117, 1, 1.625, "up down", s494],
 s499,
-[s214, "unicast", s245, 0.2807, 1, 2.344, "up down", s494],
-[s216, "unicast", s245, 0.2807, 3, 0.07812, "up down", s494],
-[s217, "multicast", s246, 0.1988, 0, 2, "up down", s494],
-[s247, "unicast", s248, 0.1917, 1, 0.6667, "up down", s494],
-[s219, "unicast", 211.5, 0.2, 1, 2, "up down", s494],
-[s221, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s494],
-[s222, "unicast", s249, 0.2427, 4, 0.75, "up down", s494],
-[s250, "multicast", s251, 0.2152, 4, 0.25, "up down", s494],
-["User ACKNACK", "unicast", s252, 0.2283, 4, 2, "up down", s494],
-],
-},
-"Cyclone DDS, version 11, calmer announcements": {
-"group": null,
-"family": "DDS",
-"product": "Cyclone DDS",
-"tables": [],
-"about": s253,
-"color": s181,
-"measured": [8, 12, 60],
-"band": s254,
-"reboot": [],
-"variant": true,
-"lease": 100,
-"repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s191,
-"degree": 3,
-"messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s491],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s492],
-["SPDP directed", "unicast", s255, 0.9992, 1, 0.5413, "up down", s493],
-["SEDP", "unicast", s256, 0.4598, 2, 1, "up down", s494],
-["SEDP again", "unicast", s256, 0.4598, 3, 0.09093, "up down", s494],
-["Heartbeat", "unicast", s257, 0.5475, 1, 2, "up down", s494],
-[s198, "unicast", s257, 0.5475, 1, 2.833, "up down", s494],
-["ACKNACK", "unicast", s258, 0.3982, 1, 5.167, "up down", s494],
-[s200, "unicast", s258, 0.3982, 4, 0.125, "up down", s494],
-s497,
-[s204, "unicast", s259, 0.6519, 1, 1, "up down", s494],
-[s206, "unicast", s259, 0.6519, 4, 0.09103, "up down", s494],
+["SPDP directed", "unicast", s232, 0.9963, 1, 0.6667, "up down", s492],
+["SEDP", "unicast", s233, 0.1841, 2, 0.5833, "up down", s493],
+[s234, "multicast", s235, 0.2228, 2, 0.1667, "up down", s493],
+[s236, "multicast", 232, 0.25, 0, 2, "up down", s493],
+["Heartbeat", "unicast", s237, 0.3287, 1, 3, "up down", s493],
+["ACKNACK", "unicast", s238, 0.3715, 1, 4.05, "up down", s493],
+[s199, "unicast", s238, 0.3715, 3, 0.2833, "up down", s493],
+["Liveliness", "multicast", s200, 0.7242, 0, 1, "up down", s495],
+[s203, "multicast", s239, 0.9582, 0, 0.3333, "up down", s493],
+[s240, "unicast", 429, 0.2, 1, 0.5, "up down", s493],
+[s206, "multicast", s207, 0.2758, 0, 1, "up down", s495],
+[s209, "multicast", s241, 0.1767, 0, 0.875, "up down", s493],
+[s242, "unicast", s243, 0.2117, 1, 1.625, "up down", s493],
 s498,
-[s210, "unicast", s260, 0.4401, 1, 2.188, "up down", s494],
-s499,
-[s214, "unicast", s261, 0.2753, 1, 2.278, "up down", s494],
-[s216, "unicast", s261, 0.2753, 4, 0.05556, "up down", s494],
-[s217, "unicast", s262, 0.6399, 1, 2.542, "up down", s494],
-[s219, "unicast", s263, 0.2385, 1, 2, "up down", s494],
-[s221, "unicast", s263, 0.2385, 4, 0.1997, "up down", s494],
-[s222, "unicast", s264, 0.6975, 5, 1.06, "up down", s494],
-[s224, "unicast", s264, 0.6975, 6, 0.06995, "up down", s494],
-["User ACKNACK", "unicast", s265, 0.4362, 5, 1.562, "up down", s494],
-[s226, "unicast", s265, 0.4362, 6, 0.09399, "up down", s494],
+[s213, "unicast", s244, 0.2807, 1, 2.344, "up down", s493],
+[s215, "unicast", s244, 0.2807, 3, 0.07812, "up down", s493],
+[s216, "multicast", s245, 0.1988, 0, 2, "up down", s493],
+[s246, "unicast", s247, 0.1917, 1, 0.6667, "up down", s493],
+[s218, "unicast", 211.5, 0.2, 1, 2, "up down", s493],
+[s220, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s493],
+[s221, "unicast", s248, 0.2427, 4, 0.75, "up down", s493],
+[s249, "multicast", s250, 0.2152, 4, 0.25, "up down", s493],
+["User ACKNACK", "unicast", s251, 0.2283, 4, 2, "up down", s493],
 ],
 },
-"Cyclone DDS peers, calmer announcements": {
+"Cyclone DDS, version 11, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [],
-"about": s266,
-"color": s181,
-"measured": [8, 12, 10],
-"band": s267,
+"about": s252,
+"color": s180,
+"measured": [8, 12, 60],
+"band": s253,
 "reboot": [],
-"variant": false,
+"variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s272,
+"outlooks": s488,
+"windows": s489,
+"units": s190,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s491],
-[s273, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-["SPDP directed", "unicast", s275, 0.9817, 2, 0.8333, "up down", s493],
-["SEDP", "unicast", s276, 0.172, 3, 1, "up down", s494],
-["SEDP again", "unicast", s277, 0.8001, 4, 0.08633, "up down", s494],
-["Heartbeat", "unicast", s278, 0.5756, 2, 2, "up down", s494],
-[s198, "unicast", s278, 0.5756, 2, 2.944, "up down", s494],
-["ACKNACK", "unicast", s279, 0.3827, 2, 4.424, "up down", s494],
-[s200, "unicast", s279, 0.3827, 5, 0.2049, "up down", s494],
-["Liveliness", "unicast", s280, 0.7241, 2, 1, "up down", s496],
-[s204, "unicast", s281, 0.7527, 2, 1, "up down", s494],
-[s206, "unicast", s281, 0.7527, 5, 0.08333, "up down", s494],
-[s207, "unicast", s282, 0.2759, 2, 1, "up down", s496],
-[s210, "unicast", s283, 0.4258, 2, 2.556, "up down", s494],
-[s212, "unicast", 128, 1, 2, 1, "up down", s496],
-[s214, "unicast", s284, 0.265, 2, 2.296, "up down", s494],
-[s216, "unicast", s284, 0.265, 5, 0.09271, "up down", s494],
-[s217, "unicast", s285, 0.6431, 2, 3, "up down", s494],
-[s219, "unicast", s286, 0.283, 2, 2, "up down", s494],
-[s221, "unicast", s286, 0.283, 5, 0.3631, "up down", s494],
-[s222, "unicast", s287, 0.5405, 6, 1.542, "up down", s494],
-["User ACKNACK", "unicast", s288, 0.437, 6, 2.208, "up down", s494],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s490],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s491],
+["SPDP directed", "unicast", s254, 0.9992, 1, 0.5413, "up down", s492],
+["SEDP", "unicast", s255, 0.4598, 2, 1, "up down", s493],
+["SEDP again", "unicast", s255, 0.4598, 3, 0.09093, "up down", s493],
+["Heartbeat", "unicast", s256, 0.5475, 1, 2, "up down", s493],
+[s197, "unicast", s256, 0.5475, 1, 2.833, "up down", s493],
+["ACKNACK", "unicast", s257, 0.3982, 1, 5.167, "up down", s493],
+[s199, "unicast", s257, 0.3982, 4, 0.125, "up down", s493],
+s496,
+[s203, "unicast", s258, 0.6519, 1, 1, "up down", s493],
+[s205, "unicast", s258, 0.6519, 4, 0.09103, "up down", s493],
+s497,
+[s209, "unicast", s259, 0.4401, 1, 2.188, "up down", s493],
+s498,
+[s213, "unicast", s260, 0.2753, 1, 2.278, "up down", s493],
+[s215, "unicast", s260, 0.2753, 4, 0.05556, "up down", s493],
+[s216, "unicast", s261, 0.6399, 1, 2.542, "up down", s493],
+[s218, "unicast", s262, 0.2385, 1, 2, "up down", s493],
+[s220, "unicast", s262, 0.2385, 4, 0.1997, "up down", s493],
+[s221, "unicast", s263, 0.6975, 5, 1.06, "up down", s493],
+[s223, "unicast", s263, 0.6975, 6, 0.06995, "up down", s493],
+["User ACKNACK", "unicast", s264, 0.4362, 5, 1.562, "up down", s493],
+[s225, "unicast", s264, 0.4362, 6, 0.09399, "up down", s493],
 ],
 },
-"Cyclone DDS multicast SEDP, calmer announcements": {
+"Cyclone DDS peers, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": [],
-"about": s289,
-"color": s181,
+"about": s265,
+"color": s180,
 "measured": [8, 12, 10],
-"band": s290,
+"band": s266,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s231,
+"outlooks": s488,
+"windows": s489,
+"units": s271,
 "degree": 3,
 "messages": [
-s500,
-["SPDP directed", "unicast", s291, 0.9988, 1, 0.8, "up down", s493],
-["SEDP", "unicast", s292, 0.2085, 2, 0.3719, "up down", s494],
-[s235, "multicast", s293, 0.2222, 2, 0.23, "up down", s494],
-[s237, "multicast", s294, 0.28, 0, 1.833, "up down", s494],
-["Heartbeat", "unicast", s295, 0.3143, 1, 3.333, "up down", s494],
-["ACKNACK", "unicast", s296, 0.3558, 1, 4.517, "up down", s494],
-[s200, "unicast", s296, 0.3558, 3, 0.1494, "up down", s494],
-["Liveliness", "multicast", s297, 0.724, 0, 1, "up down", s496],
-[s204, "multicast", s298, 0.9539, 0, 0.8333, "up down", s494],
-[s241, "unicast", s299, 0.15, 1, 0.5, "up down", s494],
-[s207, "multicast", s300, 0.276, 0, 1, "up down", s496],
-[s210, "multicast", s301, 0.2328, 0, 1, "up down", s494],
-[s243, "unicast", s302, 0.2318, 1, 1.75, "up down", s494],
-s499,
-[s214, "unicast", s303, 0.2856, 1, 2.379, "up down", s494],
-[s216, "unicast", s303, 0.2856, 3, 0.08854, "up down", s494],
-[s217, "multicast", s304, 0.2325, 0, 2, "up down", s494],
-[s247, "unicast", s305, 0.1726, 1, 1.167, "up down", s494],
-[s219, "unicast", s306, 0.2088, 1, 2, "up down", s494],
-[s221, "unicast", s306, 0.2088, 3, 0.3274, "up down", s494],
-[s222, "unicast", s307, 0.4167, 4, 0.7917, "up down", s494],
-[s250, "multicast", s308, 0.6667, 4, 0.1667, "up down", s494],
-["User ACKNACK", "unicast", s309, 0.4167, 4, 2.167, "up down", s494],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s490],
+[s272, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
+["SPDP directed", "unicast", s274, 0.9817, 2, 0.8333, "up down", s492],
+["SEDP", "unicast", s275, 0.172, 3, 1, "up down", s493],
+["SEDP again", "unicast", s276, 0.8001, 4, 0.08633, "up down", s493],
+["Heartbeat", "unicast", s277, 0.5756, 2, 2, "up down", s493],
+[s197, "unicast", s277, 0.5756, 2, 2.944, "up down", s493],
+["ACKNACK", "unicast", s278, 0.3827, 2, 4.424, "up down", s493],
+[s199, "unicast", s278, 0.3827, 5, 0.2049, "up down", s493],
+["Liveliness", "unicast", s279, 0.7241, 2, 1, "up down", s495],
+[s203, "unicast", s280, 0.7527, 2, 1, "up down", s493],
+[s205, "unicast", s280, 0.7527, 5, 0.08333, "up down", s493],
+[s206, "unicast", s281, 0.2759, 2, 1, "up down", s495],
+[s209, "unicast", s282, 0.4258, 2, 2.556, "up down", s493],
+[s211, "unicast", 128, 1, 2, 1, "up down", s495],
+[s213, "unicast", s283, 0.265, 2, 2.296, "up down", s493],
+[s215, "unicast", s283, 0.265, 5, 0.09271, "up down", s493],
+[s216, "unicast", s284, 0.6431, 2, 3, "up down", s493],
+[s218, "unicast", s285, 0.283, 2, 2, "up down", s493],
+[s220, "unicast", s285, 0.283, 5, 0.3631, "up down", s493],
+[s221, "unicast", s286, 0.5405, 6, 1.542, "up down", s493],
+["User ACKNACK", "unicast", s287, 0.437, 6, 2.208, "up down", s493],
 ],
 },
-"Fast DDS, calmer announcements": {
+"Cyclone DDS multicast SEDP, a longer announcement interval": {
+"group": null,
+"family": "DDS",
+"product": "Cyclone DDS",
+"tables": [],
+"about": s288,
+"color": s180,
+"measured": [8, 12, 10],
+"band": s289,
+"reboot": [],
+"variant": false,
+"lease": 100,
+"repeats": true,
+"outlooks": s488,
+"windows": s489,
+"units": s230,
+"degree": 3,
+"messages": [
+s499,
+["SPDP directed", "unicast", s290, 0.9988, 1, 0.8, "up down", s492],
+["SEDP", "unicast", s291, 0.2085, 2, 0.3719, "up down", s493],
+[s234, "multicast", s292, 0.2222, 2, 0.23, "up down", s493],
+[s236, "multicast", s293, 0.28, 0, 1.833, "up down", s493],
+["Heartbeat", "unicast", s294, 0.3143, 1, 3.333, "up down", s493],
+["ACKNACK", "unicast", s295, 0.3558, 1, 4.517, "up down", s493],
+[s199, "unicast", s295, 0.3558, 3, 0.1494, "up down", s493],
+["Liveliness", "multicast", s296, 0.724, 0, 1, "up down", s495],
+[s203, "multicast", s297, 0.9539, 0, 0.8333, "up down", s493],
+[s240, "unicast", s298, 0.15, 1, 0.5, "up down", s493],
+[s206, "multicast", s299, 0.276, 0, 1, "up down", s495],
+[s209, "multicast", s300, 0.2328, 0, 1, "up down", s493],
+[s242, "unicast", s301, 0.2318, 1, 1.75, "up down", s493],
+s498,
+[s213, "unicast", s302, 0.2856, 1, 2.379, "up down", s493],
+[s215, "unicast", s302, 0.2856, 3, 0.08854, "up down", s493],
+[s216, "multicast", s303, 0.2325, 0, 2, "up down", s493],
+[s246, "unicast", s304, 0.1726, 1, 1.167, "up down", s493],
+[s218, "unicast", s305, 0.2088, 1, 2, "up down", s493],
+[s220, "unicast", s305, 0.2088, 3, 0.3274, "up down", s493],
+[s221, "unicast", s306, 0.4167, 4, 0.7917, "up down", s493],
+[s249, "multicast", s307, 0.6667, 4, 0.1667, "up down", s493],
+["User ACKNACK", "unicast", s308, 0.4167, 4, 2.167, "up down", s493],
+],
+},
+"Fast DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [],
-"about": s362,
-"color": s314,
+"about": s361,
+"color": s313,
 "measured": [8, 12, 60],
-"band": s363,
+"band": s362,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s366,
+"outlooks": s488,
+"windows": s489,
+"units": s365,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s502],
-[s367, "multicast", 580, 1, 1, 1, "up down", s494],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s503],
-[s371, "unicast", 580, 1, 2, 1, "up down", s494],
-[s372, "unicast", 580, 1, 3, 0.5, "up down", s494],
-["SEDP", "unicast", s373, 0.6, 4, 1, "up down", s494],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s494],
-[s198, "unicast", 184.3, 1, 2, 1.65, "up down", s494],
-[s374, "unicast", 184.3, 1, 3, 0.4252, "up down", s494],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s494],
-[s375, "unicast", 189.4, 1, 2, 2.072, "up down", s494],
-[s200, "unicast", 189.4, 1, 3, 0.2616, "up down", s494],
-[s207, "unicast", 192, 1, 2, 1.148, "up down", s494],
-[s212, "unicast", 188, 1, 2, 1.148, "up down", s494],
-[s222, "unicast", 192, 1, 5, 1.4, "up down", s494],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s494],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s501],
+[s366, "multicast", 580, 1, 1, 1, "up down", s493],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s502],
+[s370, "unicast", 580, 1, 2, 1, "up down", s493],
+[s371, "unicast", 580, 1, 3, 0.5, "up down", s493],
+["SEDP", "unicast", s372, 0.6, 4, 1, "up down", s493],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s493],
+[s197, "unicast", 184.3, 1, 2, 1.65, "up down", s493],
+[s373, "unicast", 184.3, 1, 3, 0.4252, "up down", s493],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s493],
+[s374, "unicast", 189.4, 1, 2, 2.072, "up down", s493],
+[s199, "unicast", 189.4, 1, 3, 0.2616, "up down", s493],
+[s206, "unicast", 192, 1, 2, 1.148, "up down", s493],
+[s211, "unicast", 188, 1, 2, 1.148, "up down", s493],
+[s221, "unicast", 192, 1, 5, 1.4, "up down", s493],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s493],
 ],
 },
 "Zenoh, periods of Zenoh peer, static peers": {
@@ -3071,55 +3079,55 @@ s499,
 "product": null,
 "tables": [],
 "about": "",
-"color": s399,
+"color": s398,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s488,
+"outlooks": s182,
+"windows": s183,
+"units": s487,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s196], s402],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s195], s401],
 },
-"static endpoints, calmer announcements": {
+"static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": [],
-"about": s403,
-"color": s314,
+"about": s402,
+"color": s313,
 "measured": [8, 8, 84],
-"band": s404,
+"band": s403,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s489,
-"windows": s490,
-"units": s408,
+"outlooks": s488,
+"windows": s489,
+"units": s407,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s502],
-[s367, "multicast", 589.2, 1, 1, 1, "up down", s494],
-[s409, "multicast", 589.2, 1, 2, 1, "up down", s494],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s503],
-[s371, "unicast", 589.2, 1, 3, 1, "up down", s494],
-[s372, "unicast", 589.2, 1, 4, 0.5, "up down", s494],
-[s410, "unicast", 589.2, 1, 5, 0.6542, "up down", s494],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s504],
-[s411, "multicast", 59.47, 0, 6, 0.8987, "up down", s494],
-[s412, "multicast", 59.47, 0, 7, 0.8987, "up down", s494],
-[s413, "unicast", 59.47, 0, 5, 1, "up down", s504],
-[s414, "unicast", 59.47, 0, 5, 0.9528, "up down", s494],
-[s415, "unicast", 59.47, 0, 8, 0.4764, "up down", s494],
-[s416, "unicast", 59.47, 0, 9, 0.6233, "up down", s494],
-[s207, "unicast", 192, 1, 3, 1.167, "up down", s494],
-[s212, "unicast", 188, 1, 3, 1.167, "up down", s494],
-[s222, "unicast", 192, 1, 10, 1.33, "up down", s494],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s494],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s501],
+[s366, "multicast", 589.2, 1, 1, 1, "up down", s493],
+[s408, "multicast", 589.2, 1, 2, 1, "up down", s493],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s502],
+[s370, "unicast", 589.2, 1, 3, 1, "up down", s493],
+[s371, "unicast", 589.2, 1, 4, 0.5, "up down", s493],
+[s409, "unicast", 589.2, 1, 5, 0.6542, "up down", s493],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s503],
+[s410, "multicast", 59.47, 0, 6, 0.8987, "up down", s493],
+[s411, "multicast", 59.47, 0, 7, 0.8987, "up down", s493],
+[s412, "unicast", 59.47, 0, 5, 1, "up down", s503],
+[s413, "unicast", 59.47, 0, 5, 0.9528, "up down", s493],
+[s414, "unicast", 59.47, 0, 8, 0.4764, "up down", s493],
+[s415, "unicast", 59.47, 0, 9, 0.6233, "up down", s493],
+[s206, "unicast", 192, 1, 3, 1.167, "up down", s493],
+[s211, "unicast", 188, 1, 3, 1.167, "up down", s493],
+[s221, "unicast", 192, 1, 10, 1.33, "up down", s493],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s493],
 ],
 },
 "Zenoh peer, static peers": {
@@ -3127,36 +3135,36 @@ s499,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [],
-"about": s417,
-"color": s399,
+"about": s416,
+"color": s398,
 "measured": [8, 12, 60],
-"band": s418,
+"band": s417,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s505,
+"outlooks": s182,
+"windows": s183,
+"units": s504,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s196],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s195],
+s505,
 s506,
 s507,
-s508,
-["OAM", "unicast", s426, 0.835, 0, 1, "up down", s196],
-[s427, "unicast", s426, 0.835, 1, 0.625, "up down", s196],
-["Declare", "unicast", s428, 0.1957, 2, 0.5, "up down", s196],
-[s429, "unicast", s430, 0.8037, 3, 0.5, "up down", s196],
-[s431, "unicast", s430, 0.8037, 4, 0.5, "up down", s196],
-["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s196],
-["Frame", "unicast", s432, 0.2478, 0, 1, "up down", s196],
-[s433, "unicast", s432, 0.2478, 2, 0.6083, "up down", s196],
+["OAM", "unicast", s425, 0.835, 0, 1, "up down", s195],
+[s426, "unicast", s425, 0.835, 1, 0.625, "up down", s195],
+["Declare", "unicast", s427, 0.1957, 2, 0.5, "up down", s195],
+[s428, "unicast", s429, 0.8037, 3, 0.5, "up down", s195],
+[s430, "unicast", s429, 0.8037, 4, 0.5, "up down", s195],
+["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s195],
+["Frame", "unicast", s431, 0.2478, 0, 1, "up down", s195],
+[s432, "unicast", s431, 0.2478, 2, 0.6083, "up down", s195],
+s509,
 s510,
-s511,
-["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s401],
-[s436, "unicast", 76, 1, 0, 2.496, "up down", s196],
-[s437, "unicast", 76, 1, 2, 0.2188, "up down", s196],
+["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s400],
+[s435, "unicast", 76, 1, 0, 2.496, "up down", s195],
+[s436, "unicast", 76, 1, 2, 0.2188, "up down", s195],
 ],
 },
 "Zenoh peer, tokens, static peers": {
@@ -3164,39 +3172,39 @@ s511,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": [],
-"about": s438,
-"color": s399,
+"about": s437,
+"color": s398,
 "measured": [8, 12, 60],
-"band": s439,
+"band": s438,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s183,
-"windows": s184,
-"units": s505,
+"outlooks": s182,
+"windows": s183,
+"units": s504,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s196],
+["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s195],
+s505,
 s506,
 s507,
-s508,
-["OAM", "unicast", s440, 0.7058, 0, 1, "up down", s196],
-[s427, "unicast", s440, 0.7058, 1, 0.6493, "up down", s196],
-["Declare", "unicast", s441, 0.0655, 2, 0.5, "up down", s196],
-["Declare token", "unicast", s442, 0.0603, 2, 1, "up down", s196],
-[s443, "unicast", s442, 0.0603, 0, 1, "up down", s196],
-[s429, "unicast", s444, 0.5972, 3, 1.5, "up down", s196],
-[s431, "unicast", s444, 0.5972, 4, 2.5, "up down", s196],
-[s445, "unicast", s444, 0.5972, 0, 1, "up down", s196],
-["Declare final", "unicast", s446, 0.06, 0, 1, "up down", s196],
-["Frame", "unicast", s447, 0.1352, 0, 2, "up down", s196],
-[s433, "unicast", s447, 0.1352, 2, 1, "up down", s196],
+["OAM", "unicast", s439, 0.7058, 0, 1, "up down", s195],
+[s426, "unicast", s439, 0.7058, 1, 0.6493, "up down", s195],
+["Declare", "unicast", s440, 0.0655, 2, 0.5, "up down", s195],
+["Declare token", "unicast", s441, 0.0603, 2, 1, "up down", s195],
+[s442, "unicast", s441, 0.0603, 0, 1, "up down", s195],
+[s428, "unicast", s443, 0.5972, 3, 1.5, "up down", s195],
+[s430, "unicast", s443, 0.5972, 4, 2.5, "up down", s195],
+[s444, "unicast", s443, 0.5972, 0, 1, "up down", s195],
+["Declare final", "unicast", s445, 0.06, 0, 1, "up down", s195],
+["Frame", "unicast", s446, 0.1352, 0, 2, "up down", s195],
+[s432, "unicast", s446, 0.1352, 2, 1, "up down", s195],
+s509,
 s510,
-s511,
-["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s401],
-[s436, "unicast", 76, 1, 0, 3.325, "up down", s196],
-[s437, "unicast", 76, 1, 2, 0.4208, "up down", s196],
+["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s400],
+[s435, "unicast", 76, 1, 0, 3.325, "up down", s195],
+[s436, "unicast", 76, 1, 2, 0.4208, "up down", s195],
 ],
 },
 },
