@@ -120,7 +120,7 @@ def events(seen: Seen, teams: tuple[Team, ...], began_late: set[int]) -> Iterato
         yield Finding(
             kind,
             (host,),
-            f"{host}: processes began at {times}, each after the one before had fallen silent",
+            f"{host}: processes began at {times}, each after the one before had gone silent",
         )
     for host, ones in _by_host(seen, gone).items():
         dead = [one for one in ones if one not in {x for s in again.values() for x in s[:-1]}]
@@ -209,7 +209,9 @@ def _joiners(
             times = [pair.complete for pair in team.pairs if {pair.of, pair.by} & set(late)]
             whole = max(times, default=np.inf)
             then = (
-                f", and all knew each other {whole - first:.1f} s later" if whole < np.inf else ""
+                f", and discovery was complete {whole - first:.1f} s later"
+                if whole < np.inf
+                else ""
             )
             yield Finding("late joiner", who, f"{listed(who)} began after {first:.1f} s{then}")
             break
@@ -238,8 +240,8 @@ def _forgotten(seen: Seen, teams: tuple[Team, ...]) -> Iterator[Finding]:
     yield Finding(
         kind,
         hosts,
-        f"{listed(hosts)}: found anew after {listed([f'{time:.1f} s' for time in chosen])} by who "
-        "had known it before",
+        f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in chosen])} by "
+        "hosts that had known it before",
     )
 
 

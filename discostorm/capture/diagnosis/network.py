@@ -212,7 +212,7 @@ def _silent(seen: Seen, host: str, both: bool) -> str:
     asked = seen.asides
     replies = (asked["kind"] == "ARP reply").to_numpy() & (asked["sender"] == host).to_numpy()
     here = (
-        f"; it answers ARP ({int(replies.sum())} times), so that frames do get there"
+        f"; it answers ARP ({int(replies.sum())} times), so frames do get there"
         if replies.any()
         else ""
     )
@@ -254,7 +254,7 @@ def _unicast(seen: Seen, found: Reach) -> Iterator[Finding]:
             served = [hosts[i] for i in range(len(hosts)) if i not in kept and good[i, kept].all()]
             said = (
                 f"{listed([hosts[index] for index in kept])} answer each other's announcements, "
-                f"but none of what they send to each other alone is ever confirmed "
+                f"but none of the unicast between them is ever confirmed "
                 f"({words.many(count, 'pair')})"
             )
             if served and len(kept) > 1:
@@ -275,8 +275,7 @@ def _unicast(seen: Seen, found: Reach) -> Iterator[Finding]:
             yield Finding(
                 "unicast firewall",
                 (hosts[index],),
-                f"{hosts[index]} answers announcements, but confirms nothing that others send to "
-                "it alone",
+                f"{hosts[index]} answers announcements, but confirms no unicast from others",
             )
             apart[index] = False
     for index in range(len(hosts)):
@@ -285,7 +284,7 @@ def _unicast(seen: Seen, found: Reach) -> Iterator[Finding]:
             yield Finding(
                 "one direction",
                 (hosts[index],),
-                f"no other host confirms what {hosts[index]} sends to it alone",
+                f"no other host confirms unicast from {hosts[index]}",
             )
             apart[:, index] = False
     yield from _pairs(found, apart, "gets nothing by unicast from")

@@ -88,9 +88,8 @@ def _encrypted(seen: Seen) -> Iterator[Finding]:
     yield Finding(
         "encrypted",
         tuple(hosts),
-        f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed([*hosts])}; in "
-        f"{len(pairs)} of {ought} pairs of processes on different hosts one told the other its "
-        "keys",
+        f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed([*hosts])}; keys "
+        f"were sent in {len(pairs)} of {ought} pairs of processes on different hosts",
     )
 
 
@@ -114,7 +113,7 @@ def _late(seen: Seen, late: set[int]) -> Iterator[Finding]:
             "capture began late",
             (),
             f"{len(late)} of {int((rtps & spoke).sum())} processes ({listed(sorted(hosts))}) had "
-            "told others of their endpoints before: no message that did was captured",
+            "announced their endpoints before: the capture has none of these announcements",
         )
     elif zenoh.any() and unknown.sum() > 0.5 * zenoh.sum() and not opened[unknown].any():
         first = seen.rows["sender"][unknown].astype(str).unique().tolist()

@@ -324,8 +324,8 @@ def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
     return Finding(
         "not authenticated",
         tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
-        f"in {len(strange)} of {pairs} pairs of processes the one never told the other its keys: "
-        f"{listed([*by])}",
+        f"in {len(strange)} of {pairs} pairs of processes one process never sent the other "
+        f"its keys: {listed([*by])}",
     )
 
 

@@ -105,7 +105,7 @@ def loss(seen: Seen) -> Iterator[Finding]:
         "heavy loss" if heavy else "loss",
         (),
         f"{again} of {sent} frames with samples or segments that the capture shows were asked for "
-        f"or sent again, so that {share} or more were lost on their way",
+        f"or sent again, so at least {share} were lost",
     )
 
 
@@ -126,8 +126,8 @@ def storm(seen: Seen) -> Iterator[Finding]:
     yield Finding(
         "storm",
         (),
-        f"{int(last.sum())} messages told of endpoints in the last {(end - begin) / 3:.0f} s, "
-        f"{int(first.sum())} in as long a time at the start",
+        f"{int(last.sum())} messages announced endpoints in the last {(end - begin) / 3:.0f} s, "
+        f"and {int(first.sum())} in the first {(end - begin) / 3:.0f} s",
     )
 
 
@@ -166,7 +166,7 @@ def _discovery_servers(seen: Seen, end: float, down: dict[str, list[str]]) -> No
         said = [f"{words.many(asking, 'host')} sent it {int(later.sum())} messages without answer"]
         said.append("it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s")
         if count := int(((asides["kind"] == "unreachable") & (asides["receiver"] == host)).sum()):
-            said.append(f"{count} times its host said that nobody has the port (ICMP)")
+            said.append(f"{count} times its host said that no process has the port (ICMP)")
         down[host] = said
 
 
@@ -191,7 +191,7 @@ def _routers(seen: Seen, down: dict[str, list[str]]) -> None:
         callers = words.many(failed["sender"].nunique(), "host")
         said = [f"connections to port {PORT} by {callers}: {told}"]
         if np.isfinite(taken):
-            said.append(f"the last one was taken after {taken:.1f} s")
+            said.append(f"the last one was accepted after {taken:.1f} s")
         down[host] = said
 
 
