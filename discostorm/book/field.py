@@ -2,6 +2,7 @@
 
 from IPython.display import Markdown
 
+from discostorm import words
 from discostorm.data import read_data
 from discostorm.planner.snippets import snippets
 
@@ -17,7 +18,7 @@ LANGUAGES = {
 
 
 def paste(kind: str, *names: str, only: str = "") -> Markdown:
-    """Return what to paste for a kind of remedy, each piece in a fold.
+    """Return what to paste for a kind of remedy, in a fold.
 
     Parameters
     ----------
@@ -36,13 +37,22 @@ def paste(kind: str, *names: str, only: str = "") -> Markdown:
     pieces = [piece for piece in snippets(kind, *names) if only in piece.file]
     if not pieces:
         raise ValueError(f"kind must be one that has something to paste; got {kind!r}")
-    return Markdown(
-        "\n\n".join(
-            f"````{{dropdown}} To paste: {piece.file}, {piece.where}\n"
-            f"```{LANGUAGES[piece.file.rsplit('.', 1)[-1]]}\n{piece.text.rstrip()}\n```\n````"
-            for piece in pieces
-        )
-    )
+    if len(pieces) == 1:
+        title = f"{pieces[0].file}, {pieces[0].where}"
+    else:
+        files = [piece.file for piece in pieces]
+        title = words.listed(files) if len(files) < 4 else f"{len(files)} files"
+    codes = [
+        f"```{LANGUAGES[piece.file.rsplit('.', 1)[-1]]}\n{piece.text.rstrip()}\n```"
+        for piece in pieces
+    ]
+    if len(pieces) > 1:
+        codes = [
+            f"`{piece.file}`, {piece.where}:\n\n{code}"
+            for piece, code in zip(pieces, codes, strict=True)
+        ]
+    inside = "\n\n".join(codes)
+    return Markdown(f"````{{dropdown}} To paste: {title}\n{inside}\n````")
 
 
 def asked(entry: str) -> Markdown:
