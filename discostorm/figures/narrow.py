@@ -40,7 +40,8 @@ def narrowed(figure: Figure) -> Figure:
         figure.draw_without_rendering()
         for text in (text for axis in figure.axes for text in axis.texts):
             # Long words in a panel would take its room.
-            text.set_in_layout(text.get_window_extent().width < 0.5 * figure.bbox.width)
+            if text.get_window_extent().width >= 0.5 * figure.bbox.width:
+                text.set_in_layout(False)
         for legend in [*figure.legends, *(axis.get_legend() for axis in figure.axes)]:
             if legend:
                 _fold(figure, legend)
@@ -124,8 +125,8 @@ def _wrap(figure: Figure) -> None:
     """Break titles and names of axes that run off the figure."""
     texts = [*figure.texts]  # its title
     for axis in figure.axes:
-        titles = {*axis.get_children()} - {*axis.texts}
-        texts += [text for text in titles if isinstance(text, Text)]
+        own = [text for text in axis.get_children() if isinstance(text, Text)]
+        texts += [text for text in own if text not in axis.texts]  # titles
         texts.append(axis.xaxis.label)
     for lines in range(2, _LINES + 1):
         too_long = [

@@ -94,11 +94,12 @@ def _group(axis: Axes, group: pd.DataFrame, places: NDArray[np.float64], window:
     (before, *after) = group["utilization"]
     left = blended_transform_factory(axis.figure.transSubfigure, axis.transData)
     taken = _said(before, window)
-    axis.text(
+    head = axis.text(
         0.01, places[0], f"{group['baseline'].iloc[0]}: {taken} today",
         va="center", fontsize=9, fontweight="bold", transform=left,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2},
     )  # fmt: skip
+    head.set_in_layout(False)  # else the panel would never begin farther left than at first
     for row, part in zip(places[1:], after, strict=True):
         color = CHANGE["fits" if words.fits(part) else "overloaded"]
         axis.plot([before, part], [row, row], color=CHANGE["overloaded"], linewidth=2, zorder=2)
