@@ -11,6 +11,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from IPython.core.pylabtools import print_figure
+from matplotlib.axes import Axes
 from matplotlib.category import StrCategoryConverter
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
@@ -235,16 +236,43 @@ def test_drawings_are_those_that_the_notebooks_keep(
 
 def test_saturation_is_marked_where_the_total_meets_the_limit() -> None:
     (axes,) = figures.fig2().axes
-    marks = {
-        str(line.get_label()): np.ravel(line.get_xydata())
-        for line in axes.lines
-        if "saturates" in str(line.get_label())
-    }
-    assert [*marks] == ["DDS saturates at 7.16", "Zenoh saturates at 7.63"]
-    for label, (hosts, height) in marks.items():
+    marks = [np.ravel(line.get_xydata()) for line in axes.lines if line.get_marker() == "D"]
+    assert said(axes, "full at") == ["full at 7.16 robots", "full at 7.63 robots"]
+    for protocol, (hosts, height) in zip(("DDS", "Zenoh"), marks, strict=True):
         assert height == 1
-        total = by_hand(label.split()[0], "total", hosts, np.array(2), np.array(10))
+        total = by_hand(protocol, "total", hosts, np.array(2), np.array(10))
         assert total == pytest.approx(1, rel=1e-12)
+
+
+def said(axes: Axes, start: str = "") -> list[str]:
+    """Return what is written in a panel, without its breaks."""
+    texts = [" ".join(text.get_text().split()) for text in axes.texts]
+    return [text for text in texts if text.startswith(start)]
+
+
+@pytest.mark.parametrize("name", ["fig2", "fig4"])
+def test_curves_are_named_at_their_ends_and_not_in_a_legend(name: str) -> None:
+    panels = figures.FIGURES[name].draw().axes
+    assert not any(axes.get_legend() for axes in panels)
+    written = [text for axes in panels for text in said(axes)]
+    for curve in ("DDS", "Zenoh", "dashed: SEDP", "dashed: Declaration", "SPDP", "Scouting"):
+        assert written.count(curve) == 1, curve
+
+
+@pytest.mark.parametrize("name", ["fig2", "fig4"])
+def test_axes_are_those_of_the_paper(name: str) -> None:
+    hosts, most = {"fig2": (12, 2), "fig4": (5, 4)}[name]
+    axes = figures.FIGURES[name].draw().axes[0]
+    assert (axes.get_xlim(), axes.get_ylim()) == ((1, hosts), (0, most))
+    data = figures.FIGURES[name].data()
+    curves = [line for line in axes.lines if len(np.asarray(line.get_xdata())) > hosts]
+    assert len(curves) == len(data.groupby(["protocol", "phase"]))
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_no_axis_has_the_unit_one(name: str) -> None:
+    for axes in DRAWINGS[name]().axes:
+        assert "[1]" not in axes.get_xlabel() + axes.get_ylabel()
 
 
 @pytest.mark.parametrize("name", DRAWINGS)

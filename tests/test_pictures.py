@@ -3,7 +3,7 @@
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from test_browser import PAGES, REST
 
 import discostorm as ds
 from discostorm import figures
-from discostorm.book.figures import any_wifi, paper_part
+from discostorm.book.figures import any_wifi, hybrid, paper_part, servers
 from discostorm.book.notebook import NARROW
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "book/_ext"))
@@ -50,9 +50,29 @@ def test_panels_come_one_below_the_other_and_nothing_runs_off() -> None:
         assert 0 <= box.x0 < box.x1 <= narrow.bbox.width + 1
 
 
+#: Drawings with words at the right ends of curves and bars.
+WORDY: dict[str, Callable[[], Figure]] = {
+    "fig2": figures.fig2,
+    "fig3": figures.fig3,
+    "fig4": figures.fig4,
+    "ladder": hybrid.ladder,
+    "servers": servers.arrangements,
+}
+
+
+@pytest.mark.parametrize("name", WORDY)
+def test_words_at_the_ends_of_curves_are_whole_on_a_phone(name: str) -> None:
+    narrow = figures.narrowed(WORDY[name]())
+    with figures.style():
+        narrow.draw_without_rendering()
+    for text in (text for axis in narrow.axes for text in axis.texts):
+        box = text.get_window_extent()
+        assert -1 <= box.x0 < box.x1 <= narrow.bbox.width + 1, text.get_text()
+
+
 def test_a_legend_that_would_hide_its_panel_goes_below() -> None:
     narrow = figures.narrowed(paper_part.frame_parts())
-    assert narrow.axes[0].legend_ is None
+    assert narrow.axes[0].get_legend() is None
     (legend,) = narrow.legends
     assert legend.get_window_extent().y1 < narrow.axes[0].bbox.y0
 

@@ -136,10 +136,12 @@ def picture(table: str = TABLE, hosts: int = HOSTS) -> Figure:
         looks = sent.drop_duplicates("waiting")
         time = [*looks["start_s"] * 1e3, SHOWN * 1e3]
         waiting = [*looks["waiting"], sent["waiting"].iloc[-1]]
+        full = next(at for at, many in zip(time, waiting, strict=True) if many >= QUEUE[0])
+        figures.headline(figure, f"Robots collide, and the queue is full after {full / 1e3:.2f} s")
         queue.fill_between(time, waiting, step="post", color=charcoal, alpha=0.35, lw=0)
         queue.axhline(QUEUE[0], color=bad, lw=1)
         queue.annotate(
-            "full: the access point drops what comes",
+            "full: the access point drops frames",
             (2, QUEUE[0]),
             (0, -3),
             textcoords="offset points",

@@ -136,7 +136,7 @@ def capture(
         if written is not None:
             if is_encrypted(diagnosis):
                 raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
-            _write_fleet(written, found.fleet(wired=on_wires), called(file))
+            _write_fleet(written, seen or found.fleet(wired=on_wires), called(file))
         link = None if seen is None or is_encrypted(diagnosis) else link_of(seen, spoken_by(found))
         groups = () if members is not None or seen is None else seen.groups
         if picture is not None:

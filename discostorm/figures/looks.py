@@ -25,8 +25,8 @@ STYLES = {
 }
 #: One shade of its family's color a message of the paper.
 MESSAGE_COLORS = lights("shade")
-#: Inches: at this width the letters are still legible when a phone scales the figure down.
-WIDTH = 5.6
+#: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
+WIDTH = 6.3
 #: Style sheets of every figure, as `matplotlib.style.use` takes them.
 SHEETS: tuple[Path, dict[Any, Any]] = (
     data_path("discostorm.mplstyle"),

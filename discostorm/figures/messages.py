@@ -49,7 +49,7 @@ def airtime() -> Figure:
     data = airtime_data()
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
     with style():
-        figure = Figure(figsize=(WIDTH, 4.6))
+        figure = Figure(figsize=(WIDTH, 3.8))
         axis = figure.subplots()
         names = data["message"] + " " + data["direction"]
         overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
@@ -58,6 +58,12 @@ def airtime() -> Figure:
         axis.barh(names, bits, left=overhead, color=colors)
         for row, micro in enumerate(overhead + bits):
             axis.text(micro + 6, row, f"{micro:.0f}", va="center", fontsize=8)
+        for protocol in PAPER_PROTOCOLS:
+            rows = data.index[data["protocol"] == protocol.name]
+            axis.text(
+                450, rows.to_numpy().mean(), protocol.name, color=color[protocol.name],
+                weight="bold", va="center",
+            )  # fmt: skip
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
         axis.set_xlim(0, 1.08 * (overhead + bits).max())
@@ -86,7 +92,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
     places = list(lines.values())
     row, frame = 0.0, 0
     with style():
-        figure = Figure(figsize=(WIDTH, 0.9 + 0.32 * _rows(protocol)))
+        figure = Figure(figsize=(WIDTH, 0.75 + 0.27 * _rows(protocol)))
         axis = figure.subplots()
         for message in protocol.messages:
             multicast = message.cast == "multicast"
@@ -112,7 +118,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
             axis.text(place, -1.0, name, ha="center", va="bottom")
         axis.set(xlim=(-1.6, 4.7), ylim=(row - 0.5, -1.5))
         axis.set_axis_off()
-        axis.set_title(f"{protocol.name}: unicast crosses the channel twice for each receiver")
+        headline(figure, f"{protocol.name}: unicast crosses the channel twice for each receiver")
     return figure
 
 
@@ -152,7 +158,7 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str 
     matplotlib.figure.Figure
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 1.6 + 0.36 * len(swarms)))
+        figure = Figure(figsize=(WIDTH, 1.5 + 0.29 * len(swarms)))
         axis = figure.subplots()
         data = bars_data(swarms, share=share)
         others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
@@ -167,7 +173,7 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str 
             for name in lengths.index:
                 axis.barh(label, lengths[name], left=starts[name], color=colors[name])
         handles = [Patch(color=color, label=name) for name, color in colors.items()]
-        figure.legend(handles=handles, loc="outside upper center", ncols=4)
+        figure.legend(handles=handles, loc="outside lower center", ncols=4)
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
         axis.xaxis.set_major_formatter(PercentFormatter(1))

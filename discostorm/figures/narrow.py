@@ -8,8 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 from matplotlib.legend import Legend
-from matplotlib.text import Text
-from matplotlib.transforms import ScaledTranslation
+from matplotlib.text import Annotation, Text
 
 from discostorm.figures.looks import style
 
@@ -17,12 +16,12 @@ from discostorm.figures.looks import style
 NARROW = 4.45
 #: Inches of a figure that are not panels: title, labels of the axis, legend.
 _AROUND = 1.1
-#: Share of the width beyond which names of rows are broken, letters that always stay on their line,
+#: Share of the width beyond which names of rows are broken, fewest and most letters of their lines,
 #: and inches of a line of small letters and of what parts two names.
-_NAMES, _LETTERS, _LINE, _GAP = 0.3, 15, 0.145, 0.07
+_NAMES, _LETTERS, _LINE, _GAP = 0.3, (15, 26), 0.145, 0.07
 #: Share of a panel beyond which a legend is no longer in it but below the figure.
 _LEGEND = 0.52
-#: Inches that words in a panel keep off the edge.
+#: Inches that long words in a panel keep off the edge.
 _EDGE = 0.05
 #: Most lines of a title.
 _LINES = 4
@@ -41,10 +40,11 @@ def narrowed(figure: Figure) -> Figure:
         figure.draw_without_rendering()
         for text in (text for axis in figure.axes for text in axis.texts):
             # Long words in a panel would take its room.
-            text.set_in_layout(text.get_window_extent().width < 0.5 * figure.bbox.width)
-        legends = [*figure.legends, *(axis.legend_ for axis in figure.axes)]
-        for legend in filter(None, legends):
-            _fold(figure, legend)
+            if text.get_window_extent().width >= 0.5 * figure.bbox.width:
+                text.set_in_layout(False)
+        for legend in [*figure.legends, *(axis.get_legend() for axis in figure.axes)]:
+            if legend:
+                _fold(figure, legend)
         for axis in figure.axes:
             _name_rows(figure, axis)
         _wrap(figure)
@@ -73,55 +73,46 @@ def _stack(figure: Figure, height: float) -> float:
 
 def _fold(figure: Figure, legend: Legend) -> None:
     """Give a legend as few columns as fit, below the figure if it would fill its panel."""
-    box, axis = legend.get_window_extent(), legend.axes
-    outside = legend in figure.legends or axis is None
-    # A place of its own, beside the panel, is measured in widths of that.
-    moved = not outside and legend._bbox_to_anchor is not None  # type: ignore[attr-defined]
-    if not outside and axis is not None:
-        moved |= box.width > _LEGEND * axis.bbox.width and legend._ncols == 1  # type: ignore[attr-defined]
-    if not moved and box.x0 >= 0 and box.x1 <= figure.bbox.width:
+    boxes = [text.get_window_extent() for text in legend.get_texts()]
+    columns, axis = len({round(box.x0) for box in boxes}), legend.axes
+    inside = axis is not None and legend not in figure.legends
+    box, room = (
+        legend.get_window_extent(),
+        axis.bbox.width if inside and axis else figure.bbox.width,
+    )
+    if box.width <= (_LEGEND if inside else 1) * room:
         return
-    columns = legend._ncols + moved  # type: ignore[attr-defined]
-    while columns > 1 and columns * _column(legend) > figure.bbox.width:
-        columns -= 1
+    # The widest entry, with its mark.
+    widest = max(box.width for box in boxes) + 3 * max(box.height for box in boxes)
     handles = [handle for handle in legend.legend_handles if handle]
     labels = [text.get_text() for text in legend.get_texts()]
-    title = legend.get_title().get_text() or None
-    above = outside and legend._loc == 9  # type: ignore[attr-defined]
     legend.remove()
-    for other in figure.legends if moved else []:  # both would be in the same place
-        handles = [*filter(None, other.legend_handles), *handles]
-        labels = [*(text.get_text() for text in other.get_texts()), *labels]
-        other.remove()
     figure.legend(
-        handles, labels, title=title, ncols=columns, columnspacing=1,
-        loc="outside upper center" if above else "outside lower center",
+        handles, labels, title=legend.get_title().get_text() or None, columnspacing=1,
+        ncols=max(1, min(columns + inside, int(figure.bbox.width / widest))),
+        loc="outside lower center",
     )  # fmt: skip
     figure.draw_without_rendering()
 
 
-def _column(legend: Legend) -> float:
-    """Return the width of the widest entry of a legend, with its mark [px]."""
-    boxes = [text.get_window_extent() for text in legend.get_texts()]
-    return float(max(box.width for box in boxes) + 3 * max(box.height for box in boxes))
-
-
 def _name_rows(figure: Figure, axis: Axes) -> None:
-    """Break long names of rows into two lines, and make room for these."""
-    ticks = axis.yaxis.get_major_ticks()
-    texts = [" ".join(tick.label1.get_text().split()) for tick in ticks]
-    widest = max((t.label1.get_window_extent().width for t in ticks), default=0) / figure.dpi
+    """Break long names of rows into lines, and make room for these."""
+    names = [tick.label1 for tick in axis.yaxis.get_major_ticks()]
+    texts = [" ".join(name.get_text().split()) for name in names]
+    widest = max((name.get_window_extent().width for name in names), default=0) / figure.dpi
     width, height = figure.get_size_inches()
     if not axis.axison or widest <= _NAMES * width:
         return
-    letters = max(_LETTERS, 1 + math.ceil(max(map(len, texts)) / 2))
-    broken = ["\n".join(wrap(text, letters)) for text in texts]
-    places = sorted(axis.get_yticks())
-    axis.set_yticks(axis.get_yticks(), broken)
-    lines = 1 + max(text.count("\n") for text in broken)
-    least = min((b - a for a, b in pairwise(places)), default=1)
+    fewest, most = _LETTERS
+    letters = min(max(fewest, 4 + math.ceil(max(map(len, texts)) / 2)), most)
+    broken = [wrap(text, letters) for text in texts]
+    rows = sorted(zip(axis.get_yticks(), map(len, broken), strict=True))
+    axis.set_yticks(axis.get_yticks(), ["\n".join(lines) for lines in broken])
     low, high = sorted(axis.get_ylim())
-    needed = (high - low) / least * (lines * _LINE + _GAP)
+    # Between two rows there is half of each.
+    needed = (high - low) * max(
+        ((one + other) / 2 * _LINE + _GAP) / (b - a) for (a, one), (b, other) in pairwise(rows)
+    )
     shares = [other.get_position().height for other in figure.axes]
     share = axis.get_position().height
     if (missing := needed - share * height) > 0:
@@ -132,9 +123,11 @@ def _name_rows(figure: Figure, axis: Axes) -> None:
 
 def _wrap(figure: Figure) -> None:
     """Break titles and names of axes that run off the figure."""
-    texts: list[Text] = [text for text in (figure._suptitle,) if text]  # type: ignore[attr-defined]
+    texts = [*figure.texts]  # its title
     for axis in figure.axes:
-        texts += [axis.title, axis._left_title, axis.xaxis.label]  # type: ignore[attr-defined]
+        own = [text for text in axis.get_children() if isinstance(text, Text)]
+        texts += [text for text in own if text not in axis.texts]  # titles
+        texts.append(axis.xaxis.label)
     for lines in range(2, _LINES + 1):
         too_long = [
             text for text in texts
@@ -148,7 +141,7 @@ def _wrap(figure: Figure) -> None:
 
 
 def _pull_in(figure: Figure) -> None:
-    """Keep words that stand in a panel off its names of rows, and on the figure."""
+    """Keep words that stand in a panel off its names of rows, and long ones on the figure."""
     for axis in figure.axes:
         ends = [text for text in axis.texts if text.get_horizontalalignment() == "right"]
         over = axis.bbox.x0 - min((text.get_window_extent().x0 for text in ends), default=math.inf)
@@ -156,8 +149,8 @@ def _pull_in(figure: Figure) -> None:
             low, high = axis.get_xlim()
             axis.set_xlim(low * (low / high) ** (1.3 * over / axis.bbox.width), high)
         for text in axis.texts:
-            over = text.get_window_extent().x1 - figure.bbox.width + _EDGE * figure.dpi
-            if over > 0:
-                back = ScaledTranslation(-over / figure.dpi, 0, figure.dpi_scale_trans)
-                text.set_transform(text.get_transform() + back)
-                text.set_in_layout(False)
+            # For the others the layout makes room.
+            over = text.get_window_extent().x1 + _EDGE * figure.dpi - figure.bbox.width
+            if over > 0 and not text.get_in_layout() and isinstance(text, Annotation):
+                right, up = text.xyann
+                text.xyann = (right - 72 * over / figure.dpi, up)

@@ -1,5 +1,8 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -9,6 +12,7 @@ from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
 from discostorm.figures.looks import STYLES, WIDTH, color_of, headline, style
+from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
@@ -87,71 +91,97 @@ def _percent(axis: Axes, most: float) -> None:
     axis.set_ylabel("channel utilization [%]")
 
 
-def _phases(axis: Axes, data: pd.DataFrame, processes: float, endpoints: float) -> None:
-    """Draw each phase and the total against hosts, and mark the saturation points.
+def _phases(
+    axis: Axes, data: pd.DataFrame, processes: float, endpoints: float, *, crossings: bool = True
+) -> None:
+    """Draw each phase and the total against hosts, mark where totals cross 100%, and name that.
 
     The total is the strongest line; the phases are thin and darker, so that one which is
     nearly all of it stays visible on top. A dot marks each whole number of hosts.
     """
-    for protocol in PAPER_PROTOCOLS:
-        color = color_of(protocol)
+    for protocol, (ha, va, across, up) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
+        color, dark = color_of(protocol), _dark(protocol)
         rows = data[data["protocol"] == protocol.name]
         total = rows[rows["phase"] == "total"]
         whole = total[total["hosts"] % 1 == 0]
         axis.plot(
-            total["hosts"],
-            total["utilization"],
-            STYLES["total"],
-            color=color,
-            linewidth=3,
-            label=f"{protocol.name} total",
-        )
+            total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3,
+        )  # fmt: skip
         for phase in protocol.phases:
             part = rows[rows["phase"] == phase]
-            axis.plot(
-                part["hosts"],
-                part["utilization"],
-                STYLES[phase],
-                color=0.45 * np.array(to_rgb(color)),
-                linewidth=1.2,
-                label=f"{protocol.name} {phase}",
-            )
+            axis.plot(part["hosts"], part["utilization"], STYLES[phase], color=dark, linewidth=1.2)
         axis.plot(whole["hosts"], whole["utilization"], "o", color=color, markersize=6)
         hosts = saturation_hosts(protocol, processes, endpoints)
-        axis.plot(
-            hosts,
-            1,
-            "D",
-            color=color,
-            markeredgecolor="white",
-            markersize=8,
-            zorder=3,
-            label=f"{protocol.name} saturates at {hosts:.2f}",
-        )
+        axis.plot(hosts, 1, "D", color=color, markeredgecolor="white", markersize=8, zorder=3)
+        if not crossings:
+            continue
+        axis.annotate(
+            f"full at\n{hosts:.2f} robots", (hosts, 1), (across, up), color=color, ha=ha, va=va,
+            textcoords="offset points", fontsize=9,
+        )  # fmt: skip
     axis.set_xlim(data["hosts"].min(), data["hosts"].max())
     axis.xaxis.set_major_locator(MultipleLocator(1))
-    axis.set_xlabel("hosts $N_H$ [1]")
+    axis.set_xlabel("hosts $N_H$")
+
+
+#: On which side of its curve what belongs to a protocol is written: alignment, and points off it.
+_BESIDE = (("right", "bottom", -9, 5), ("left", "top", 9, -5))
+
+
+def _dark(protocol: Protocol) -> tuple[float, ...]:
+    """Return the color of a protocol's phases."""
+    return tuple(0.45 * part for part in to_rgb(color_of(protocol)))
+
+
+def _name_totals(axis: Axes, data: pd.DataFrame, most: float) -> None:
+    """Name both totals where they leave the panel, and below it the phase that is most of it."""
+    for protocol, (ha, _, across, _) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
+        rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * most)]
+        # The phase of the endpoints comes last, and is right of the total.
+        beside = rows[rows["phase"] == ("total" if ha == "right" else protocol.phases[-1])]
+        end = beside.iloc[-1]
+        look: dict[str, Any] = {"textcoords": "offset points", "ha": ha, "fontsize": 9}
+        at = (end["hosts"], end["utilization"])
+        axis.annotate(
+            protocol.name, at, (across, 0), va="center", color=color_of(protocol), weight="bold",
+            annotation_clip=False, **look,
+        )  # fmt: skip
+        axis.annotate(
+            f"dashed:\n{protocol.phases[-1]}", at, (across - (28 if ha == "right" else 0), -6),
+            va="top", color=_dark(protocol), annotation_clip=False, **look,
+        )  # fmt: skip
+
+
+def _name_phases(axis: Axes, data: pd.DataFrame, phases: Mapping[str, float]) -> None:
+    """Name phases at the right end of their curves, so many points higher."""
+    last = data[data["hosts"] == data["hosts"].max()].set_index("phase")
+    for protocol in PAPER_PROTOCOLS:
+        for phase in protocol.phases:
+            if phase in phases:
+                axis.annotate(
+                    phase, (last["hosts"][phase], last["utilization"][phase]), (4, phases[phase]),
+                    textcoords="offset points", va="center", color=_dark(protocol), fontsize=9,
+                )  # fmt: skip
 
 
 def _full(processes: float, endpoints: float) -> str:
     """Return how many robots fill the channel with each protocol."""
-    hosts = (
-        f"{saturation_hosts(protocol, processes, endpoints):.2f} robots with {protocol.name}"
-        for protocol in PAPER_PROTOCOLS
-    )
-    return " and ".join(hosts).replace(" robots", "").replace(" with", " robots with", 1)
+    dds, zenoh = (saturation_hosts(each, processes, endpoints) for each in PAPER_PROTOCOLS)
+    return f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh"
 
 
 def fig2() -> Figure:
     """Draw Fig. 2: utilization against hosts (N_P = 2, N_E = 10)."""
+    data = fig2_data()
     with style():
-        figure = Figure(figsize=(WIDTH, 4.5))
+        figure = Figure(figsize=(WIDTH, 3.9))
         axis = figure.subplots()
-        _phases(axis, fig2_data(), FIG2_PROCESSES, FIG2_ENDPOINTS)
+        _phases(axis, data, FIG2_PROCESSES, FIG2_ENDPOINTS)
         _percent(axis, 2)
+        _name_totals(axis, data, 2)
+        _name_phases(axis, data, {"SPDP": 0, "Scouting": 0})
         axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
         headline(figure, f"{_full(FIG2_PROCESSES, FIG2_ENDPOINTS)} fill a second")
-        axis.legend(loc="upper left")
     return figure
 
 
@@ -166,7 +196,7 @@ def fig3() -> Figure:
         (part, name): rows for (part, name), rows in data.groupby(["part", "protocol"], sort=False)
     }
     with style():
-        figure = Figure(figsize=(WIDTH, 5.8))
+        figure = Figure(figsize=(WIDTH, 5.0))
         grid = figure.add_gridspec(2, 2, height_ratios=(1, 0.85))
         left = figure.add_subplot(grid[0, 0], ylabel="endpoints of each $N_E$")
         panels = (left, figure.add_subplot(grid[0, 1], sharey=left))
@@ -186,6 +216,13 @@ def fig3() -> Figure:
                 protocol.name, (last["processes"], last["utilization"]), (4, 0), color=color,
                 textcoords="offset points", va="center",
             )  # fmt: skip
+        for protocol, (ha, va, across, up) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
+            line = of["trajectory", protocol.name]
+            full = np.interp(1, line["utilization"], line["processes"])
+            axis.annotate(
+                f"full at {full:.1f} processes", (full, 1), (across, up), ha=ha, va=va,
+                textcoords="offset points", color=color_of(protocol), fontsize=9,
+            )  # fmt: skip
         _percent(axis, 2)
         axis.set_xlim(0.7, 11)
         axis.xaxis.set_major_locator(MultipleLocator(1))
@@ -204,9 +241,10 @@ def _map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> N
         grid.columns, grid.index, grid.to_numpy(), levels, colors=color,
         linewidths=[2.6 if level == 1 else 1 for level in levels],
     )  # fmt: skip
-    axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8)
+    for text in axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8):
+        text.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     label = f"{FIG3_ENDPOINTS_IN_ALL} endpoints in all"
-    axis.plot(line["processes"], line["endpoints"], "--", color="black", label=label)
+    axis.plot(line["processes"], line["endpoints"], "--", color="black", label=label, zorder=1)
     axis.legend(loc="upper right", fontsize=8)
     axis.xaxis.set_major_locator(MultipleLocator(3, 1))
     axis.set_xlabel("processes on a host $N_P$")
@@ -222,20 +260,21 @@ def fig4() -> Figure:
 
     Below, on a logarithmic scale, the phases that the linear scale cannot show.
     """
+    data = fig4_data()
     with style():
-        figure = Figure(figsize=(WIDTH, 6.8))
+        figure = Figure(figsize=(WIDTH, 5.2))
         above, below = figure.subplots(2, 1, sharex=True)
-        data = fig4_data()
         for axis in (above, below):
-            _phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS)
+            _phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS, crossings=axis is above)
         _percent(above, 4)
+        _name_totals(above, data, 4)
         _percent(below, 10)
         # With one host nothing but the first phase is sent, and zero has no logarithm.
         below.set_yscale("log", nonpositive="mask")
         below.set_ylim(bottom=1e-3)
         below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
+        _name_phases(below, data, {"SEDP": 5, "Declaration": -6, "SPDP": 0, "Scouting": 0})
         above.set_xlabel("")
         headline(figure, f"{_full(FIG4_PROCESSES, FIG4_ENDPOINTS)} fill a second")
         above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
-        above.legend(loc="upper left")
     return figure

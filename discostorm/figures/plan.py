@@ -3,16 +3,18 @@
 import math
 from textwrap import wrap
 
+import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullLocator
 from matplotlib.transforms import blended_transform_factory
+from numpy.typing import NDArray
 
 from discostorm import words
 from discostorm._renamed import renamed
-from discostorm.figures.looks import WIDTH, style
+from discostorm.figures.looks import WIDTH, headline, style
 from discostorm.messages import PAPER_WINDOW
 from discostorm.palette import lights
 
@@ -21,7 +23,7 @@ CHANGE = lights("change")
 #: What the legend calls them.
 _LEGEND = {"none": "today", "fits": "after the change: fits", "overloaded": "does not fit"}
 #: Letters of a name in a line, inches of a line, and height of a row in inches.
-_LETTERS, _ROW = 37, 0.24
+_LETTERS, _ROW = 44, 0.215
 
 
 @renamed(bars="changes, with columns baseline, change and utilization")
@@ -48,9 +50,12 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
     matplotlib.figure.Figure
     """
     groups = [rows for _, rows in changes.groupby("baseline", sort=False)]
-    rows = sum(len(group) for group in groups)
+    names = ["\n".join(wrap(name, _LETTERS)) for group in groups for name in group["change"]]
+    # A name of two lines needs more room: half a row for each line more, above and below.
+    more = np.array([0.3 * name.count("\n") for name in names])
+    places = np.arange(len(names)) + 2 * more.cumsum() - more
     with style():
-        figure = Figure(figsize=(WIDTH, 1.3 + _ROW * rows))
+        figure = Figure(figsize=(WIDTH, 1.3 + _ROW * (places[-1] + 1)))
         axis = figure.subplots()
         low, high = changes["utilization"].min(), changes["utilization"].max()
         if low > 0:
@@ -59,12 +64,11 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
         else:
             axis.set_xlim(0, 1.2 * max(1.0, high))
         axis.axvline(1, color="black", linewidth=1)
-        names: list[str] = []
-        for group in groups:
-            _group(axis, group, len(names), window)
-            names += ["", *group["change"].iloc[1:]]
-        axis.set_ylim(rows - 0.4, -0.8)
-        axis.set_yticks(range(rows), ["\n".join(wrap(name, _LETTERS)) for name in names])
+        ends = np.cumsum([len(group) for group in groups])
+        for group, of_group in zip(groups, np.split(places, ends), strict=False):
+            _group(axis, group, of_group, window)
+        axis.set_ylim(places[-1] + 0.6, -0.8)
+        axis.set_yticks(places, names)
         axis.tick_params(axis="y", length=0, labelsize=8.5)
         axis.spines["left"].set_visible(False)
         axis.grid(visible=False, axis="y")
@@ -76,7 +80,7 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
         axis.set_xlabel("share of the channel [%]" if steady else "airtime [s]")
         line = "the whole channel" if steady else f"{window:,g} s"
         axis.text(1, 1.0, line, ha="center", va="bottom", transform=axis.get_xaxis_transform())
-        figure.suptitle(title, x=0.01, ha="left", fontsize=10, fontweight="bold")
+        headline(figure, title)
         marks = [
             Line2D([], [], marker="o", linestyle="", color=CHANGE[key], label=label)
             for key, label in _LEGEND.items()
@@ -85,17 +89,18 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
     return figure
 
 
-def _group(axis: Axes, group: pd.DataFrame, first: int, window: float) -> None:
-    """Draw one baseline and what is compared with it, from a row on."""
+def _group(axis: Axes, group: pd.DataFrame, places: NDArray[np.float64], window: float) -> None:
+    """Draw one baseline and what is compared with it, in its rows."""
     (before, *after) = group["utilization"]
     left = blended_transform_factory(axis.figure.transSubfigure, axis.transData)
     taken = _said(before, window)
-    axis.text(
-        0.01, first, f"{group['baseline'].iloc[0]}: {taken} today",
+    head = axis.text(
+        0.01, places[0], f"{group['baseline'].iloc[0]}: {taken} today",
         va="center", fontsize=9, fontweight="bold", transform=left,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2},
     )  # fmt: skip
-    for row, part in enumerate(after, first + 1):
+    head.set_in_layout(False)  # else the panel would never begin farther left than at first
+    for row, part in zip(places[1:], after, strict=True):
         color = CHANGE["fits" if words.fits(part) else "overloaded"]
         axis.plot([before, part], [row, row], color=CHANGE["overloaded"], linewidth=2, zorder=2)
         axis.plot(before, row, "o", color=CHANGE["none"], zorder=3)

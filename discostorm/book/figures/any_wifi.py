@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from discostorm import figures, notation as nt
 from discostorm._numeric import lambdify
-from discostorm.figures import COLORS, WIDTH, style
+from discostorm.figures import COLORS, WIDTH, headline, style
 from discostorm.messages import Protocol
 from discostorm.saturation import saturation, saturation_hosts
 from discostorm.wifi import PAPER, Radio, Wifi
@@ -65,7 +65,7 @@ def rates(bounds: dict[str, float]) -> Figure:
     """Draw saturation points against the unicast rate, with the limit for an infinite rate."""
     data = rates_data(bounds)
     with style():
-        figure = Figure(figsize=(WIDTH, 3.6))
+        figure = Figure(figsize=(WIDTH, 3.1))
         axes = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(axes, figures.PAPER_PROTOCOLS, strict=True):
             column, color = f"{protocol.name}_hosts", COLORS[protocol.name]
@@ -89,9 +89,7 @@ def rates(bounds: dict[str, float]) -> Figure:
             axis.set_title(protocol.name)
         axes[0].set_ylabel("robots that fill a second")
         axes[0].legend(loc="lower right", fontsize=8)
-        figure.suptitle(
-            "Above 100 Mbit/s a faster rate gains less than one robot", fontsize=10, weight="bold"
-        )
+        headline(figure, "Above 100 Mbit/s a faster rate gains less than one robot")
     return figure
 
 
@@ -110,7 +108,7 @@ def aggregation() -> Figure:
     """Draw saturation points against the number of frames in each A-MPDU, all of them full."""
     data = aggregation_data()
     with style():
-        figure = Figure(figsize=(WIDTH, 3.6))
+        figure = Figure(figsize=(WIDTH, 3.1))
         axes = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(axes, figures.PAPER_PROTOCOLS, strict=True):
             column = f"{protocol.name}_hosts"
@@ -127,7 +125,5 @@ def aggregation() -> Figure:
             axis.set(xlim=(0.9, 520), ylim=(0, 50), xlabel="frames per A-MPDU")
             axis.set_title(protocol.name)
         axes[0].set_ylabel("robots that fill a second")
-        figure.suptitle(
-            "Sharing the overhead is what makes a faster radio pay off", fontsize=10, weight="bold"
-        )
+        headline(figure, "Sharing the overhead is what makes a faster radio pay off")
     return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from discostorm import lambdify, uncertainty
-from discostorm.figures import NARROW, color_of, style
+from discostorm.figures import WIDTH, color_of, headline, style
 from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
@@ -70,7 +70,7 @@ def tornado(
     """
     data = tornado_data(protocols, processes, endpoints)
     with style():
-        figure = Figure(figsize=(NARROW, 2.5 * len(protocols)))
+        figure = Figure(figsize=(WIDTH, 0.6 + 1.5 * len(protocols)))
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(shown + 1)
@@ -79,7 +79,7 @@ def tornado(
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")
         axis.set_xlabel("robots at which the channel is full")
         axis.set_xlim(data["fewest_hosts"].min() - 0.6, data["most_hosts"].max() + 0.6)
-        figure.suptitle("One constant moves the result by two robots")
+        headline(figure, "One constant moves the result by two robots")
     return figure
 
 
@@ -138,7 +138,7 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     data = frame_steps_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
     with style():
-        figure = Figure(figsize=(NARROW, 3.4))
+        figure = Figure(figsize=(WIDTH, 3.1))
         axis = figure.subplots()
         end = curves.iloc[-1]
         axis.plot(curves["frame_B"], curves["paper_us"], "--", color="0.45")
@@ -167,6 +167,6 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
         axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set_xlabel("frame length [B]")
         axis.set_ylabel("airtime of a unicast frame [µs]")
-        axis.set_title("Whole symbols cost more than the paper's line", loc="left")
+        headline(figure, "Whole symbols cost more than the paper's line")
         axis.legend(loc="upper left")
     return figure

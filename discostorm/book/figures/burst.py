@@ -8,21 +8,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from discostorm.figures import COLORS, WIDTH, style
+from discostorm.figures import COLORS, WIDTH, headline, style
 from discostorm.palette import lights
 
 _NEUTRAL = lights("neutral")
 _SERIES = lights("series")
+_STATE = lights("state")
 _CAUSES = {
     "ap_full": ("access point's queue full", _SERIES["vermilion"]),
     "host_age": ("waited too long at the host", _SERIES["orange"]),
     "host_full": ("host's queue full", _SERIES["blue"]),
     "on_air": ("multicast, collided", _SERIES["purple"]),
 }
-
-
-def _headline(figure: Figure, text: str) -> None:
-    figure.suptitle(text, x=0.02, ha="left", fontsize=10, fontweight="bold")
 
 
 def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
@@ -35,11 +32,11 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
     until : float
         How much of it [s].
     """
-    looks = {"success": (_SERIES["green"], ""), "collision": (_SERIES["vermilion"], "////")}
+    looks = {"success": (_STATE["ok"], ""), "collision": (_STATE["bad"], "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
     arrived = events[(events["station"] != "access point") & (events["outcome"] == "success")]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.1))
+        figure = Figure(figsize=(WIDTH, 2.8))
         axis = figure.subplots()
         for lane, station in enumerate(lanes):
             own = events[events["station"] == station]
@@ -63,8 +60,8 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
         axis.set(yticks=range(len(lanes)), yticklabels=lanes, xlabel="time after startup [ms]")
         axis.set_xlim(0, until * 1e3)
         axis.grid(axis="y", visible=False)
-        axis.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, borderaxespad=0.2)
-        _headline(figure, "All robots collide first; then their frames take turns")
+        figure.legend(*axis.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+        headline(figure, "All robots collide first; then their frames take turns")
     return figure
 
 
@@ -86,18 +83,25 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
     every = len(arrived) // len(robots) // (len(robots) - 1)
     last = events["end_s"].max()
     with style():
-        figure = Figure(figsize=(WIDTH, 3.9))
+        figure = Figure(figsize=(WIDTH, 3.7))
         grid = figure.add_gridspec(2, len(times) + 1, height_ratios=(3, 2))
         axis = figure.add_subplot(grid[0, :])
+        after = events.groupby("start_s").last()
         for (waiting, name), line in zip(sorted(names.items()), ("-", "-", "--", ":"), strict=True):
-            color = _NEUTRAL["charcoal"] if name == "access point" else COLORS["DDS"]
-            label = name.replace("host", "robot")
-            after = events.groupby("start_s").last()
+            shared = name == "access point"
             axis.step(
-                after["end_s"] * 1e3, after[waiting], line, where="post", color=color, label=label
-            )
+                after["end_s"] * 1e3, after[waiting], line, where="post",
+                color=_NEUTRAL["charcoal"] if shared else COLORS["DDS"],
+                label=None if shared else name.replace("host", "robot"),
+            )  # fmt: skip
+            if shared:
+                at = after.iloc[after[waiting].argmax()]
+                axis.annotate(
+                    name, (at["end_s"] * 1e3, at[waiting]), (0, 3), textcoords="offset points",
+                    ha="center", color=_NEUTRAL["charcoal"], fontsize=9,
+                )  # fmt: skip
         axis.set(xlabel="time after startup [ms]", ylabel="frames waiting", xlim=(0, last * 1e3))
-        axis.set_ylim(0, None)
+        axis.set_ylim(0, 1.25 * after["waiting_access_point"].max())
         axis.legend(loc="upper left")
         for column, time in enumerate((*times, last)):
             known = pd.crosstab(*(arrived[arrived["end_s"] <= time][end] for end in ("to", "from")))
@@ -105,7 +109,7 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
             panel = figure.add_subplot(grid[1, column])
             _known(panel, share)
             panel.set_title(f"after {time * 1e3:.0f} ms", loc="left", fontsize=9)
-        _headline(figure, "The burst moves from the robots' queues into the access point's")
+        headline(figure, "The burst moves from the robots' queues into the access point's")
     return figure
 
 
@@ -141,7 +145,7 @@ def drain(rows: pd.DataFrame) -> Figure:
         `discostorm.book.sweeps.drains`.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 3.8))
+        figure = Figure(figsize=(WIDTH, 3.2))
         axis = figure.subplots()
         for protocol, mpdus in product(("DDS", "Zenoh"), (1, 64)):
             part = rows[(rows["protocol"] == protocol) & (rows["mpdus"] == mpdus)]
@@ -170,7 +174,7 @@ def drain(rows: pd.DataFrame) -> Figure:
             xticks=range(5, 31, 5),
         )
         axis.legend(loc="upper right")
-        _headline(figure, "The formula is close without aggregation, optimistic with it")
+        headline(figure, "The formula is close without aggregation, optimistic with it")
     return figure
 
 
@@ -189,11 +193,11 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
     own = rows[(rows["hosts"] == hosts) & (rows["time_s"] > 0)]
     full = own.loc[own["at_access_point"] >= limit, "time_s"].iloc[0]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.2))
+        figure = Figure(figsize=(WIDTH, 2.8))
         axis = figure.subplots()
         looks = (
-            ("at_hosts", f"at the {hosts} robots", _SERIES["blue"], 0.16, (8, 8)),
-            ("at_access_point", "at the access point", _SERIES["vermilion"], 0.19, (0, -14)),
+            ("at_hosts", f"at the {hosts} robots", COLORS["DDS"], 0.16, (8, 8)),
+            ("at_access_point", "at the access point", _NEUTRAL["charcoal"], 0.19, (0, -14)),
         )
         for column, name, color, where, offset in looks:
             axis.plot(own["time_s"], own[column], color=color)
@@ -207,19 +211,18 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
                 fontsize=9,
             )
         axis.axhline(limit, color="0.3", lw=1, ls=":")
-        axis.plot(full, limit, "o", color=_SERIES["vermilion"], ms=6, zorder=3)
+        axis.plot(full, limit, "o", color=_NEUTRAL["charcoal"], ms=6, zorder=3)
         axis.annotate(
             f"full after {full:.2f} s",
             (full, limit),
-            xytext=(-4, 8),
+            xytext=(0, 8),
             textcoords="offset points",
-            ha="right",
             fontsize=9,
-            color=_SERIES["vermilion"],
+            color=_NEUTRAL["charcoal"],
         )
         axis.set(xlabel="time after startup [s]", ylabel="frames waiting", xlim=(0, None))
         axis.set_ylim(0, None)
-        _headline(figure, "The access point cannot empty its queue fast enough")
+        headline(figure, "The access point cannot empty its queue fast enough")
     return figure
 
 
@@ -241,7 +244,7 @@ def causes(rows: pd.DataFrame) -> Figure:
         The sweep ``queues``, of one protocol, up to 30 hosts.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 3.7))
+        figure = Figure(figsize=(WIDTH, 3.2))
         panels = figure.subplots(1, 2, sharey=True)
         for axis, mpdus in zip(panels, (1, 64), strict=True):
             _areas(axis, rows[rows["mpdus"] == mpdus])
@@ -250,5 +253,5 @@ def causes(rows: pd.DataFrame) -> Figure:
         panels[0].set_ylabel("deliveries lost [%]")
         panels[0].yaxis.set_major_formatter("{x:.0%}")
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        _headline(figure, "The access point loses first, then the hosts' own queues")
+        headline(figure, "The access point loses first, then the hosts' own queues")
     return figure

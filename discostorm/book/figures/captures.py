@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from discostorm.capture import Capture
-from discostorm.figures import WIDTH, style
+from discostorm.figures import WIDTH, headline, style
 from discostorm.palette import lights
 
 _COLORS = lights("captured")
@@ -52,7 +52,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
     data = lanes_data(captures, until)
     names, place = {}, 0.0
     with style():
-        figure = Figure(figsize=(WIDTH, 3.9))
+        figure = Figure(figsize=(WIDTH, 3.3))
         axis = figure.subplots()
         for name, of_capture in data.groupby("capture", sort=False):
             axis.text(0, place - 0.1, str(name), weight="bold", va="center", size=9)
@@ -84,9 +84,5 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
         figure.legend(handles=shown, loc="outside lower center", ncols=4)
         last = data.groupby("capture", sort=False)["complete_s"].max()
         first, slowest = last.iloc[0], last.iloc[-1]
-        figure.suptitle(
-            f"Lost frames delay discovery from {first:.1f} s to {slowest:.1f} s",
-            weight="bold",
-            size=10,
-        )
+        headline(figure, f"Lost frames delay discovery from {first:.1f} s to {slowest:.1f} s")
     return figure

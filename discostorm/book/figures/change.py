@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 from discostorm import measured
 from discostorm.book.figures.servers import BREAKS, breaks
 from discostorm.data import read_data
-from discostorm.figures import WIDTH, style
+from discostorm.figures import WIDTH, headline, style
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.palette import lights
@@ -56,7 +56,7 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
     data = arrangements_data(robots)
     colors = lights("series")
     with style():
-        figure = Figure(figsize=(WIDTH, 1.7 + 0.23 * len(data)))
+        figure = Figure(figsize=(WIDTH, 1.5 + 0.2 * len(data)))
         panels = figure.subplots(1, len(robots), sharey=True, squeeze=False)[0]
         for axis, robot in zip(panels, robots, strict=True):
             many = data[f"{robot} that fit"]
@@ -78,10 +78,7 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
         ]
         panels[0].set_yticks(range(len(data)), names)
         panels[0].invert_yaxis()
-        figure.suptitle(
-            "Which arrangement admits most depends on the robot",
-            x=0.01, ha="left", fontsize=10, fontweight="bold",
-        )  # fmt: skip
+        headline(figure, "Which arrangement admits most depends on the robot")
         marks = [
             Line2D([], [], marker=mark, linestyle="", color=colors[color], mew=0, label=what)
             for what, (color, mark) in BREAKS.items()

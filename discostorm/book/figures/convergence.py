@@ -9,7 +9,7 @@ from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from discostorm.figures import COLORS, WIDTH, style
+from discostorm.figures import COLORS, WIDTH, headline, style
 from discostorm.palette import lights
 
 _SERIES = lights("series")
@@ -27,10 +27,6 @@ _SECONDS = LinearSegmentedColormap.from_list(
     "seconds", [_tint(_BLUE, 0.1), _tint(_BLUE, 0.35), _BLUE]
 )
 _SOME = _tint(_STATE["bad"], 0.2)
-
-
-def _headline(figure: Figure, text: str) -> None:
-    figure.suptitle(text, x=0.02, ha="left", fontsize=10, fontweight="bold")
 
 
 def _seconds(value: float) -> str:
@@ -54,7 +50,7 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
     hosts = sorted(rows["hosts"].unique())
     norm = LogNorm(0.1, 120)
     with style():
-        figure = Figure(figsize=(WIDTH, 0.9 + len(losses) * (0.45 + 0.245 * len(names))))
+        figure = Figure(figsize=(WIDTH, 0.9 + len(losses) * (0.4 + 0.205 * len(names))))
         panels = figure.subplots(len(losses), 1, squeeze=False)[:, 0]
         for axis, loss in zip(panels, losses, strict=True):
             part = rows[rows["loss"] == loss].set_index(["protocol", "hosts"])
@@ -80,7 +76,7 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
             loc="outside lower center",
             ncols=3,
         )
-        _headline(figure, "Ten robots take seconds; a few more never finish")
+        headline(figure, "Ten robots take seconds; a few more never finish")
     return figure
 
 
@@ -117,7 +113,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
     """
     columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.3))
+        figure = Figure(figsize=(WIDTH, 2.8))
         panels = figure.subplots(1, len(names), sharey=True)
         for axis, name in zip(panels, names, strict=True):
             own = rows[rows["protocol"] == name].sort_values("hosts")
@@ -133,12 +129,13 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
                 at = (0, np.log10(120))
                 axis.annotate("two minutes", at, (0, -3), textcoords="offset points", va="top")
             axis.set(xlabel="robots", xlim=(-0.7, len(own) - 0.3), ylim=(-1.7, NEVER + 0.25))
-            axis.set_xticks(places, [str(count) for count in own["hosts"]], fontsize=8)
+            # Every second one: all would touch.
+            axis.set_xticks(places[1::2], [str(count) for count in own["hosts"][1::2]])
             axis.set_title(name, loc="left", fontsize=9.5)
         ticks = [-1, 0, 1, 2]
         panels[0].set_yticks([*ticks, NEVER], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
         panels[0].set_ylabel("time until converged [s]")
-        _headline(figure, "Half of the ten runs lie within each bar")
+        headline(figure, "Above some fleet size, most runs never finish")
     return figure
 
 
@@ -152,13 +149,14 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     rule : pandas.DataFrame
         Rows with the rule's window, in ``rule_s``.
     """
-    colors = [_SERIES[name] for name in ("orange", "blue", "green", "purple")]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.6))
+        figure = Figure(figsize=(WIDTH, 3.1))
         panels = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             of_one = random[random["protocol"] == protocol]
-            for hosts, color in zip(sorted(set(of_one["hosts"])), colors, strict=True):
+            fleets = sorted(set(of_one["hosts"]))
+            for hosts, share in zip(fleets, np.linspace(0.55, 1, len(fleets)), strict=True):
+                color = _tint(COLORS[protocol], share)
                 rows = of_one[of_one["hosts"] == hosts].sort_values("window_s")
                 axis.plot(rows["window_s"], rows["convergence_time_s"], "-o", color=color, ms=3)
                 axis.fill_between(
@@ -181,14 +179,16 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                 )
                 axis.annotate(
                     f"{hosts} robots",
-                    (0.5, rows["convergence_time_s"].iloc[0]),
-                    xytext=(0, 7 if hosts > 5 else -14),
+                    (0.36, rows["convergence_time_s"].iloc[0]),
+                    xytext=(0, 0),
                     textcoords="offset points",
+                    ha="right",
+                    va="center",
                     color=color,
                     fontsize=9,
                 )
             ticks = [0.5, 1, 2, 5, 10, 20, 45]
-            axis.set(xscale="log", yscale="log", xlabel="window of the starts [s]")
+            axis.set(xscale="log", yscale="log", xlim=(0.05, 55), xlabel="window of the starts [s]")
             axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
             axis.set_yticks([1, 2, 5, 10, 20, 50], ["1", "2", "5", "10", "20", "50"])
             axis.minorticks_off()
@@ -196,7 +196,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
         panels[0].set_ylabel("time until converged [s]")
         panels[1].plot([], [], "*", color="0.6", ms=11, mec="black", label="the rule of thumb")
         panels[1].legend(loc="lower right")
-        _headline(figure, "The rule's window lies where too short and too long hurt little")
+        headline(figure, "The rule's window lies where too short and too long hurt little")
     return figure
 
 
@@ -209,7 +209,7 @@ def changes(shown: pd.DataFrame) -> Figure:
         Indexed by the change; columns named by protocol, and with ``_low`` and ``_high``.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 3.5))
+        figure = Figure(figsize=(WIDTH, 3.1))
         axis = figure.subplots()
         places = np.arange(len(shown))
         for shift, protocol in ((-0.19, "DDS"), (0.19, "Zenoh")):
@@ -228,8 +228,8 @@ def changes(shown: pd.DataFrame) -> Figure:
                     fontsize=8.5,
                 )
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
-        axis.set_xlim(0, 1.1 * shown.to_numpy().max())
+        axis.set_xlim(0, 1.2 * shown.to_numpy().max())
         axis.invert_yaxis()
         axis.grid(axis="y", visible=False)
-        _headline(figure, "Starting in turn helps Zenoh most; aggregation helps DDS")
+        headline(figure, "Starting in turn helps Zenoh most; aggregation helps DDS")
     return figure

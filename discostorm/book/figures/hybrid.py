@@ -10,7 +10,7 @@ from matplotlib.ticker import FuncFormatter, NullLocator
 
 from discostorm import words
 from discostorm.data import read_data
-from discostorm.figures import WIDTH, style
+from discostorm.figures import WIDTH, headline, style
 from discostorm.messages import HOST, Message, Payload, Protocol
 from discostorm.model import utilization
 from discostorm.palette import lights
@@ -84,13 +84,14 @@ def ladder_data() -> pd.DataFrame:
 def ladder() -> Figure:
     """Draw the airtime from DDS to the proposal, step by step, for a small and a large fleet."""
     data = ladder_data()
-    colors = list(lights("series").values())
+    # No product has these.
+    colors = [lights("neutral")[shade] for shade in ("gray", "charcoal")]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.3))
+        figure = Figure(figsize=(WIDTH, 2.9))
         axis = figure.subplots()
         places = np.arange(len(data))
         axis.axvline(1, color="black", linewidth=1)
-        for column, color, across in zip(data, colors, (-7, 7), strict=False):
+        for column, color, across in zip(data, colors, (-7, 7), strict=True):
             axis.plot(data[column], places, "o-", color=color)
             for place, airtime in zip(places, data[column], strict=True):
                 said = words.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
@@ -114,10 +115,7 @@ def ladder() -> Figure:
         axis.set_xticks([10.0**power for power in range(-3, 3)])
         axis.xaxis.set_minor_locator(NullLocator())
         axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,g}"))
-        figure.suptitle(
-            "Every step helps; dropping acknowledgments helps most",
-            x=0.01, ha="left", fontsize=10, fontweight="bold",
-        )  # fmt: skip
+        headline(figure, "Every step helps; dropping acknowledgments helps most")
     return figure
 
 
@@ -144,7 +142,7 @@ def times() -> Figure:
     data = times_data()
     colors = lights("series")
     with style():
-        figure = Figure(figsize=(WIDTH, 3.5))
+        figure = Figure(figsize=(WIDTH, 3.0))
         axis = figure.subplots()
         for place, row in enumerate(data.to_dict("records")):
             color = colors["vermilion" if "fades" in row["scenario"] else "blue"]
@@ -161,8 +159,5 @@ def times() -> Figure:
         axis.invert_yaxis()
         axis.tick_params(axis="y", length=0, labelsize=8.5)
         axis.grid(visible=False, axis="y")
-        figure.suptitle(
-            "Crashes and meetings cost little time, fades cost most",
-            x=0.01, ha="left", fontsize=10, fontweight="bold",
-        )  # fmt: skip
+        headline(figure, "Crashes and meetings cost little time, fades cost most")
     return figure

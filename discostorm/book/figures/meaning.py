@@ -11,7 +11,7 @@ from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
 from discostorm import figures, timeline
-from discostorm.figures import WIDTH, color_of, style
+from discostorm.figures import WIDTH, color_of, headline, style
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
@@ -24,6 +24,8 @@ _WHOLE = np.arange(2, 56, 3)
 _QUEUE_TIME = np.arange(0, 120.01, 0.05)  # s after startup
 #: Airtime up to which the queue is drawn [s].
 QUEUE_MOST = 80
+#: Most of the steady state that is drawn.
+_MOST = 1.5
 _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
@@ -56,12 +58,8 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
     """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
     data = start_data(products, fleets, swarm)
     with style():
-        figure = Figure(figsize=(WIDTH, 4.9))
-        figure.suptitle(
-            "7 robots drain in about a second, 30 outlast their leases",
-            fontsize=10,
-            weight="bold",
-        )
+        figure = Figure(figsize=(WIDTH, 4.1))
+        headline(figure, "7 robots drain in about a second, 30 outlast their leases")
         panels = figure.subplots(2, 2, sharex=True, sharey=True)
         for axis, hosts in zip(panels.flat, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
@@ -78,6 +76,11 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
             axis.minorticks_off()
             axis.set(xlim=(0.05, 200), ylim=(0.02, 500))
             axis.set_title(f"{hosts} robots", loc="left")
+            if axis is panels[0, 0]:
+                axis.annotate(
+                    "carried\nat most", (30, 30), (-7, 4), textcoords="offset points", ha="right",
+                    fontsize=9,
+                )  # fmt: skip
             for along in (axis.xaxis, axis.yaxis):
                 along.set_major_formatter(_PLAIN)
         for axis in panels[:, 0]:
@@ -114,7 +117,7 @@ def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     idle = timeline.first_idle(protocol, hosts, **swarm)
     color = color_of(protocol)
     with style():
-        figure = Figure(figsize=(WIDTH, 3.4))
+        figure = Figure(figsize=(WIDTH, 2.6))
         axis = figure.subplots()
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
@@ -125,7 +128,7 @@ def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
             textcoords="offset points",
         )  # fmt: skip
         axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, QUEUE_MOST))
-        axis.set_title(f"The queue of {hosts} robots outlasts the lease", loc="left")
+        headline(figure, f"The queue of {hosts} robots outlasts the lease")
         axis.set_xlabel("time after startup [s]")
         axis.set_ylabel("airtime waiting [s]")
     return figure
@@ -161,14 +164,10 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
     data = drain_data(products, swarm)
     with style():
-        figure = Figure(figsize=(WIDTH, 5.0))
-        figure.suptitle(
-            "Leases end long before periodic traffic fills the channel",
-            fontsize=10,
-            weight="bold",
-        )
+        figure = Figure(figsize=(WIDTH, 4.3))
+        headline(figure, "Leases end long before periodic traffic fills the channel")
         above, below = figure.subplots(2, 1, sharex=True)
-        for number, (product, line) in enumerate(zip(products, _LINES, strict=True)):
+        for product, line in zip(products, _LINES, strict=True):
             rows = data[data["product"] == product.name]
             color = color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
@@ -178,19 +177,22 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
                 exact["hosts"], exact["idle_after_s"], "o", color=color, fillstyle="none", ms=4
             )
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
-            end = bound[bound["steady state"] < 1.35 - 0.1 * number].iloc[-1]
-            under = end["steady state"] < 1.3  # it ends at the right edge: there is room below
-            below.text(
-                end["hosts"] + (0.5 if under else -0.6), end["steady state"] - 0.24 * under,
-                product.name, color=color, ha="right", va="top" if under else "center", fontsize=9,
+            end = bound[bound["steady state"] < _MOST].iloc[-1]
+            first = product is products[-1]  # the others have room at the right
+            below.annotate(
+                product.name, (end["hosts"], end["steady state"]), (-7 if first else 5, -3),
+                textcoords="offset points", color=color, ha="right" if first else "left",
+                va="center", fontsize=9, annotation_clip=False,
             )  # fmt: skip
         for limit, text in _LIMITS.items():
             above.axhline(limit, color="gray", linewidth=0.8)
-            above.text(55, limit, text, ha="right", va="bottom", fontsize=9)
+            above.text(
+                55, limit, text, ha="right", va="top" if limit == 10 else "bottom", fontsize=9
+            )
         below.axhline(1, color="gray", linewidth=0.8)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
         above.yaxis.set_major_formatter(_PLAIN)
-        below.set(ylim=(0, 1.5), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$")
+        below.set(ylim=(0, _MOST), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$")
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
     return figure
 
@@ -242,32 +244,40 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
         Processes, and endpoints of each, of a small robot.
     """
     with style():
-        figure = Figure(figsize=(4.8, 6.4))
-        above, below = figure.subplots(2, 1, height_ratios=[1, 1.2])
+        figure = Figure(figsize=(WIDTH, 3.3))
+        bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
         places = order.index + (order["protocol"] == "DDS") * 0.5
         shades = [figures.COLORS[protocol] for protocol in order["protocol"]]
         left = np.zeros(len(order))
         for part, alpha in {"robot-robot [s]": 0.45, "robot-laptop [s]": 1}.items():
-            above.barh(places, order[part], left=left, height=0.7, color=shades, alpha=alpha)
+            bars.barh(places, order[part], left=left, height=0.7, color=shades, alpha=alpha)
             left += order[part]
-        above.set_yticks(places, order["fleet"])
-        above.set_xlabel("airtime [s]")
-        above.set_xlim(0, 1.3 * order["total [s]"].max())
+        bars.set_yticks(places, order["fleet"])
+        bars.set_xlabel("airtime [s]")
+        bars.set_xlim(0, 1.3 * order["total [s]"].max())
         for place, total, protocol in zip(
             places, order["total [s]"], order["protocol"], strict=True
         ):
-            above.text(total, place, f" {protocol} {total:.1f}", va="center")
-        above.grid(axis="y", visible=False)
+            bars.text(total, place, f" {protocol} {total:.1f}", va="center")
+        bars.grid(axis="y", visible=False)
         for (protocol, label), values in _beside(laptop, small).items():
             color = figures.COLORS[protocol]
-            below.plot(
-                figures.steps(1, 8), values, _LABELS[label], color=color,
-                label=f"{protocol}, {label}",
+            hosts = figures.steps(1, 8)
+            lines.plot(hosts, values, _LABELS[label], color=color)
+            full = np.interp(1, np.asarray(values), hosts)
+            first = protocol == "DDS"  # it is left of the other
+            lines.annotate(
+                f"{full:.1f}", (full, 1), (-4, 4) if first else (4, -4),
+                textcoords="offset points", ha="right" if first else "left",
+                va="bottom" if first else "top", color=color, fontsize=9,
             )  # fmt: skip
-        below.axhline(1, color="black", linewidth=1)
-        below.yaxis.set_major_formatter("{x:.0%}")
-        below.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))
-        below.legend(loc="upper left")
+            lines.annotate(
+                f"{protocol}{'' if label == 'alone' else ', laptop'}", (8, np.asarray(values)[-1]),
+                (4, 0), textcoords="offset points", va="center", color=color, fontsize=9,
+            )  # fmt: skip
+        lines.axhline(1, color="black", linewidth=1)
+        lines.yaxis.set_major_formatter("{x:.0%}")
+        lines.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))
         figures.headline(figure, "A laptop costs more than half as much as a robot")
     return figure

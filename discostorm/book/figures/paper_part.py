@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -54,9 +55,11 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
         For each host the number of endpoints of each of its processes.
     """
     with style():
-        figure = Figure(figsize=(3.2 * len(protocols), 3.5))
+        figure = Figure(figsize=(WIDTH, 3.7))
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             _squares(axis, protocol, _uplink(protocol, hosts))
+        handles = [handle for axis in figure.axes for handle in axis.get_legend_handles_labels()[0]]
+        figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1)
         headline(figure, "Nearly every message goes to one process")
     return figure
 
@@ -85,7 +88,10 @@ def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
                 column, row = receivers.index(message.receiver), senders.index(message.sender)
                 places.append((column + 0.22 + 0.28 * across, row + 0.22 + 0.28 * down))
                 placed[cell] += 1
-        axis.plot(*zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=5, mew=0)
+        axis.plot(
+            *zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=5, mew=0,
+            label=f"{kind} ({number[kind]})",
+        )  # fmt: skip
     axis.set(
         xlim=(-0.02, len(receivers) + 0.02),
         ylim=(len(senders) + 0.02, -0.02),
@@ -99,19 +105,7 @@ def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
     axis.tick_params(length=0)
     axis.grid(visible=False)
     axis.spines[:].set_visible(False)
-    shown = [
-        Patch(color=MESSAGE_COLORS[kind], label=f"{kind} ({many})") for kind, many in number.items()
-    ]
-    axis.legend(
-        handles=shown,
-        title=f"{protocol.name}: {len(sent)} messages",
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=2,
-        fontsize=8,
-        handlelength=1,
-        columnspacing=1,
-    )
+    axis.set_title(f"{protocol.name}: {len(sent)} messages")
 
 
 def frame_parts_data() -> pd.DataFrame:
@@ -140,23 +134,24 @@ def frame_parts_data() -> pd.DataFrame:
 def frame_parts() -> Figure:
     """Draw each frame of Table II as a bar of its payload and headers."""
     data = frame_parts_data().set_index("message")
-    colors = ["C0", "C4", "C5", "0.6", "0.82"]
+    of = {message.name: one for one in figures.PAPER_PROTOCOLS for message in one.messages}
+    colors = [color_of(of[str(name)]) for name in data.index]
     with style():
-        figure = Figure(figsize=(WIDTH, 3.9))
+        figure = Figure(figsize=(WIDTH, 3.0))
         axis = figure.subplots()
         left = np.zeros(len(data))
-        for part, color in zip(data, colors, strict=True):
+        marks = []
+        for part, share in zip(data, (1, 0.7, 0.5, 0.32, 0.16), strict=True):
             length = data[part].to_numpy()
-            label = str(part).removesuffix(" [B]")
-            axis.barh(
-                data.index, length, left=left, color=color, edgecolor="white", lw=0.6, label=label
-            )
+            look: dict[str, Any] = {"alpha": share, "edgecolor": "white", "lw": 0.6}
+            axis.barh(data.index, length, left=left, color=colors, **look)
+            marks.append(Patch(color="0.2", label=str(part).removesuffix(" [B]"), alpha=share))
             left += length
         axis.invert_yaxis()
         axis.set_axisbelow(True)
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("length on the air [B]")
-        axis.legend(loc="lower right")
+        axis.legend(handles=marks, loc="lower right")
         headline(figure, "Only SPDP and SEDP are mostly payload")
     return figure
 
@@ -182,7 +177,7 @@ def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
     data = airtime_blocks_data(hosts, processes, endpoints)
     names, totals = list(data["protocol"].unique()), []
     with style():
-        figure = Figure(figsize=(WIDTH, 4.4))
+        figure = Figure(figsize=(WIDTH, 4.2))
         axis = figure.subplots()
         for place, name in enumerate(names):
             color, top = color_of(PROTOCOLS[name]), 0.0
@@ -203,4 +198,5 @@ def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
         axis.set_xticks(range(len(names)), totals)
         axis.set(xlim=(-0.55, len(names) - 0.45), ylim=(0, 1.1), ylabel="airtime [s]")
         axis.grid(visible=False, axis="x")
+        headline(figure, "Announcing endpoints needs most of the airtime")
     return figure

@@ -7,10 +7,10 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from matplotlib.ticker import FuncFormatter, PercentFormatter
+from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 
 from discostorm.book import comparison, products
-from discostorm.figures import COLORS, WIDTH, style
+from discostorm.figures import COLORS, WIDTH, headline, style
 
 _PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
 _PAPER = "0.4"
@@ -19,7 +19,7 @@ _FAR = {"small robots": "", "Nav2 robots": ", extrapolated"}
 #: The shade of each purpose of messages; what has no equation is hatched.
 _SHADES = {"presence": 1.0, "endpoints": 0.6, "control": 0.3, products.NO_EQUATION: 0.0}
 #: Height of a row, and what is around the rows of a panel [inch].
-_ROW, _AROUND = 0.27, 0.9
+_ROW, _AROUND = 0.23, 0.9
 
 
 def startup(name: str) -> Figure:
@@ -57,10 +57,8 @@ def startup(name: str) -> Figure:
         ratio = (rows["measured"] / rows["paper"]).dropna()
         first = int(ratio.argmax())
         kind = rows["kind"][rows["paper"].notna()].iloc[first]
-        figure.suptitle(
-            f"{name}: {kind} is sent {ratio.iloc[first]:.0f} times as often as counted",
-            weight="bold",
-            size=10,
+        headline(
+            figure, f"{name}: {kind} is sent {ratio.iloc[first]:.0f} times as often as counted"
         )
         handles, labels = panels[0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside lower center", ncols=3)
@@ -85,7 +83,7 @@ def counts() -> Figure:
     places, heads = _grouped(data["product"].tolist())
     right = data["as_counted"] == 1
     with style():
-        figure = Figure(figsize=(WIDTH, _AROUND + 0.2 + 0.25 * (len(places) + len(heads))))
+        figure = Figure(figsize=(WIDTH, _AROUND + 0.2 + 0.2 * (len(places) + len(heads))))
         sent, size = figure.subplots(1, 2, sharey=True)
         sent.axvline(1, color=_PAPER, lw=1)
         for place, row in zip(places, data.to_dict("records"), strict=True):
@@ -112,11 +110,7 @@ def counts() -> Figure:
         for axis in (sent, size):
             axis.set_xticks([], minor=True)
         (only,) = data[right].to_dict("records")
-        figure.suptitle(
-            f"One count of {len(data)} holds: {only['message']} of {only['product']}",
-            weight="bold",
-            size=10,
-        )
+        headline(figure, f"One count of {len(data)} holds: {only['message']} of {only['product']}")
     return figure
 
 
@@ -142,14 +136,15 @@ def airtime(swarms: dict[str, tuple[int, int, int]]) -> Figure:
         Hosts, processes and endpoints of each, by what it is called: a panel each.
     """
     with style():
-        figure = Figure(figsize=(WIDTH, 1.0 + 1.75 * len(swarms)))
-        panels = figure.subplots(len(swarms), 1, sharex=True)
+        figure = Figure(figsize=(WIDTH, 0.9 + 1.4 * len(swarms)))
+        panels, longest = figure.subplots(len(swarms), 1, sharex=True), 0.0
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
             data = products.airtime(*sizes)
+            longest = max(longest, 1.12 * data.sum(axis=1).max())
             _stack(axis, data)
             axis.set_title(f"{swarm}: {_against_paper(data)}", loc="left", size=9)
             axis.axvline(1, color="black", lw=1)
-            axis.set_xlim(0, 2.75)
+            axis.set_xlim(0, longest)
             axis.set_ylim(len(data) - 0.5, -0.95)
             axis.text(1.02, -0.72, "one second", va="center", size=9)
         panels[-1].set_xlabel("airtime of startup [s]")
@@ -224,17 +219,14 @@ def saturation() -> Figure:
             axis.set(xlim=(0, 1.35 * most), ylim=(len(models) - 0.5, -1.3))
             axis.set_title(f"{column}{_FAR[column]}", loc="left", size=8.5)
             axis.set_xlabel("robots that fill one second")
+            axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
             axis.grid(axis="y", visible=False)
             axis.tick_params(axis="y", length=0)
         panels[0].text(
             -0.03, -0.85, "paper", ha="right", va="center", size=9,
             transform=panels[0].get_yaxis_transform(),
         )  # fmt: skip
-        figure.suptitle(
-            "Fewer small robots fill one second than the paper counts",
-            weight="bold",
-            size=10,
-        )
+        headline(figure, "Fewer small robots fill one second than the paper counts")
         panels[0].set_yticks(places, models.index)
     return figure
 
@@ -244,7 +236,7 @@ def errors() -> Figure:
     data, limit, far = products.errors(), comparison.WITHIN_PHASE, 0.5
     held = products.within().set_index(["window", "model"])
     with style():
-        figure = Figure(figsize=(WIDTH, _AROUND + 0.4 + 0.42 * len(products.MODELS)))
+        figure = Figure(figsize=(WIDTH, _AROUND + 0.3 + 0.34 * len(products.MODELS)))
         panels = figure.subplots(1, 2, sharey=True)
         for axis, (window, title) in zip(panels, _WINDOWS.items(), strict=True):
             axis.axvspan(-limit, limit, color="0.88", zorder=0)
@@ -265,7 +257,5 @@ def errors() -> Figure:
             axis.grid(axis="y", visible=False)
             axis.tick_params(axis="y", length=0)
         panels[0].set_yticks(range(len(products.MODELS)), products.MODELS)
-        figure.suptitle(
-            "DDS is exact in the steady state; startups scatter", weight="bold", size=10
-        )
+        headline(figure, "DDS is exact in the steady state; startups scatter")
     return figure

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import measured
 from discostorm.data import read_data
-from discostorm.figures import style
+from discostorm.figures import WIDTH, headline, style
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.measured import death_times
 from discostorm.model import utilization
@@ -120,7 +120,7 @@ def arrangements() -> Figure:
     data = arrangements_data()
     colors = lights("series")
     with style():
-        figure = Figure(figsize=(6.2, 4.9))
+        figure = Figure(figsize=(WIDTH, 4.4))
         start, steady = figure.subplots(1, 2, sharey=True)
         places, labels = [], []
         place = 0.0
@@ -144,7 +144,12 @@ def arrangements() -> Figure:
                 (steady, row["10% of the steady state"]),
             ):
                 axis.plot(value, place, **look)
-                axis.text(value, place - 0.3, f"{value:,}", ha="center", va="bottom", fontsize=8)
+                more = "+" if value == _MANY[-1] else ""
+                axis.annotate(
+                    f"{value:,}{more}", (value, place), (7, 0), textcoords="offset points",
+                    va="center", fontsize=9,
+                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+                )  # fmt: skip
         start.set_yticks(places, labels)
         for tick, label in zip(start.get_yticklabels(), labels, strict=True):
             tick.set_weight("bold" if "shipped" in label else "normal")
@@ -152,7 +157,7 @@ def arrangements() -> Figure:
         start.set(xscale="log", xlim=(2.4, 70), xlabel="robots")
         start.set_title("start within one second", loc="left", fontweight="normal")
         start.set_xticks([3, 5, 10, 20, 50], ["3", "5", "10", "20", "50"])
-        steady.set(xscale="log", xlim=(5, 6000), xlabel="robots")
+        steady.set(xscale="log", xlim=(5, 20000), xlabel="robots")
         steady.set_title("need 10% in the steady state", loc="left", fontweight="normal")
         steady.set_xticks([10, 100, 1000], ["10", "100", "1,000"])
         for axis in (start, steady):
@@ -168,11 +173,7 @@ def arrangements() -> Figure:
             loc="outside lower center",
             ncols=2,
         )
-        figure.suptitle(
-            "A central router admits the most robots, and it can silence all of them",
-            fontsize=10,
-            fontweight="bold",
-        )
+        headline(figure, "A central router admits the most robots, and it can silence all of them")
     return figure
 
 
@@ -256,20 +257,24 @@ def noticed_data() -> pd.DataFrame:
 def failures() -> Figure:
     """Draw who hears whom after a failure as swim lanes."""
     with style():
-        figure = Figure(figsize=(6.2, 4.9))
-        _draw_lanes(figure.subplots(), failures_data())
+        figure = Figure(figsize=(WIDTH, 4.5))
+        marks = _draw_lanes(figure.subplots(), failures_data())
+        figure.legend(handles=marks, loc="outside lower center", ncols=3)
+        headline(figure, "Only a central router or hub silences the fleet")
     return figure
 
 
 def noticed() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
     with style():
-        figure = Figure(figsize=(6.2, 3.0))
+        figure = Figure(figsize=(WIDTH, 2.6))
         _draw_noticed(figure.subplots(), noticed_data())
+        headline(figure, "A failed robot stays listed for about one lease")
     return figure
 
 
-def _draw_lanes(axis: Axes, data: pd.DataFrame) -> None:
+def _draw_lanes(axis: Axes, data: pd.DataFrame) -> list[Patch | Line2D]:
+    """Draw the lanes and return what their marks look like."""
     colors = lights("series")
     place, places, labels = 0.0, [], []
     for title, rows in data.groupby("title", sort=False):
@@ -297,17 +302,11 @@ def _draw_lanes(axis: Axes, data: pd.DataFrame) -> None:
     axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
     axis.set_ylim(place + 0.6, 0.5)
     axis.grid(axis="y", visible=False)
-    axis.set_title("Only a central router or hub silences the fleet", loc="left")
-    axis.legend(
-        handles=[
-            Patch(color=colors["blue"], label="hear each other"),
-            Patch(fc="white", ec=colors["vermilion"], hatch="////", label="do not"),
-            Line2D([], [], color="black", lw=1.6, label="server or router is back"),
-        ],
-        loc="upper center",
-        bbox_to_anchor=(0.4, -0.12),
-        ncols=3,
-    )
+    return [
+        Patch(color=colors["blue"], label="hear each other"),
+        Patch(fc="white", ec=colors["vermilion"], hatch="////", label="do not"),
+        Line2D([], [], color="black", lw=1.6, label="server or router is back"),
+    ]
 
 
 def _draw_noticed(axis: Axes, data: pd.DataFrame) -> None:
@@ -327,7 +326,6 @@ def _draw_noticed(axis: Axes, data: pd.DataFrame) -> None:
     axis.invert_yaxis()
     axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
     axis.grid(axis="y", visible=False)
-    axis.set_title("A failed robot stays listed for about one lease", loc="left")
     axis.legend(
         handles=[
             *(Patch(color=colors[color], label=label) for _, color, label in looks.values()),
