@@ -105,7 +105,7 @@ def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulati
 def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
     """Return how much longer the simulated burst takes beside user data."""
     longer, usual = (
-        f"over after {words.duration(taken)}" if taken < float("inf") else "never over in this time"
+        f"over after {words.duration(taken)}" if taken < float("inf") else "not over by the end"
         for taken in (median(one.drain_time.tolist()) for one in (found, alone))
     )
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
