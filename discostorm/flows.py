@@ -7,7 +7,7 @@ from discostorm import _checks, _names
 from discostorm.data import read_data
 
 #: To whom each sample goes; see `Flow`.
-Receivers = Literal["one host", "wired host", "all others"]
+Receivers = Literal["one host", "wired host", "all others", "multicast"]
 
 #: Most samples a second [Hz], and longest sample [B].
 _MOST_RATE, _MOST_BYTES = 1e6, 1e8
@@ -23,20 +23,23 @@ class Flow:
     ----------
     topic : str
         Its name; no two of a group are the same.
-    to : {"one host", "wired host", "all others"}
+    to : {"one host", "wired host", "all others", "multicast"}
         Who has a reader, one each: one of the other hosts, each as likely; a host that is wired to
-        the access point, whether the fleet lists it or not; every other host.
+        the access point, whether the fleet lists it or not; every other host; every other host,
+        all of which hear the same multicast frames (over TCP, as Zenoh
+        sends, a copy for each).
     rate : float
         Samples a second of each host [Hz], from 1e-6 to 1e6.
     bytes : float
         Size of a sample [B], serialized, without the four octets that say how; from 0 to 1e8.
     reliable : bool
-        Whether the reader acknowledges.
+        Whether the reader acknowledges; not by multicast.
 
     Raises
     ------
     ValueError
-        If a number is out of range, the topic has no name, or `to` is none of these.
+        If a number is out of range, the topic has no name, `to` is none of these, or a reliable
+        topic goes by multicast.
     TypeError
         If one is of another kind.
 
@@ -62,6 +65,11 @@ class Flow:
             value = _checks.number(name, getattr(self, name), least, most)
             object.__setattr__(self, name, value)
         object.__setattr__(self, "reliable", _checks.boolean("reliable", self.reliable))
+        if self.reliable and self.to == "multicast":
+            raise ValueError(
+                "reliable must be False by multicast, as answers to it are not counted; got True. "
+                "Take 'all others' for one unicast copy to each host"
+            )
 
 
 def topics() -> dict[str, dict[str, Any]]:

@@ -11,7 +11,16 @@ import sys
 from dataclasses import asdict
 
 from sweep_ladder import decided, ladder
-from sweep_others import by_host, events, heard, records, saturation, user_data, waiting
+from sweep_others import (
+    by_host,
+    events,
+    heard,
+    mixed,
+    records,
+    saturation,
+    user_data,
+    waiting,
+)
 from sweep_setting import ROOT, SOURCE, TABLES, Setting, path_of, result
 from sweep_tables import SWEEPS, settings_of
 
@@ -40,7 +49,7 @@ def main() -> None:
 
     parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
     parser.add_argument(
-        "--only", choices=[*SWEEPS, "air", "user_data"], help="one table; default: all"
+        "--only", choices=[*SWEEPS, "air", "mixed", "user_data"], help="one table; default: all"
     )
     only = parser.parse_args().only
     wanted = {name: settings_of(name) for name in SWEEPS if only in (None, name)}
@@ -63,6 +72,8 @@ def main() -> None:
         write("air", records(air.start()))
     if only in (None, "user_data"):
         write("user_data", [row | SOURCE for row in user_data()])
+    if only in (None, "mixed"):
+        write("mixed", [row | SOURCE for row in mixed()])
     if only in (None, "queues"):
         write("hosts", [row | SOURCE for row in by_host()])
         write("heard", [row | SOURCE for row in heard()])

@@ -11,10 +11,11 @@ from sweep_setting import PAPER, SEED, Setting, rounded, spread
 from sweep_tables import BESIDE, each
 
 import discostorm as ds
-from discostorm.book import trace
+from discostorm.book import sweeps, trace
 from discostorm.data import data_path
 from discostorm.simulation import disc, powers
 from discostorm.simulation.places import THRESHOLD
+from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import finish, set_up
 from discostorm.simulation.traffic import ticks
 
@@ -117,6 +118,39 @@ def user_data(runs: int = 20) -> list[dict[str, object]]:
             for column in ("delay_median_s", "delay_95_s", "delay_most_s"):
                 row |= {column: rounded(float(np.median(own[column])))}
             rows.append(row)
+    return rows
+
+
+def mixed(runs: int = 40) -> list[dict[str, object]]:
+    """Return bursts beside user data, with the settings of ``measured/ns3_mixed.csv``."""
+    rows: list[dict[str, object]] = []
+    for mpdus, hz in product((1, 64), (10.0, 35.0)):
+        found = ds.simulate(
+            sweeps.mixed(hz),
+            ds.DDS,
+            sweeps.channel(mpdus),
+            recovery=False,
+            runs=runs,
+            seed=SEED,
+            until=4.0,
+            agreements="in place",
+        )
+        own = {"lost": found.lost, "drain_time_s": found.drain_time, "busy_s": found.busy_time}
+        of = {"burst": (own, found.counts)} | {
+            name.partition(" of ")[0]: (
+                {"lost": 1 - topic["arrived"] / topic["frames"]}
+                | {delay: topic[delay] for delay in ("delay_median_s", "delay_95_s")},
+                {"expected": topic["frames"], **topic},
+            )
+            for name, topic in found.data.items()
+        }
+        for what, (values, counts) in of.items():
+            row: dict[str, object] = {"protocol": "DDS", "image_hz": hz, "mpdus": mpdus}
+            row |= {"what": what, "runs": runs}
+            for name, times in values.items():
+                row |= spread(name, times)
+            named = ("expected", "arrived", *CAUSES)
+            rows.append(row | {name: int(counts[name].sum()) for name in named})
     return rows
 
 

@@ -1,6 +1,7 @@
 """What ns-3 measured: the tables are whole and add up, and simple cases agree with theory."""
 
 from collections import Counter
+from itertools import product
 from math import ceil
 from statistics import mean
 
@@ -13,6 +14,7 @@ from discostorm.data import read_data
 BURSTS = read_data("measured/ns3_bursts.csv")
 FRAMES = read_data("measured/ns3_frames.csv")
 SATURATION = read_data("measured/ns3_saturation.csv")
+QUARTILES = ("_q25", "", "_q75")
 CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
 
 # Independent of the package: Table II of the paper [B], and 802.11n, 20 MHz, 5 GHz [us].
@@ -100,6 +102,38 @@ def test_bursts_have_only_the_losses_of_their_settings() -> None:
             burst = whole(row, "sent") // bursts
             left_out = max(0, burst - whole(row, "queue_frames"))
             assert lost["host_full"] == bursts * left_out, row
+
+
+def test_a_burst_beside_data_adds_up() -> None:
+    rows = read_data("measured/ns3_mixed.csv")
+    settings = Counter((row["image_hz"], row["ampdu"]) for row in rows)
+    assert settings == dict.fromkeys(product(("10.0", "35.0"), ("0", "65535")), 4)
+    for row in rows:
+        runs = whole(row, "runs")
+        assert runs == 40
+        lost = sum(whole(row, cause) for cause in CAUSES)
+        assert whole(row, "expected") == whole(row, "arrived") + lost + whole(row, "waiting"), row
+        # Five robots: the paper's messages of 2 processes of 10 endpoints; each second 5 scans and
+        # 50 transforms, which four others hear, and images of 14 frames.
+        each = {
+            "burst": 10 * 8 * 14 + 10 * 4,
+            "scan": 5 * 5 * 4 * 2,
+            "tf": 5 * 50 * 4 * 4,
+            "image": 5 * number(row, "image_hz") * 4 * 14,
+        }
+        assert whole(row, "expected") == runs * each[row["what"]], row
+        if row["what"] == "burst":
+            low, middle, high = (number(row, f"drain_time_s{part}") for part in QUARTILES)
+            assert 0 < low <= middle <= high < number(row, "busy_s")
+            assert row["waiting"] == "0"
+        else:
+            assert 0 < number(row, "delay_median_s") < number(row, "delay_95_s") < 1
+        # What goes to a wired host does not wait at the access point, and only multicast is lost
+        # on the air.
+        if row["what"] == "image":
+            assert row["ap_full"] == row["ap_age"] == row["ap_retry"] == "0"
+        if row["what"] in ("image", "scan"):
+            assert row["on_air"] == "0"
 
 
 def test_bursts_on_the_air() -> None:

@@ -7,15 +7,20 @@ import pytest
 from numpy.typing import NDArray
 
 import discostorm as ds
+from discostorm.book import sweeps
 from discostorm.data import read_data
 from discostorm.simulation import disc, powers
+from discostorm.simulation.result import CAUSES
 from discostorm.simulation.run import Setup, finish, one_run, set_up
 from discostorm.simulation.traffic import kind_records, ticks
+from discostorm.wifi.channel import TICK
 
 Row = dict[str, str]
 
 #: What may differ: drain time without and with aggregation [1], losses [1].
 DRAIN, DRAIN_AGGREGATED, LOST = 0.02, 0.05, 0.03
+#: And beside user data: airtime and delays [1].
+BUSY, DELAY = 0.01, 0.05
 RUNS = 20
 
 #: Rows of settings that the simulator has; another order and no requests are ns-3's alone.
@@ -140,6 +145,59 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
     cell = finish(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
     assert int(cell.now["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
+
+
+def by_setting(rows: list[Row]) -> dict[tuple[str, str], list[Row]]:
+    """Return the rows of each setting of the mixed case."""
+    found: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        found.setdefault((row["image_hz"], row["ampdu"]), []).append(row)
+    return found
+
+
+MIXED = by_setting(read_data("measured/ns3_mixed.csv"))
+
+
+@pytest.mark.parametrize("rows", MIXED.values(), ids=["-".join(setting) for setting in MIXED])
+def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
+    """Drain time, airtime, losses by cause and delays of a burst and three topics."""
+    image_hz, ampdu, until = (float(rows[0][name]) for name in ("image_hz", "ampdu", "until_s"))
+    wifi = channel(64 if ampdu else 1, 3)
+    # As in `plan_of`, the length of ns-3's frames is that of the tables.
+    what, alone = (
+        set_up(sweeps.mixed(image_hz), ds.DDS, one, (500, 0.5), 0.0, 0.0, False, until, False)
+        for one in (wifi, replace(wifi, aggregation=None))
+    )
+    what = replace(what, kinds=alone.kinds)
+    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    assert what.user_data is not None
+    stamp = what.user_data.stamp * TICK
+    for row in rows:
+        assert (row["queue_frames"], row["queue_s"]) == ("500", "0.5")
+        if row["what"] == "burst":
+            counts: list[dict[str, float]] = [dict(run.counts) for run in runs]
+            limit = DRAIN_AGGREGATED if ampdu else DRAIN
+            drained = np.array([run.drain_time for run in runs])
+            agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
+            agree(row, "busy_s", np.array([run.busy for run in runs]), BUSY * float(row["busy_s"]))
+        else:
+            counts = [run.data[f"{row['what']} of robots"] for run in runs]
+            counts = [one | {"expected": one["frames"]} for one in counts]
+            for name in ("delay_median_s", "delay_95_s"):
+                # Delays here are differences of two times in whole stamps.
+                limit = stamp + DELAY * float(row[name])
+                agree(row, name, np.array([one[name] for one in counts]), limit)
+        expected = float(row["expected"]) / int(row["runs"])
+        # A sample's phase decides whether there is one more before the end.
+        assert np.mean([one["expected"] for one in counts]) == pytest.approx(expected, rel=0.005)
+        lost = np.array([1 - one["arrived"] / one["expected"] for one in counts])
+        agree(row, "lost", lost, LOST)
+        spread = (float(row["lost_q75"]) - float(row["lost_q25"])) / 1.349
+        chance = np.hypot(spread / np.sqrt(int(row["runs"])), lost.std() / np.sqrt(lost.size))
+        for cause in CAUSES:
+            ours = np.mean([one[cause] / one["expected"] for one in counts])
+            theirs = float(row[cause]) / float(row["expected"])
+            assert abs(ours - theirs) <= LOST + 3 * chance, (row, cause)
 
 
 def test_the_standards_own_durations_are_little_longer() -> None:

@@ -16,6 +16,7 @@ from discostorm.flows import Flow, flow, topics
 from discostorm.messages import data_table
 from discostorm.messages.data_table import answers, frames, framing
 from discostorm.model import burst
+from discostorm.simulation.result import CAUSES
 from discostorm.wifi.radio import both_ends
 
 HEADERS = 24 + 4 + 8 + 20  # of a frame before IP's data: MAC, FCS, LLC and SNAP, IPv4
@@ -228,7 +229,10 @@ reliable = true
     [
         ('topic = "scan"', "data 1 (scan): to is missing; it must be 'one host' or 'wired host'"),
         ('to = "one host"', "data 1: topic is missing; it must be a text"),
-        ('topic = "scan"\nto = "all"', "to must be 'one host' or 'wired host' or 'all others'"),
+        (
+            'topic = "scan"\nto = "all"',
+            "'wired host' or 'all others' or 'multicast'",
+        ),
         ('topic = "scam"\nto = "one host"', "rate is missing; only the ready-made topics scan"),
         ('topic = "scam"\nto = "one host"', "Did you mean 'scan'?"),
         ('topic = "scan"\nto = "one host"\nhz = 5', "got hz = 5"),
@@ -530,9 +534,97 @@ def test_data_that_do_not_fit_are_late_and_lost() -> None:
     assert (own["delay_most_s"] < 1.2).all()
 
 
-def test_data_need_recovery_to_be_simulated() -> None:
-    with pytest.raises(ValueError, match=r"recovery must be True for a fleet with data"):
-        ds.simulate(fleet(sample(9)), ds.PROTOCOLS[FAST], ds.PAPER, recovery=False)
+@pytest.mark.parametrize("name", ["DDS", "Fast DDS", "Zenoh peer", "Zenoh router"])
+def test_without_recovery_data_are_sent_from_the_start_to_the_end(name: str) -> None:
+    """Samples are counted, what becomes of their frames adds up, and a burst is sent once."""
+    protocol = ds.PROTOCOLS[name]
+    own = fleet(sample(9_000, True), Flow("scan", "wired host", 5, 1500, False), hosts=4)
+    settings: dict[str, Any] = {"recovery": False, "runs": 3, "until": 6.0, "start": [0, 0, 1, 2]}
+    found = ds.simulate(own, protocol, ds.PAPER, **settings)
+    table = data_table(protocol, own)
+    assert table is not None
+    counts = dict.fromkeys(found.data, 0.0)
+    for row in table.messages:
+        if not row.name.endswith("answers"):
+            counts[row.name.partition(",")[0]] += row.frames
+    # The run ends this long after the last host's start.
+    lasting = 8 + 8 + 7 + 6
+    for topic, rate, receivers in (("own of robots", 10, 3), ("scan of robots", 5, 1)):
+        seen = found.data[topic]
+        expected = counts[topic] * rate * receivers * lasting
+        assert seen["frames"] == pytest.approx(expected, abs=4 * counts[topic] * receivers)
+        ended = seen["arrived"] + sum(seen[cause] for cause in CAUSES)
+        assert (ended <= seen["frames"]).all()
+        assert (ended >= seen["frames"] - 600).all()  # what is in queues at the end
+    alone = ds.simulate(own.without_data(), protocol, ds.PAPER, **settings)
+    if name in ("DDS", "Zenoh"):  # nothing of the table comes again
+        assert (found.counts["expected"] == alone.counts["expected"]).all()
+    assert np.median(found.drain_time) > np.median(alone.drain_time)
+    assert ds.simulate(own, protocol, ds.PAPER, **settings) == found
+
+
+def test_without_recovery_samples_are_answered_as_they_are_counted() -> None:
+    """Reliable samples of Cyclone DDS, and those of Zenoh over TCP: on the air as by the sum."""
+    wifi = ds.Radio("802.11n", streams=2).wifi()
+    for name, own in (("Cyclone DDS", sample(100, True)), ("Zenoh peer", sample(5_000))):
+        protocol = ds.PROTOCOLS[name]
+        small = ds.Fleet((ds.HostGroup(2, 1, 1, "robots", data=(own,)),))
+        found = ds.simulate(small, protocol, wifi, recovery=False, runs=2, until=20.0, queue=None)
+        rows = [m.name for m in found.protocol.messages]
+        share = found.airtime_table()[["up_s", "down_s"]].sum(axis=1) / 20
+        answered = share[[n for n in rows if n.endswith(", answers")]].sum()
+        assert answered > 0
+        mine = share[[n for n in rows if " of robots, " in n]].sum()
+        table = data_table(protocol, small)
+        assert table is not None
+        radio = wifi.radio
+        assert radio is not None
+        waits = (radio.aifs + radio.cw_min / 2 * radio.slot) * sum(
+            m.load(small) * m.frames * len(m.hops) / m.schedule.period for m in table.messages
+        )
+        counted = ds.utilization(protocol, small, wifi=wifi, phase="data") - float(waits)
+        assert mine == pytest.approx(counted, rel=0.05)
+
+
+def test_a_multicast_sample_goes_up_once_and_down_once() -> None:
+    own = fleet(sample(100, to="multicast"), hosts=5)
+    up, down = ds.PAPER.unicast, ds.PAPER.multicast
+    (size,) = frames(sample(100), framing(FAST))
+    bits = 8 * (HEADERS + size)
+    each = bits / up.rate + up.overhead + bits / down.rate + down.overhead
+    assert ds.utilization(ds.DDS, own, phase="data") == pytest.approx(5 * 10 * each, rel=1e-12)
+    for recovery in (True, False):
+        # Discovery ends the run.
+        found = ds.simulate(own, ds.DDS, ds.PAPER, recovery=recovery, runs=3, until=5.0)
+        ((name, seen),) = found.data.items()
+        assert name == "own of robots"
+        assert (seen["frames"] % 4 == 0).all()
+        assert (seen["frames"] - seen["arrived"] <= seen["frames"] / 4).all()
+        if not recovery:
+            assert (seen["frames"] == 5 * 50 * 4).all()
+            assert (seen["arrived"] + sum(seen[cause] for cause in CAUSES) <= 1000).all()
+            assert seen["on_air"].sum() > 0
+
+
+def test_a_multicast_sample_is_a_copy_for_each_over_tcp_and_is_not_acknowledged() -> None:
+    for name in ("Zenoh", "Zenoh peer"):
+        multicast, each = (
+            ds.utilization(ds.PROTOCOLS[name], fleet(sample(100, to=to)), phase="data")
+            for to in ("multicast", "all others")
+        )
+        assert multicast == each
+    with pytest.raises(ValueError, match="reliable must be False by multicast"):
+        sample(100, True, "multicast")
+
+
+def test_commands_simulate_data_without_recovery() -> None:
+    text = FILE + FILE_WITH_DATA.format(rate=10)
+    for options in (("--no-recovery",), ("--protocol", "Zenoh router")):
+        said = " ".join(
+            run("simulate", "-", "--runs", "2", "--until", "3", *options, text=text).split()
+        )
+        assert "beside your data, and over after" in said
+        assert "Data until the end of the run, median of the runs:" in said
 
 
 def test_simulate_tells_both_and_how_late_data_are() -> None:

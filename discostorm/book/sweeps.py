@@ -1,11 +1,13 @@
 """Stored sweeps for the chapters: what was simulated, and what ns-3 found beside it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
 
 from discostorm.data import data_path
+from discostorm.fleet import Fleet
 from discostorm.model import utilization
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import Radio, Wifi
@@ -22,6 +24,14 @@ def load(name: str, folder: str = "simulated") -> pd.DataFrame:
 def channel(mpdus: int = 1) -> Wifi:
     """Return the channel of the sweeps: 802.11n, two streams, 20 MHz, best effort."""
     return Radio("802.11n", streams=2, aifsn=3, mpdus=mpdus).wifi()
+
+
+def mixed(image_hz: float) -> Fleet:
+    """Return robots whose burst is beside user data, with that rate of their largest topic."""
+    fleet = Fleet.from_toml(data_path("fleets/mixed_data.toml"))
+    (robots,) = fleet.groups
+    data = tuple(replace(f, rate=image_hz) if f.topic == "image" else f for f in robots.data)
+    return replace(fleet, groups=(replace(robots, data=data),))
 
 
 def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:

@@ -83,7 +83,7 @@ def plan(
     \b
       [[groups.data]]
       topic = "scan"
-      to = "wired host"   # or "one host", "all others"
+      to = "wired host"   # or "one host", "all others", "multicast"
       rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
 
     The answer comes first: the discovery time, or else the drain time of the channel. Radios from

@@ -102,6 +102,15 @@ def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulati
     )
 
 
+def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
+    """Return how much longer the simulated burst takes beside user data."""
+    longer, usual = (
+        f"over after {words.duration(taken)}" if taken < float("inf") else "not over by the end"
+        for taken in (median(one.drain_time.tolist()) for one in (found, alone))
+    )
+    return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
+
+
 @says_what_matches
 @click.command()
 @swarm_options
@@ -128,7 +137,7 @@ def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulati
         default=120.0,
         show_default=True,
         metavar="s",
-        help="Simulated time after the last start, with recovery.",
+        help="Simulated time after the last start, with recovery or user data.",
     ),
     click.option(
         "--unlimited", is_flag=True, help="Unlimited queues instead of 500 frames and 0.5 s."
@@ -149,6 +158,7 @@ def simulate(
 
     If FLEET lists topics ([[groups.data]]), they are sent beside discovery, and each run is
     repeated without them. A second table tells how late samples were, and which frames arrived.
+    Without recovery they are sent from each host's start on, until the end of the simulated time.
 
     Drained is the end of the last transmission of the start, lost the part of the frames that
     never arrived, converged when every process first knew each other one and its endpoints.
@@ -169,21 +179,20 @@ def simulate(
     with bad_input():
         arguments = how.arguments()
         for protocol in protocols:
+            fleets = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
             try:
-                found[protocol.name] = ds.simulate(fleet, protocol, wifi, **arguments)
-                if fleet.has_data:
-                    alone[protocol.name] = ds.simulate(
-                        fleet.without_data(), protocol, wifi, **arguments
-                    )
+                results = [ds.simulate(one, protocol, wifi, **arguments) for one in fleets]
             except ImportError as error:
                 raise BadInput(str(error)) from error
             except ValueError as error:
-                if fleet.has_data or not str(error).startswith(REFUSED):
+                if not str(error).startswith(REFUSED):
                     raise
                 refused[protocol.name] = str(error).partition(": ")[2]
-                found[protocol.name] = ds.simulate(
-                    fleet, protocol, wifi, **arguments | {"recovery": False}
-                )
+                unrepaired = arguments | {"recovery": False}
+                results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in fleets]
+            found[protocol.name] = results[0]
+            if fleet.has_data:
+                alone[protocol.name] = results[1]
     if refused:
         told = words.listed(list(refused))
         why = next(iter(refused.values()))
@@ -199,16 +208,19 @@ def simulate(
         ((name, one),) = found.items()
         modeled = not how.no_recovery and name not in refused
         said = how.answer(one) if modeled else drain(protocols[0], fleet, wifi, one)
+        if name in alone and not modeled:
+            said += beside(one, alone[name])
         click.echo(visible(words.wrapped(said)) + "\n")
     shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
-        if name in refused:
-            table["convergence_time_s"] = None if output.as_csv else float("nan")
         if name in alone:
             place = list(table).index("convergence_time_s") + 1
             table.insert(place, ALONE, alone[name].convergence_time)
+        if name in refused:
+            without = [c for c in ("convergence_time_s", ALONE) if c in table]
+            table[without] = None if output.as_csv else float("nan")
         named = {"protocol": name} if len(protocols) > 1 else {}
         columns = [c for c in table if c in (*shown, ALONE)]
         kept = table if output.as_csv else table[columns]
@@ -229,7 +241,12 @@ def simulate(
         },
     )
     if alone and output.for_people:
-        click.echo("\nData until discovery was complete, median of the runs:\n")
+        ends = "until the end of the run"
+        if not (how.no_recovery or refused):
+            ends = "until discovery was complete"
+        elif not how.no_recovery and len(refused) < len(found):
+            ends = "until discovery was complete or, where it is not simulated, the end of the run"
+        click.echo(f"\nData {ends}, median of the runs:\n")
         print_rows(_late(found), output, {"arrived": percent}, {"frames": "frames sent"})
     print_channel(wifi, output)
 

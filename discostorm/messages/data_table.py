@@ -132,6 +132,7 @@ def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Messag
     """Yield the rows of a topic of a group; none where no reader is on another host."""
     group, others = fleet.groups[index], float(fleet.hosts()) - 1
     hops: tuple[Hop, ...] = ("up", "down")
+    multicast = flow.to == "multicast" and how.transport == "UDP"
     unit, per_unit = Unit("host", "other host", group=index), 1.0
     if flow.to == "wired host":
         if group.wired:
@@ -141,6 +142,8 @@ def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Messag
         return
     elif flow.to == "one host":
         per_unit = 1 / others
+    elif multicast:
+        unit = Unit("host", group=index)
     name = f"{flow.topic} of {fleet.names[index]}"
 
     def row(what: str, many: float, data: float, back: bool = False) -> Message:
@@ -149,7 +152,7 @@ def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Messag
         return Message(
             name=f"{name}, {what}",
             phase=DATA,
-            cast="unicast",
+            cast="multicast" if multicast else "unicast",
             transport=how.transport,
             payload=Payload(size, size, size, "data/vendors/data_framing.csv and the fleet"),
             unit=unit,

@@ -94,7 +94,7 @@ def simulate(
         `discostorm.simulation.recovery` says; not for tables whose processes announce
         themselves to servers or routers, such as "Fast DDS Discovery Server" or "Zenoh router".
         If not, each host sends all that its
-        schedules say by the clock, nothing answers and nothing is repeated but by Wi-Fi.
+        schedules say by the clock, nothing answers discovery and nothing is repeated but by Wi-Fi.
     runs : int, optional
         Independent runs [1]. They go side by side through joblib, which
         `joblib.parallel_config` directs.
@@ -103,7 +103,7 @@ def simulate(
         bit.
     until : float, optional
         With recovery, when to give up [s] after the last host's start, above 0 and at most
-        1e6; without it a run ends when the burst is through.
+        1e6; without it a run ends when the burst is through or, beside data, always at this time.
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.

@@ -251,12 +251,17 @@ class Cell(NamedTuple):
     repairs: Records
     pairs: Records
     has: Ints
-    #: Of user data how many frames were late by so many stamps; last, how many were sent.
+    #: Of user data how many frames were late by so many stamps; from `SENT_FRAMES` on how many
+    #: were sent, and lost by cause: at their host, at the access point, on the air.
     delays: Ints
     airtime: Ints
     samples: Records
     log: Records
 
+
+#: Where a row of `Cell.delays` counts what was sent, and where its losses begin and end.
+SENT_FRAMES = ITEMS + 1
+LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: What happens, above the bits that say to whom: a host or process, another, a row of the table.
 _EVENT = 56

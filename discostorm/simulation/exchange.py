@@ -59,7 +59,8 @@ def note(cell, station, start, end, outcome):
     """Record a transmission."""
     now, sent = cell.now[0], cell.stations[station].sent
     column = FAILED if outcome != SUCCESS else (UP if station < now.hosts else DOWN)
-    burst = sent == 0
+    # Beside user data requests go on when the burst is through.
+    burst = sent == 0 and (now.stamp == 0 or now.open > 0)
     if sent == 1:  # by far the most
         held = cell.window[station, 0]
         now.ppdus += 1

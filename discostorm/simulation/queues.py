@@ -11,6 +11,7 @@ from discostorm.simulation.cell import (
     AGE,
     FULL,
     ITEMS,
+    LOSSES,
     NEXT_ITEM,
     RETRY,
     STEADY,
@@ -71,6 +72,15 @@ def lose(cell, frame, station, cause):
     if not frame & STEADY:
         cell.now[0].open -= 1
         count_lost(cell, receivers(cell, frame), host_of(cell, frame), station, cause)
+    elif cell.kinds[kind_of(frame)].user:
+        lose_user_data(cell, frame, receivers(cell, frame), station, cause)
+
+
+@shared
+def lose_user_data(cell, frame, times, station, cause):
+    """Count receptions of user data that will not be, in the order of `result.CAUSES`."""
+    place = LOSSES + cause + 3 * (station == cell.now[0].hosts)
+    cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
 @shared

@@ -43,6 +43,7 @@ from discostorm.simulation.cell import (
 )
 from discostorm.simulation.medium import offer_burst, offer_new
 from discostorm.simulation.queues import number, number_to_all
+from discostorm.simulation.samples import has_found, is_user_data, send_user_data
 
 _MASK = (1 << PROCESS_BITS) - 1
 _WORD = 64
@@ -266,21 +267,6 @@ def expire(cell, reader, time):
     later(cell, following, EXPIRE | reader)
 
 
-@njit
-def stamp(cell, time):
-    """Return the time in stamps, as user data carry it in the place of a number."""
-    return (time // cell.now[0].stamp) & ITEMS
-
-
-@shared
-def send_user_data(cell, row, source, to, time):
-    """Send the frames of a sample, with the time at which it was made."""
-    times = number_to_all(cell, source, row) if to == source else number(cell, source, to, row)
-    for _ in range(times):
-        cell.delays[cell.kinds[row].user - 1, ITEMS + 1] += 1
-        offer_new(cell, compose(row, source, to, stamp(cell, time)) | STEADY, time)
-
-
 @shared
 def send_by_clock(cell, host, batch, time):
     """Send what a host's processes send by the clock: to all, or to each that is known.
@@ -302,11 +288,10 @@ def send_by_clock(cell, host, batch, time):
                     offer_new(cell, compose(row, process, process, item) | flag, time)
                 continue
             for other in range(cell.processes.size):
-                pair = cell.pairs[process, other]
                 if kind.user:
-                    if pair.done:
+                    if has_found(cell, process, other):
                         send_user_data(cell, row, process, other, time)
-                elif pair.known or kind.to_unknown:
+                elif cell.pairs[process, other].known or kind.to_unknown:
                     send_items(cell, row, process, other, time, flag)
 
 
@@ -426,8 +411,6 @@ def arrive(cell, frame, process, time):
     """Let a process take in a message."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     its = cell.processes[process]
-    if kind.user:
-        cell.delays[kind.user - 1, (stamp(cell, time) - item_of(frame)) & ITEMS] += 1
     if time < its.start or cell.processes[source].host == its.host:
         return
     hear(cell, frame, process, time)
@@ -446,8 +429,12 @@ def arrive(cell, frame, process, time):
 
 @njit
 def settled(cell):
-    """Return whether everybody knows everybody, or need not."""
-    return cell.now[0].repairs == 0 or cell.now[0].converged > 0
+    """Return whether everybody knows everybody, or need not.
+
+    Beside user data a run without recovery lasts until its end is due.
+    """
+    now = cell.now[0]
+    return now.converged > 0 if now.repairs else now.stamp == 0
 
 
 @shared
@@ -461,7 +448,7 @@ def happen(cell, time, what):
             later(cell, time + period, what)
         else:
             cell.now[0].coming -= 1
-        if cell.now[0].repairs:
+        if cell.now[0].repairs or is_user_data(cell, other):
             send_by_clock(cell, one, other, time)
         else:
             offer_burst(cell, one, other, time)

@@ -124,10 +124,12 @@ class Simulation:
     transmissions : ndarray
         The first transmissions of the first run, see `transmission_table`.
     data : dict of str to dict
-        Of each topic of user data, until discovery was complete or given up: ``frames`` that were
-        sent and of these ``arrived`` [1]; ``delay_median_s``, ``delay_95_s`` and ``delay_most_s``
-        from when a sample was made to the arrival of its last frames [s], NaN if none arrived.
-        Frames in a queue at the end have not arrived. Empty without user data.
+        Of each topic of user data, until discovery was complete or given up, without recovery until
+        the end: ``frames`` that were sent, of these ``arrived``, and those lost by cause, named as
+        in `counts` [1], a multicast frame once for each host that was to receive it;
+        ``delay_median_s``, ``delay_95_s`` and ``delay_most_s`` from when a sample was made to the
+        arrival of its last frames [s], NaN if none arrived. Frames in a queue at the end have not
+        arrived. Empty without user data.
     """
 
     fleet: Fleet

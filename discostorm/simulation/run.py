@@ -103,6 +103,10 @@ class Setup:
             first,
             self.user_data.stamp if self.user_data else 0,
         )
+        for number in self.user_data.bursts if self.user_data else ():
+            first_row, *rows = self.bursts.messages[number]
+            # So that all rows of a sample of few frames go to the same of several hosts.
+            cell.part[:, rows] = cell.part[:, [first_row]]
         return cell, starts
 
     @property
@@ -114,7 +118,8 @@ class Setup:
         least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
-            return least + int((each * one_hop).sum()) * most
+            own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == _cell.ANSWER)
+            return least + int((each * (one_hop | own)).sum()) * most
         return least + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
     def estimate(self) -> tuple[float, float]:
@@ -126,7 +131,8 @@ class Setup:
         of_row += np.where(alone, 0.0, remote * self.shares.each.sum(axis=0))
         frames = float(of_row.sum())
         # What is sent again and again, while others start and until it is given up.
-        span = self.spread + (self.until if self.repairs is not None else 0.0)
+        lasts = self.repairs is not None or self.user_data is not None
+        span = self.spread + (self.until if lasts else 0.0)
         again = span * sum(
             float(of_row[list(rows)].sum()) / period
             for rows, period in zip(self.bursts.messages, self.bursts.period, strict=True)
@@ -178,7 +184,7 @@ def set_up(
             )
         heard = from_decibels(heard)
     radio = radio_record(wifi, queue, eifs, threshold)
-    discovery, protocol = protocol, with_user_data(protocol, fleet, recovery)
+    discovery, protocol = protocol, with_user_data(protocol, fleet)
     ports = spread(protocol) if recovery else ()
     kinds, shares = kind_records(protocol, wifi, hosts, ports), shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
@@ -209,7 +215,7 @@ def set_up(
         queue,
         start,
         np.broadcast_to(errors, count),
-        until if recovery else np.inf,
+        until if recovery or user_data is not None else np.inf,
         float(np.ptp(starts)),
         cold,
         heard,

@@ -7,6 +7,7 @@ from discostorm.simulation.agreements import agreed, ask, choose_action
 from discostorm.simulation.cell import (
     AGE,
     AGREED,
+    AIR,
     ASKED,
     DOWNWARD,
     NEVER,
@@ -27,11 +28,13 @@ from discostorm.simulation.queues import (
     frames_of,
     host_of,
     lose,
+    lose_user_data,
     make,
     receiver,
     take_same,
 )
-from discostorm.simulation.recovery import arrive
+from discostorm.simulation.recovery import answer, arrive
+from discostorm.simulation.samples import take_user_data
 
 #: Marks a frame of an A-MPDU that has not arrived, in the time at which it came.
 MISSING = np.int64(2**62)
@@ -80,8 +83,12 @@ def deliver(cell, station, frame, time, alone):
     now.open -= burst
     if station < now.hosts or not row.multicast:
         now.arrived += burst
+        if row.user:
+            take_user_data(cell, frame, time)
         if now.repairs:
             arrive(cell, frame, destination_of(frame), time)
+        elif row.user:
+            answer(cell, frame, destination_of(frame), time)
         return
     sender = host_of(cell, frame)
     for host in range(now.hosts):
@@ -92,8 +99,12 @@ def deliver(cell, station, frame, time, alone):
         if deaf or (its.loss > 0 and uniform(now) < its.loss):
             now.on_air += burst
             cell.stations[sender].missed += burst
+            if row.user:
+                lose_user_data(cell, frame, 1, station, AIR)
             continue
         now.arrived += burst
+        if row.user:
+            take_user_data(cell, frame, time)
         if now.repairs:
             for process in range(its.first, its.first + its.processes):
                 arrive(cell, frame, process, time)

@@ -432,7 +432,7 @@ def new_cell(
 def _delays(kinds: Records) -> NDArray[np.int64]:
     """Return of each row of user data how many were how late, and how many there were: none yet."""
     rows = int(kinds["user"].max())
-    return np.zeros((rows, _cell.ITEMS + 2) if rows else (1, 1), np.int64)
+    return np.zeros((rows, _cell.COUNTED) if rows else (1, 1), np.int64)
 
 
 def _pairs(

@@ -1,9 +1,11 @@
 """User data beside discovery: rows of the table, when hosts send them, and how late they were.
 
 A host sends samples to another with their period, the first at random within it, once it has all
-endpoints of that one; to a host that is wired to the access point from its own start on. Samples
-are queued as all else is; what is lost is lost, as no middleware repairs it here. Of what goes to
-one other host, each as likely, the frames of a sample are dealt out to all of them.
+endpoints of that one; by multicast, and to a host that is wired to the access point, from its own
+start on. Without recovery, where nobody discovers anybody, it sends all samples from its start on,
+and the run lasts until its end is due. Samples are queued as all else is; what is lost is lost, as
+no middleware repairs it here. Of what goes to one other host, each as likely, the frames of a
+sample are dealt out to all of them if there are as many; those of a short one go to the same.
 """
 
 from dataclasses import dataclass, replace
@@ -15,6 +17,7 @@ from discostorm.fleet import Fleet
 from discostorm.messages import DATA, Hosts, Message, Protocol, data_table
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Cell, Records
+from discostorm.simulation.result import CAUSES
 from discostorm.simulation.traffic import Bursts, ticks
 from discostorm.wifi.channel import TICK
 
@@ -49,16 +52,11 @@ class UserData:
         ]
 
 
-def with_user_data(protocol: Protocol, fleet: Fleet, recovery: bool = True) -> Protocol:
+def with_user_data(protocol: Protocol, fleet: Fleet) -> Protocol:
     """Return the table with the rows of a fleet's data; who has a sample answers it."""
     table = data_table(protocol, fleet)
     if table is None:
         return protocol
-    if not recovery:
-        raise ValueError(
-            "recovery must be True for a fleet with data, as hosts send them to those that they "
-            "have discovered; got False. Leave the data out with fleet.without_data()"
-        )
     rows: list[Message] = []
     for row in table.messages:
         if _is_answer(row) and row.unit.to_each:
@@ -94,6 +92,11 @@ def user_data_of(
         return bursts, None
     sent = [place for place, row in own if not _is_answer(row)]
     kinds["user"][sent] = np.arange(1, len(sent) + 1)
+    names = [row.name for row in protocol.messages]
+    for place, row in own:
+        if row.answers is not None:
+            kinds["trigger"][place] = _cell.ANSWER
+            kinds["answers"][place] = names.index(row.answers)
     topics: dict[str, list[int]] = {}
     for place, row in own:
         if row.answers is None:
@@ -123,14 +126,17 @@ def user_data_of(
 def found_of(
     topics: tuple[tuple[str, bool], ...], cell: Cell, stamp: int
 ) -> dict[str, dict[str, float]]:
-    """Return of each topic the frames that were sent and arrived, and how late samples ended."""
+    """Return of each topic the frames sent, arrived and lost, and how late samples ended."""
     found: dict[str, dict[str, float]] = {}
     for (topic, ends), counts in zip(topics, cell.delays, strict=True):
-        own = found.setdefault(topic, {"frames": 0.0, "arrived": 0.0})
-        own["frames"] += float(counts[-1])
-        own["arrived"] += float(counts[:-1].sum())
+        own = found.setdefault(topic, dict.fromkeys(("frames", "arrived", *CAUSES), 0.0))
+        late, lost = counts[: _cell.SENT_FRAMES], counts[_cell.LOSSES :]
+        own["frames"] += float(counts[_cell.SENT_FRAMES])
+        own["arrived"] += float(late.sum())
+        for cause, times in zip(CAUSES, lost, strict=True):
+            own[cause] += float(times)
         if ends:
-            many = np.cumsum(counts[:-1])
+            many = np.cumsum(late)
             for name, part in QUANTILES.items():
                 place = int(np.searchsorted(many, part * many[-1])) if many[-1] else -1
                 own[name] = place * stamp * TICK if place >= 0 else float("nan")

@@ -30,10 +30,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 using namespace ns3;
@@ -50,6 +52,8 @@ struct Options
 {
     std::string traffic = "burst";
     std::string messages;
+    std::string data;
+    double until = 0;
     uint32_t hosts = 2;
     uint32_t processes = 2;
     uint32_t senders = 0;
@@ -78,6 +82,14 @@ struct Message
     uint32_t count; // for each process (multicast) or ordered pair of processes (unicast)
 };
 
+// Frames that each host sends with a period besides the burst. Rows of one topic are one sample.
+struct Row
+{
+    std::string topic, to; // "next" host, "wired" host at the access point, "each", "multicast"
+    double period;
+    uint32_t frame, count;
+};
+
 // Where a message that did not arrive was lost; the access point's causes follow the hosts'.
 enum Cause
 {
@@ -94,12 +106,16 @@ enum Cause
 struct Sent
 {
     bool multicast;
+    int row = -1; // of the data; -1 of the burst
+    Time made;
     uint32_t arrived = 0;
     Cause cause = NONE;
-    bool queuedAtHost = false, reachedAp = false, queuedAtAp = false;
+    bool queuedAtHost = false, reachedAp = false, queuedAtAp = false, sentDown = false;
 };
 
 std::vector<Message> messages;
+std::vector<Row> rows;
+std::vector<std::vector<double>> delays; // of each row of the data
 std::vector<Sent> sent;
 NetDeviceContainer devices; // hosts, then the access point
 uint32_t associated = 0;
@@ -111,6 +127,8 @@ struct Air
 {
     Time begin, end;  // of the present busy time
     Time last;        // end of the last transmission
+    Time lastOfBurst; // and of the last with a frame of the burst, with its answer
+    bool answersBurst = false;
     uint32_t open = 0; // transmissions that share it
     Time busy;
     uint64_t ppdus = 0, mpdus = 0, retries = 0, collided = 0, collisions = 0, others = 0;
@@ -180,6 +198,26 @@ ActionOf(Ptr<const Packet> packet)
 }
 
 void
+NoteBurst(uint32_t node, Ptr<const WifiPsdu> psdu, Time end)
+{
+    const auto& header = psdu->GetHeader(0);
+    if (header.IsQosData())
+    {
+        air.answersBurst = false;
+        for (std::size_t i = 0; i < psdu->GetNMpdus(); i++)
+        {
+            auto& message = sent.at(IdOf(psdu->GetPayload(i), LLC));
+            air.answersBurst |= message.row < 0;
+            message.sentDown |= node == options.hosts;
+        }
+    }
+    if (air.answersBurst)
+    {
+        air.lastOfBurst = std::max(air.lastOfBurst, end);
+    }
+}
+
+void
 OnTransmission(uint32_t node, WifiConstPsduMap psdus, WifiTxVector vector, double)
 {
     if (!running)
@@ -217,6 +255,10 @@ OnTransmission(uint32_t node, WifiConstPsduMap psdus, WifiTxVector vector, doubl
     }
     air.end = std::max(air.end, end);
     air.last = std::max(air.last, end);
+    if (options.traffic == "burst")
+    {
+        NoteBurst(node, psdu, end);
+    }
     if (options.trace)
     {
         const char* kind = header.IsQosData()  ? "data"
@@ -234,9 +276,19 @@ OnTransmission(uint32_t node, WifiConstPsduMap psdus, WifiTxVector vector, doubl
 bool
 OnArrival(uint32_t node, Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t, const Address&)
 {
-    if (running && options.traffic == "burst" && node < options.hosts)
+    if (!running || options.traffic != "burst")
     {
-        sent.at(IdOf(packet, 0)).arrived++;
+        return true;
+    }
+    auto& message = sent.at(IdOf(packet, 0));
+    const bool wired = message.row >= 0 && rows[message.row].to == "wired";
+    if (wired == (node == options.hosts))
+    {
+        message.arrived++;
+        if (message.row >= 0)
+        {
+            delays[message.row].push_back((Simulator::Now() - message.made).GetSeconds());
+        }
     }
     return true;
 }
@@ -373,6 +425,51 @@ StartHost(uint32_t host)
 }
 
 void
+SendRow(uint32_t host, uint32_t number)
+{
+    const Row& row = rows[number];
+    const uint32_t ap = options.hosts;
+    std::vector<Address> to;
+    if (row.to == "multicast")
+    {
+        to.push_back(Mac48Address("01:00:5e:7f:00:02"));
+    }
+    else if (row.to == "each")
+    {
+        for (uint32_t other = 0; other < options.hosts; other++)
+        {
+            if (other != host)
+            {
+                to.push_back(devices.Get(other)->GetAddress());
+            }
+        }
+    }
+    else
+    {
+        to.push_back(devices.Get(row.to == "wired" ? ap : (host + 1) % ap)->GetAddress());
+    }
+    for (const auto& address : to)
+    {
+        for (uint32_t i = 0; i < row.count; i++)
+        {
+            sent.push_back({row.to == "multicast", int(number), Simulator::Now()});
+            devices.Get(host)->Send(MakePacket(sent.size() - 1, row.frame), address, ETHERTYPE);
+        }
+    }
+}
+
+// All rows of a topic, of which this is the first.
+void
+SendSample(uint32_t host, uint32_t first)
+{
+    for (uint32_t row = first; row < rows.size() && rows[row].topic == rows[first].topic; row++)
+    {
+        SendRow(host, row);
+    }
+    Simulator::Schedule(Seconds(rows[first].period), &SendSample, host, first);
+}
+
+void
 Fail(const std::string& message)
 {
     std::cerr << "storm: " << message << "\n";
@@ -429,7 +526,7 @@ Start()
     running = true;
     cpuStart = std::clock();
     startOfWindow = Simulator::Now().GetSeconds();
-    air.begin = air.end = air.last = Simulator::Now();
+    air.begin = air.end = air.last = air.lastOfBurst = Simulator::Now();
     if (options.traffic == "saturation")
     {
         const Time warmUp = MilliSeconds(500);
@@ -452,6 +549,22 @@ Start()
     for (uint32_t host = 0; host < options.senders; host++)
     {
         Simulator::Schedule(Seconds(delay->GetValue(0, options.window)), &StartHost, host);
+    }
+    if (options.until > 0)
+    {
+        for (uint32_t host = 0; host < options.hosts; host++)
+        {
+            for (uint32_t row = 0; row < rows.size(); row++)
+            {
+                if (row == 0 || rows[row].topic != rows[row - 1].topic)
+                {
+                    const double first = delay->GetValue(0, rows[row].period);
+                    Simulator::Schedule(Seconds(first), &SendSample, host, row);
+                }
+            }
+        }
+        Simulator::Stop(Seconds(options.until));
+        return;
     }
     WatchForEnd();
 }
@@ -658,6 +771,104 @@ ReadMessages()
     }
 }
 
+void
+ReadData()
+{
+    std::stringstream lines(options.data);
+    std::string line;
+    while (std::getline(lines, line, ','))
+    {
+        std::stringstream cells(line);
+        std::string topic, to, period, frame, count;
+        std::getline(cells, topic, ':');
+        std::getline(cells, to, ':');
+        std::getline(cells, period, ':');
+        std::getline(cells, frame, ':');
+        std::getline(cells, count, ':');
+        const bool known = to == "next" || to == "wired" || to == "each" || to == "multicast";
+        if (!known || count.empty())
+        {
+            Fail("data must be TOPIC:next|wired|each|multicast:PERIOD:FRAME:COUNT,...; got " + line);
+        }
+        rows.push_back({topic,
+                        to,
+                        std::stod(period),
+                        static_cast<uint32_t>(std::stoul(frame)),
+                        static_cast<uint32_t>(std::stoul(count))});
+        if (rows.back().frame < HEADERS + 34 || !(rows.back().period > 0))
+        {
+            Fail("a frame must have at least 72 bytes, a period be above 0; got " + line);
+        }
+    }
+    delays.resize(rows.size());
+    if (rows.empty() != (options.until == 0) || options.window > 0)
+    {
+        Fail("data need until_s, and it needs data; both go without window_s");
+    }
+}
+
+// The least delay that this part of them does not exceed; -1 if nothing arrived.
+double
+Quantile(std::vector<double>& values, double part)
+{
+    if (values.empty())
+    {
+        return -1;
+    }
+    std::sort(values.begin(), values.end());
+    return values[std::max<int64_t>(std::ceil(part * values.size()) - 1, 0)];
+}
+
+const std::array<const char*, CAUSES> CAUSE_NAMES{"on_air", "host_full", "host_age", "host_retry",
+                                                  "ap_full", "ap_age", "ap_retry"};
+
+// What became of the frames of each topic and, under the name "burst", of all else.
+void
+PrintData()
+{
+    struct Found
+    {
+        uint64_t expected = 0, arrived = 0, waiting = 0;
+        std::array<uint64_t, CAUSES> lost{};
+    };
+
+    std::map<std::string, Found> found;
+    for (const auto& message : sent)
+    {
+        const uint32_t receivers = message.multicast ? options.hosts - 1 : 1;
+        auto& its = found[message.row < 0 ? "burst" : rows[message.row].topic];
+        its.expected += receivers;
+        its.arrived += message.arrived;
+        const Cause cause = CauseOf(message);
+        const bool onAir = message.multicast && message.sentDown;
+        const bool waits = cause == NONE && !onAir;
+        (waits ? its.waiting : its.lost[cause]) += receivers - message.arrived;
+    }
+    std::cout << ", \"data\": {";
+    for (const auto& [name, its] : found)
+    {
+        std::cout << (name == found.begin()->first ? "\"" : ", \"") << name
+                  << "\": {\"expected\": " << its.expected << ", \"arrived\": " << its.arrived;
+        for (std::size_t cause = 0; cause < CAUSES; cause++)
+        {
+            std::cout << ", \"" << CAUSE_NAMES[cause] << "\": " << its.lost[cause];
+        }
+        std::cout << ", \"waiting\": " << its.waiting;
+        // A sample has arrived with the frames of its last row.
+        for (std::size_t row = rows.size(); row-- > 0;)
+        {
+            if (rows[row].topic == name)
+            {
+                std::cout << ", \"delay_median_s\": " << Quantile(delays[row], 0.5)
+                          << ", \"delay_95_s\": " << Quantile(delays[row], 0.95);
+                break;
+            }
+        }
+        std::cout << "}";
+    }
+    std::cout << "}, \"drain_time_s\": " << air.lastOfBurst.GetSeconds() - startOfWindow;
+}
+
 } // namespace
 
 int
@@ -666,6 +877,10 @@ main(int argc, char* argv[])
     CommandLine command;
     command.AddValue("traffic", "burst or saturation", options.traffic);
     command.AddValue("messages", "NAME:unicast|multicast:FRAME:COUNT,...", options.messages);
+    command.AddValue("data",
+                     "TOPIC:next|wired|each|multicast:PERIOD:FRAME:COUNT,... of each host",
+                     options.data);
+    command.AddValue("until_s", "when a run with data ends", options.until);
     command.AddValue("hosts", "hosts", options.hosts);
     command.AddValue("processes", "processes on a host", options.processes);
     command.AddValue("senders", "hosts that send, 0 for all", options.senders);
@@ -694,6 +909,7 @@ main(int argc, char* argv[])
         options.senders = options.hosts;
     }
     ReadMessages();
+    ReadData();
     RngSeedManager::SetRun(options.seed);
     Build();
     WatchForAssociation();
@@ -709,6 +925,10 @@ main(int argc, char* argv[])
     if (options.traffic == "saturation")
     {
         std::cout << ", \"acked\": " << acked << ", \"dropped\": " << dropped;
+    }
+    else if (!rows.empty())
+    {
+        PrintData();
     }
     else
     {

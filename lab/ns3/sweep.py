@@ -15,8 +15,11 @@ import time
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
+import mixed
 import numpy as np
+from mixed import Mixed
 from tqdm import tqdm
 
 import discostorm as ds
@@ -113,7 +116,7 @@ class Saturation:
         ]
 
 
-Run = Burst | Saturation
+Run = Burst | Saturation | Mixed
 
 
 def places(hosts: int, radius: float) -> str:
@@ -128,6 +131,11 @@ def messages(protocol: str, endpoints: int) -> str:
         count = message.per_unit * (endpoints if message.unit is ENDPOINT_PAIR else 1)
         rows.append(f"{message.name}:{message.cast}:{message.frame_bytes:g}:{count:g}")
     return ",".join(rows)
+
+
+def options(run: Run) -> list[str]:
+    """Return the program's options for a run."""
+    return run.options(messages) if isinstance(run, Mixed) else run.options()
 
 
 def source(run: Run) -> str:
@@ -177,19 +185,19 @@ def storm(options: Iterable[str]) -> str:
 
 def cached(run: Run) -> Path:
     """Return where the result of a run is kept: it depends on the program and its options."""
-    text = "\n".join([(BUILD / "storm.sha256").read_text(), *run.options()])
+    text = "\n".join([(BUILD / "storm.sha256").read_text(), *options(run)])
     return CACHE / f"{hashlib.sha256(text.encode()).hexdigest()}.json"
 
 
-def result(run: Run) -> dict[str, float]:
+def result(run: Run) -> dict[str, Any]:
     """Return the result of a run, which runs only if it did not before."""
     path = cached(run)
     if not path.exists():
         # Renamed when complete, so that what is interrupted is done again.
         part = path.with_suffix(".part")
-        part.write_text(storm(run.options()))
+        part.write_text(storm(options(run)))
         part.rename(path)
-    values: dict[str, float] = json.loads(path.read_text())
+    values: dict[str, Any] = json.loads(path.read_text())
     return values
 
 
@@ -317,6 +325,7 @@ RUNS: list[Run] = [
     *saturations((1, 5), frame=1538),
     *AGREEMENTS,
     *CAPTURE,
+    *mixed.RUNS,
 ]
 
 
@@ -375,7 +384,7 @@ def spread(name: str, values: list[float]) -> dict[str, float]:
     return {name: round(middle, 9), f"{name}_q25": round(low, 9), f"{name}_q75": round(high, 9)}
 
 
-def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
+def table(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
     """Return a row for each setting: its options, medians and quartiles, sums of the counts."""
     rows = []
     for run, group in results.items():
@@ -390,14 +399,14 @@ def table(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]
         if isinstance(run, Burst):
             row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
             row |= spread("lost", [1 - values["arrived"] / values["expected"] for values in group])
-        else:
+        elif isinstance(run, Saturation):
             row |= spread("frames_per_s", [values["acked"] / run.duration_s for values in group])
         counts = {name: round(value, 9) for name, value in counts.items() if name not in SECONDS}
         rows.append(row | counts | {"source": f"{source(run)} --seed 1 to {len(group)}"})
     return rows
 
 
-def times(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]:
+def times(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
     """Return the median CPU time of the bursts without limits of queue."""
     return [
         {
@@ -415,7 +424,7 @@ def times(results: dict[Run, list[dict[str, float]]]) -> list[dict[str, object]]
 
 def write_tables() -> None:
     """Write the tables of all runs that have a result."""
-    results: defaultdict[Run, list[dict[str, float]]] = defaultdict(list)
+    results: defaultdict[Run, list[dict[str, Any]]] = defaultdict(list)
     for run in RUNS:
         setting = results[dataclasses.replace(run, seed=1)]
         # No gaps: the table names the first and the last seed.
@@ -423,8 +432,12 @@ def write_tables() -> None:
             setting.append(result(run))
     complete = {run: group for run, group in results.items() if len(group) >= 10}
     write("ns3_frames.csv", list(frames()))
-    files: defaultdict[str, dict[Run, list[dict[str, float]]]] = defaultdict(dict)
+    files: defaultdict[str, dict[Run, list[dict[str, Any]]]] = defaultdict(dict)
+    beside = {run: group for run, group in complete.items() if isinstance(run, Mixed)}
+    write("ns3_mixed.csv", mixed.table(beside, source, spread))
     for run, group in complete.items():
+        if isinstance(run, Mixed):
+            continue
         name = "saturation" if isinstance(run, Saturation) else "bursts"
         if isinstance(run, Burst) and run.scenario in ("agreements", "capture"):
             name = run.scenario
@@ -492,6 +505,8 @@ def time_both(rounds: int) -> None:
 
 def cost(run: Run) -> float:
     """Return about how long a run takes, in no unit: frames sent times stations that hear them."""
+    if isinstance(run, Mixed):
+        return 3000 * run.until_s
     if isinstance(run, Saturation):
         return 3000 * run.duration_s * run.stations
     frames = run.hosts * (run.hosts - 1) * run.processes**2 * (run.endpoints + 4)
@@ -501,9 +516,14 @@ def cost(run: Run) -> float:
     return run.hosts * frames * (0.1 if run.ampdu else 1)
 
 
+def scenario(run: Run) -> str:
+    """Return the name by which a run is chosen."""
+    return run.scenario if isinstance(run, Burst) else type(run).__name__.lower()
+
+
 def sweep(jobs: int, only: str | None) -> None:
     """Run what is not cached, the short ones first, then write the tables."""
-    wanted = [run for run in RUNS if only in (None, getattr(run, "scenario", "saturation"))]
+    wanted = [run for run in RUNS if only in (None, scenario(run))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         pending = [pool.submit(result, run) for run in sorted(wanted, key=cost)]
         try:
@@ -538,9 +558,10 @@ def main() -> None:
     both = kinds.add_parser("time", help="the CPU time of ns-3 and of ds.simulate, side by side")
     both.add_argument("--rounds", type=int, default=5, help="default: 5")
     every.add_argument("--jobs", type=int, default=2, help="runs side by side, default: 2")
-    every.add_argument("--only", help="one scenario, or saturation")
+    every.add_argument("--only", help="one scenario, saturation or mixed")
     add_options(kinds.add_parser("burst", help="one burst, not cached, with its CPU time"), Burst)
     add_options(kinds.add_parser("saturation", help="one run in saturation"), Saturation)
+    add_options(kinds.add_parser("mixed", help="one burst beside user data"), Mixed)
     arguments = vars(parser.parse_args(sys.argv[1:] or ["sweep"]))
     kind = arguments.pop("kind")
     build()
@@ -554,8 +575,8 @@ def main() -> None:
     if kind == "sweep":
         sweep(arguments["jobs"], arguments["only"])
         return
-    run = Burst(**arguments) if kind == "burst" else Saturation(**arguments)
-    say(storm(run.options()).rstrip())
+    run: Run = {"burst": Burst, "saturation": Saturation, "mixed": Mixed}[kind](**arguments)
+    say(storm(options(run)).rstrip())
 
 
 if __name__ == "__main__":
