@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
 from hypothesis import settings
@@ -129,21 +129,27 @@ def book(browser: Browser, request: pytest.FixtureRequest) -> Path:  # noqa: ARG
 
 
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Browser]:
-    """Return a headless Chromium, the same for all tests of a process."""
+def options() -> dict[str, Any]:
+    """Return which Chromium there is, and with what it is started."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
         message = "no Chromium here; on Debian: apt-get install chromium"
         missing(message)
+    return {
+        "executable_path": found,
+        # As root there is no sandbox, in a container little shared memory; nothing calls home.
+        "args": ["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking"],
+    }
+
+
+@pytest.fixture(scope="session")
+def browser(options: dict[str, Any]) -> Iterator[Browser]:
+    """Return a headless Chromium, the same for all tests of a process."""
     from playwright.sync_api import sync_playwright  # here, as most tests need no browser
 
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(
-            executable_path=found,
-            # As root there is no sandbox, in a container little shared memory; nothing calls home.
-            args=["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking"],
-        )
+        chromium = playwright.chromium.launch(**options)
         yield chromium
         chromium.close()
 

@@ -413,15 +413,3 @@ def test_nothing_serious_keeps_anyone_out(context: BrowserContext, book: Path, n
         assert tab.evaluate(barriers, {}) == []
         assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
     assert errors == []
-
-
-@pytest.mark.book
-def test_a_chapter_with_a_picture_has_ten_screens_at_most(
-    context: BrowserContext, book: Path
-) -> None:
-    for name in (BLOCKS, FAILURES):
-        tab = opened(context, book, name)
-        tab.set_viewport_size({"width": 1440, "height": 900})
-        tab.evaluate("document.fonts.ready")
-        tab.wait_for_timeout(500)
-        assert tab.evaluate("document.documentElement.scrollHeight") <= 10 * 900

@@ -163,6 +163,7 @@ def test_a_figure_is_saved_and_cited_from_a_file(browser: Browser, book: Path) -
         text = cited.inner_text()
         for part in ("Fig. 2", "More hosts", ds.__version__, "03_hosts.html#fig-paper-2", "CC BY"):
             assert part in text
+        assert "<" not in text
 
 
 @pytest.mark.book

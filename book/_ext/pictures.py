@@ -68,6 +68,7 @@ def citation(app: Sphinx, page: str, name: str, caption: str, title: str) -> str
     authors = " and ".join(author["name"] for author in cff["authors"])
     number = re.search(r'class="caption-number">([^<]*)', caption)
     shown = unescape(number[1]).strip() if number else "Figure"
+    title = unescape(re.sub(r"<[^>]*>", "", title))
     base = app.config.html_baseurl.rstrip("/")
     where = f"{base}/{page}.html#{name}" if base else f"{page}.html#{name}"
     doi = f" doi:{cff['doi']}." if "doi" in cff else ""
@@ -102,7 +103,7 @@ def _improve(app: Sphinx, page: str, template: str, context: dict[str, Any], doc
         entry = f"{json.dumps(name)}: {json.dumps(svg)}"
         text = f"window.PICTURES = {{ ...window.PICTURES, {entry} }};\n"
         (folder / f"{name}.js").write_text(text, encoding="utf-8")
-        cite = escape(citation(app, page, name, found["rest"], unescape(context["title"])))
+        cite = escape(citation(app, page, name, found["rest"], context["title"]))
         tools = (
             f'<div class="ds-tools"><a href="{found["source"]}" download="{name}.svg">SVG</a>'
             f'<button type="button" data-picture="{to_images}/{name}.js" hidden>PNG</button>'

@@ -2,6 +2,19 @@
 if (document.documentElement.dataset.theme === "auto")
   document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 
+// The fonts come in the style sheet, but are unpacked only when a letter is set in them: all lines would then be
+// broken anew. So they are unpacked first, and the page is shown with them.
+{
+  const MOST = 1000; // ms
+  const root = document.documentElement;
+  const faces = [...document.fonts].filter(({ family }) => family.includes("Source"));
+  const unpacked = Promise.all(faces.map((face) => face.load()));
+  root.classList.add("ds-unpacking");
+  Promise.race([unpacked, new Promise((done) => setTimeout(done, MOST))])
+    .catch(() => {})
+    .then(() => root.classList.remove("ds-unpacking"));
+}
+
 window.addEventListener("load", async () => {
   const narrow = window.matchMedia("(width < 37.5rem)");
   const TABLE = ".pst-scrollable-table-container";

@@ -45,6 +45,9 @@ addEventListener("DOMContentLoaded", () => {
       event.preventDefault();
       save(new Blob([await picture(address, id)], { type: "image/svg+xml" }), svg.download);
     });
+    const data = document.querySelector(`.output > a[download="${id}.csv"]`);
+    data?.parentElement.remove();
+    if (data) png.after(data); // on the line of the other files
     const text = tools.querySelector("details > p");
     const copy = Object.assign(document.createElement("button"), { type: "button", textContent: "Copy" });
     copy.addEventListener("click", async () => {
