@@ -10,7 +10,6 @@ import copy
 import csv
 import os
 import sys
-import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 from traitlets.config import Config
+from warm_kernels import short_folder, warm_kernels
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 
@@ -40,26 +40,25 @@ def run(path: Path) -> Run:
     for cell in notebook.cells:
         if cell.cell_type == "code":
             cell.update(execution_count=None, outputs=[])
+    begun = [0]
     try:
         # Sockets of its own instead of TCP, where another program may take a port meanwhile.
-        # Their paths have 107 bytes at most: TMPDIR may be too long.
-        folder = "/tmp" if os.access("/tmp", os.W_OK) else None
-        with tempfile.TemporaryDirectory(prefix="kernel-", dir=folder) as sockets:
+        with short_folder() as sockets:
             file = f"{sockets}/kernel.json"
             NotebookClient(
                 notebook,
                 config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
                 timeout=120,
+                startup_timeout=300,  # a busy machine
                 kernel_name="python3",
                 record_timing=False,
+                on_cell_execute=lambda cell, cell_index: begun.append(cell_index),  # noqa: ARG005
                 # Under load, what one cell prints arrives in pieces: one output however it came.
                 coalesce_streams=True,
                 resources={"metadata": {"path": str(path.parent)}},
             ).execute()
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
-        # Cells run in order: the last one that was counted is the one that failed.
-        counted = (n for n, cell in enumerate(notebook.cells, 1) if cell.get("execution_count"))
-        raise RuntimeError(f"{path.name}, cell {max(counted, default=1)}:\n{error}") from error
+        raise RuntimeError(f"{path.name}, cell {begun[-1] + 1}:\n{error}") from error
     for number, cell in enumerate(notebook.cells, 1):
         for output in cell.get("outputs", []):
             if output.get("name") == "stderr":
@@ -112,7 +111,7 @@ def main(arguments: list[str]) -> int:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
     runs: dict[str, Run] = {}
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with warm_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
             name = jobs[job].name

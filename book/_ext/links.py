@@ -3,11 +3,12 @@
 import io
 import subprocess
 import tarfile
+from multiprocessing import Process
 from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
-from sphinx.errors import ConfigError
+from sphinx.errors import ConfigError, ExtensionError
 
 import discostorm
 
@@ -34,13 +35,9 @@ def _sources(folder: Path) -> list[Path]:
     return sorted(path for path in paths if path.is_file() and not path.is_symlink())
 
 
-def _pack(app: Sphinx, exception: Exception | None) -> None:
-    """Write the source archive beside the pages, the same bytes every time."""
-    if exception is not None or app.builder.format != "html" or _address(app):
-        return
-    folder = Path(app.srcdir)
+def _pack(folder: Path, path: Path) -> None:
+    """Write the source archive, the same bytes every time."""
     time = int(_git(folder, "log", "-1", "--format=%ct").strip() or 0)
-    path = Path(app.outdir) / f"{ARCHIVE}.tar.xz"
     with tarfile.open(path, "w:xz", preset=6) as archive:
         for source in _sources(folder):
             info = tarfile.TarInfo(f"{ARCHIVE}/{source.relative_to(folder).as_posix()}")
@@ -48,6 +45,25 @@ def _pack(app: Sphinx, exception: Exception | None) -> None:
             info.size, info.mtime = len(content), time
             info.mode = 0o755 if source.stat().st_mode & 0o100 else 0o644
             archive.addfile(info, io.BytesIO(content))
+
+
+#: It packs for seconds, and meanwhile pages are made.
+_PACKING: list[Process] = []
+
+
+def _start(app: Sphinx) -> None:
+    if app.builder.format == "html" and not _address(app):
+        path = Path(app.outdir) / f"{ARCHIVE}.tar.xz"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        _PACKING.append(Process(target=_pack, args=(Path(app.srcdir), path)))
+        _PACKING[-1].start()
+
+
+def _finish(app: Sphinx, exception: Exception | None) -> None:
+    for process in _PACKING:
+        process.join()
+        if process.exitcode and exception is None:
+            raise ExtensionError("the source archive could not be packed; why stands above")
 
 
 def _address(app: Sphinx) -> str:
@@ -75,5 +91,6 @@ def _add(
 def setup(app: Sphinx) -> dict[str, bool]:
     """Connect to Sphinx."""
     app.connect("html-page-context", _add)
-    app.connect("build-finished", _pack)
+    app.connect("builder-inited", _start)
+    app.connect("build-finished", _finish)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

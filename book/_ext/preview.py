@@ -45,10 +45,6 @@ def _description(doctree: nodes.document) -> str:
     return ""
 
 
-#: Title and description of each page, by its picture.
-_PAGES: dict[str, tuple[str, str]] = {}
-
-
 def _plain(html: str) -> str:
     """Return a title without its markup."""
     return " ".join(unescape(re.sub(r"<[^>]*>", "", html)).split())
@@ -76,8 +72,7 @@ def _add(
     title = _plain(context.get("title", app.config.html_title))
     picture = PICTURE
     if pagename != app.config.root_doc:
-        picture = f"{FOLDER}/{pagename.replace('/', '-')}.png"
-        _PAGES[picture] = (title, _description(doctree))
+        picture = _picture(pagename)
     told = {
         ("property", "og:type"): "article",
         ("property", "og:site_name"): app.config.html_title,
@@ -99,6 +94,22 @@ def _add(
     )
 
 
+def _picture(pagename: str) -> str:
+    return f"{FOLDER}/{pagename.replace('/', '-')}.png"
+
+
+def _draw_card(
+    app: Sphinx, pagename: str, templatename: str, context: dict[str, Any], doctree: Any
+) -> None:
+    """Draw the picture of a page when that is written, and so beside those of other pages."""
+    if doctree is None or pagename == app.config.root_doc:
+        return
+    path = Path(app.outdir) / _picture(pagename)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    title = _plain(context.get("title", app.config.html_title))
+    _card(title, _description(doctree), app.config.html_short_title).save(path)
+
+
 def _quoted(text: str) -> str:
     return text.replace("&", "&amp;").replace('"', "&quot;").replace("<", "&lt;")
 
@@ -107,9 +118,6 @@ def _draw(app: Sphinx, exception: Exception | None) -> None:
     if exception is None and app.builder.format == "html":
         figure = storm.preview(DDS, SIZE)
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
-        (Path(app.outdir) / FOLDER).mkdir(exist_ok=True)
-        for path, (title, text) in _PAGES.items():
-            _card(title, text, app.config.html_short_title).save(Path(app.outdir) / path)
 
 
 def _card(title: str, text: str, book: str) -> Image.Image:
@@ -149,6 +157,7 @@ def _map(app: Sphinx, exception: Exception | None) -> None:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Connect to Sphinx."""
     app.connect("html-page-context", _add)
+    app.connect("html-page-context", _draw_card)
     app.connect("build-finished", _draw)
     app.connect("build-finished", _map)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,78 @@
+"""Build in less time: pages side by side, by kernels that are warm, and each page read once for
+all numbers that others name.
+"""
+
+import os
+import sys
+from contextlib import ExitStack
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.addnodes import pending_xref
+from sphinx.application import Sphinx
+from sphinx.builders import Builder
+from sphinx.domains.std import StandardDomain
+from sphinx.environment import BuildEnvironment
+
+sys.path.append(str(Path(__file__).parents[2] / "scripts"))
+
+from warm_kernels import warm_kernels
+
+_KERNELS = ExitStack()
+
+
+class _Read:
+    """The environment, with documents that are read once: who takes one changes nothing in it."""
+
+    def __init__(self, env: BuildEnvironment) -> None:
+        self._env = env
+        self.get_doctree = cache(env.get_doctree)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._env, name)
+
+
+class _Standard(StandardDomain):
+    """What resolves references, which looks for each number in the whole document that has it."""
+
+    _read: Any = None
+
+    def resolve_xref(
+        self,
+        env: BuildEnvironment,
+        fromdocname: str,
+        builder: Builder,
+        typ: str,
+        target: str,
+        node: pending_xref,
+        contnode: nodes.Element,
+    ) -> nodes.Element | None:
+        if typ == "numref":
+            self._read = self._read or _Read(env)
+            env = self._read
+        return super().resolve_xref(env, fromdocname, builder, typ, target, node, contnode)
+
+
+def _start(app: Sphinx) -> None:
+    _KERNELS.enter_context(warm_kernels())
+
+
+def _declare(app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
+    # It only numbers what has been read, but does not say so.
+    app.extensions["sphinx_multitoc_numbering"].parallel_read_safe = True
+
+
+def _stop(app: Sphinx, exception: Exception | None) -> None:
+    _KERNELS.close()
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Connect to Sphinx."""
+    app.parallel = os.cpu_count() or 1
+    app.add_domain(_Standard, override=True)
+    app.connect("builder-inited", _start)
+    app.connect("env-before-read-docs", _declare)
+    app.connect("build-finished", _stop, priority=100)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
