@@ -104,7 +104,8 @@ class Setup:
             self.user_data.stamp if self.user_data else 0,
         )
         for number in self.user_data.bursts if self.user_data else ():
-            first_row, *rows = self.bursts.messages[number]
+            every = self.bursts.messages[number]
+            first_row, *rows = [row for row in every if self.kinds["user"][row]]
             # So that all rows of a sample of few frames go to the same of several hosts.
             cell.part[:, rows] = cell.part[:, [first_row]]
         return cell, starts
