@@ -26,7 +26,7 @@ NAMES = {
     "announcement": "participant announcement",
     "data": "endpoint announcement",
     "heartbeat": "Heartbeat",
-    "acknowledgement": "ACKNACK",
+    "acknowledgment": "ACKNACK",
 }
 #: How receptions are lost, by cause.
 LOSSES = {
