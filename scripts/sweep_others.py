@@ -39,7 +39,7 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
     """Return what arrives when so many stations always have something to send.
 
     By the rules of the standard, and by those of Bianchi's chain, which knows no timeout for
-    acknowledgments and gives up no frame.
+    acknowledgements and gives up no frame.
     """
     sedp = replace(ds.DDS.message("SEDP"), hops=("up",), answers=None)
     rows: list[dict[str, object]] = []

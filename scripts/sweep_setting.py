@@ -76,7 +76,7 @@ class Setting:
     recovery: int = 0
     until_s: float = 120.0
     runs: int = 20
-    #: Of block acknowledgments, as `ds.simulate` takes it; matters with aggregation only.
+    #: Of block acknowledgements, as `ds.simulate` takes it; matters with aggregation only.
     agreements: str = "cold"
 
     @property

@@ -58,7 +58,7 @@ def test_no_exchange_passes_the_limits(channel: ds.Wifi) -> None:
         frames, each = by_hand(channel, octets)
         assert 1 <= frames <= 64
         data = each * frames - rule.overhead
-        # Without waiting and block acknowledgment: at most 5.484 ms with its preamble.
+        # Without waiting and block acknowledgement: at most 5.484 ms with its preamble.
         assert data + 36e-6 <= 5484e-6 + 1e-12
         if channel.name.startswith("802.11n"):
             assert frames * (4 + octets + 2) <= 65535
@@ -73,7 +73,7 @@ def test_slow_frames_are_bounded_by_time_and_fast_ones_by_number() -> None:
     assert parts(fast)[1].most_bytes == 65535
 
 
-def test_the_block_acknowledgment_takes_a_symbol_more_than_the_ack() -> None:
+def test_the_block_acknowledgement_takes_a_symbol_more_than_the_ack() -> None:
     channel = ds.Radio("802.11n", streams=2, mpdus=2).wifi()
     extra = parts(channel)[1].overhead - channel.unicast.overhead
     assert extra == pytest.approx(4e-6, abs=1e-12)

@@ -1,4 +1,4 @@
-"""Agreements on block acknowledgments: what a robot that was just switched on sends first."""
+"""Agreements on block acknowledgements: what a robot that was just switched on sends first."""
 
 from typing import Any, Literal
 
@@ -47,7 +47,7 @@ def test_request_and_response_come_before_the_first_aggregate() -> None:
     assert sorted(first["station"][asked].tolist()[2:]) == ["access point", "host 2"]
     assert first.index[asked][1] < first.index[together & up][0]
     assert first.index[asked][3] < first.index[together & ~up][0]
-    # 37 bytes at 6 Mbit/s, SIFS, and an acknowledgment of 14.
+    # 37 bytes at 6 Mbit/s, SIFS, and an acknowledgement of 14.
     length = first["end_s"][asked] - first["start_s"][asked]
     np.testing.assert_allclose(length, 76e-6 + 16e-6 + 44e-6, atol=1e-9)
     assert (asked.sum(), (table["message"] == "block ACK agreement").sum()) == (4, 8)

@@ -463,7 +463,7 @@ def view_of(address: bytes, found: list[Packet]) -> list[Packet]:
 
 
 def with_matches(found: list[Packet], writers: int) -> list[Packet]:
-    """Return packets, and acknowledgments of so many user writers by all processes elsewhere."""
+    """Return packets, and acknowledgements of so many user writers by all processes elsewhere."""
     hosts = captured("fast_dds").processes()["host"].items()
     address = {process: bytes(map(int, host.split("."))) for process, host in hosts}
     more = []

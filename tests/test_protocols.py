@@ -150,7 +150,7 @@ def test_every_table_says_whose_it_is_and_what_its_messages_are_for(table: Proto
     assert "announcement" in roles or table.name.startswith("Zenoh router")
     assert any(message.informs for message in table.messages)
     # What is repeated until it is acknowledged is one message, and so is its answer.
-    for role in ("heartbeat", "acknowledgment"):
+    for role in ("heartbeat", "acknowledgement"):
         assert roles.count(role) <= 1 or "Discovery Server" in table.name
 
 

@@ -236,7 +236,7 @@ def test_a_bare_node_has_eighteen_endpoints() -> None:
 @pytest.mark.parametrize(
     ("standard", "mpdus", "octets"),
     [
-        # Block acknowledgments of 64, 256 and 1024 bits. The length exponents of HT and VHT go up
+        # Block acknowledgements of 64, 256 and 1024 bits. The length exponents of HT and VHT go up
         # to 2^16 - 1 and 2^20 - 1; the PSDU of HE and EHT has an own limit, aPSDUMaxLength.
         ("802.11n", 64, 2**16 - 1),
         ("802.11ac", 64, 2**20 - 1),

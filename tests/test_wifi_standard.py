@@ -458,7 +458,7 @@ def test_a_standard_is_rows_of_data_alone(monkeypatch: pytest.MonkeyPatch) -> No
     assert trial.wifi().name == "802.11zz 640 MHz 1x1, A-MPDU 1024"
 
 
-def test_block_acknowledgments_have_room_for_all_that_they_acknowledge() -> None:
+def test_block_acknowledgements_have_room_for_all_that_they_acknowledge() -> None:
     def block_ack(mpdus: int) -> float:
         return round(ds.Radio("802.11be", mpdus=mpdus).block_ack * 1e6, 6)
 

@@ -26,7 +26,7 @@ NAMES = {
     "announcement": "participant announcement",
     "data": "endpoint announcement",
     "heartbeat": "Heartbeat",
-    "acknowledgment": "ACKNACK",
+    "acknowledgement": "ACKNACK",
 }
 #: How receptions are lost, by cause.
 LOSSES = {

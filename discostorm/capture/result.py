@@ -256,7 +256,7 @@ class Capture:
             messages by multicast that the first has by unicast alone.
         fleet : Fleet, optional
             The fleet that sent; the one found in the capture if left out. How far its endpoints
-            match is then told from the acknowledgments of user endpoints, and of Zenoh from how
+            match is then told from the acknowledgements of user endpoints, and of Zenoh from how
             few key expressions are declared. Of Zenoh without tokens, which does not announce
             publishers, it has as many of them as the table takes it to have.
         wifi : Wifi, optional

@@ -49,7 +49,7 @@ class Framing:
     chunk: int
     heartbeat: int
     heartbeat_fragment: int
-    acknowledgment: int
+    acknowledgement: int
     answered: int
 
 
@@ -67,7 +67,7 @@ def framing(*names: str | None) -> Framing:
         for row in read_data("vendors/data_framing.csv")
         if row["of"] == known
     }
-    transport: Transport = "UDP" if sizes["acknowledgment"] else "TCP"
+    transport: Transport = "UDP" if sizes["acknowledgement"] else "TCP"
     return Framing(transport, **sizes)
 
 
@@ -106,7 +106,7 @@ def answers(flow: Flow, how: Framing) -> tuple[float, int]:
     if how.transport == "TCP":
         return -(-sum(frames(flow, how).values()) // SEGMENTS_PER_ACK), TCP_HEADER + TCP_OPTIONS
     many = 1 / how.answered if len(datagrams(flow, how)) == 1 else 1.0
-    return many * flow.reliable, UDP_HEADER + how.acknowledgment
+    return many * flow.reliable, UDP_HEADER + how.acknowledgement
 
 
 def data_table(protocol: Protocol, fleet: Fleet) -> Protocol | None:

@@ -20,7 +20,7 @@ LEAST_PER_UNIT = 1e-9
 Transport = Literal["UDP", "TCP"]
 
 #: What a message is for; see `Message`.
-Role = Literal["announcement", "data", "heartbeat", "acknowledgment", "other"]
+Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
 
 #: From a host to the access point, and from there on.
 Hop = Literal["up", "down"]
@@ -103,10 +103,10 @@ class Message:
         always inside the frame of another row, and costs the air its bits alone.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
-    role : {"announcement", "data", "heartbeat", "acknowledgment", "other"}, optional
+    role : {"announcement", "data", "heartbeat", "acknowledgement", "other"}, optional
         What it is for. An announcement tells of a process or a host, or answers what does. Data
         tell of endpoints, each time for the first time. The heartbeat asks a process which of the
-        data have arrived, and is repeated until all have; the acknowledgment answers it.
+        data have arrived, and is repeated until all have; the acknowledgement answers it.
         Whatever else is sent, such as liveliness, is other. None if it is not known: counts and
         airtime do not need it, the simulator needs it for recovery.
     informs : bool, optional

@@ -62,9 +62,9 @@ def simulate(
     All hosts hear each other and the access point, at equal strength unless `power` says
     otherwise. Every frame goes up to
     the access point as unicast, waits there and goes down again, multicast once at the basic
-    rate without acknowledgment. Stations contend as EDCA best effort says (802.11a and g: as
-    DCF says): AIFS, binary exponential back-off, acknowledgment timeout, at most 7 attempts.
-    With aggregation, block acknowledgments are agreed on before; one that is missing
+    rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
+    DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
+    With aggregation, block acknowledgements are agreed on before; one that is missing
     is asked for, and frames are repeated until they arrive or are too old. The access point passes
     on in order what a host sends (hosts do not put in order what comes down), and sends
     next to whoever has waited longest.
@@ -108,7 +108,7 @@ def simulate(
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
     agreements : {"cold", "in place"}, optional
-        With aggregation: whether block acknowledgments have been agreed on before the start, or
+        With aggregation: whether block acknowledgements have been agreed on before the start, or
         all were just switched on, so that each sender first exchanges an ADDBA request and
         response with each receiver, as `discostorm.simulation.agreements` says.
     power : array of shape (hosts + 1, hosts + 1), optional
@@ -138,7 +138,7 @@ def simulate(
 
     References
     ----------
-    IEEE Std 802.11-2020, 10.3 and 10.23.2 (contention), 10.25 (block acknowledgment); OMG
+    IEEE Std 802.11-2020, 10.3 and 10.23.2 (contention), 10.25 (block acknowledgement); OMG
     DDSI-RTPS 2.5, 8.4; RFC 6298. Periods: ``data/vendors/middleware_defaults.csv``.
 
     Examples

@@ -1,8 +1,8 @@
-"""How two stations agree on block acknowledgments before the first A-MPDU from one to the other.
+"""How two stations agree on block acknowledgements before the first A-MPDU from one to the other.
 
 Who has more than one frame for a receiver sends it an ADDBA request first; what is for this
 receiver waits. The response contends like any frame, ahead of data. If it has not come in time,
-frames go one by one, each with its acknowledgment, until the response comes or enough time has
+frames go one by one, each with its acknowledgement, until the response comes or enough time has
 passed to ask again (IEEE Std 802.11-2020, 10.25.2 and 11.5; the two times are ns-3's).
 """
 
@@ -23,7 +23,7 @@ from discostorm.simulation.cell import (
 from discostorm.simulation.medium import wake
 from discostorm.simulation.queues import change_length, receiver
 
-#: How long a response may take after the acknowledgment of its request, and how long frames then
+#: How long a response may take after the acknowledgement of its request, and how long frames then
 #: go one by one, in ticks of 100 ns: 5 ms and 0.2 s.
 PATIENCE, PAUSE = np.int64(50_000), np.int64(2_000_000)
 

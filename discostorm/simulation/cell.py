@@ -102,7 +102,7 @@ RADIO = _record(
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
 #: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
 #: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
-#: hosts have still to send. ``cold``: block acknowledgments have to be agreed on; ``actions``: how
+#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
 #: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
 #: is received though others overlap it, how many these are with itself, until when they last, and
 #: how many MPDUs it loses to them. ``stamp``: ticks between two stamps of user data.
@@ -123,7 +123,7 @@ FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it or sends; failures in a row;
 #: frames that it holds, has just sent, has numbered, and the first that the access point has not
-#: passed on; whether it has to ask for a block acknowledgment; its queue; who it is; where it is
+#: passed on; whether it has to ask for a block acknowledgement; its queue; who it is; where it is
 #: in making a burst, ``made`` frames, ``times`` of ``number`` that are alike; how many were to
 #: receive its processes' frames, and for how many they are lost for good. The access point's frames
 #: for host h hang on ``to_head`` and ``to_tail`` of h, ``to_number`` being the next number. What
@@ -148,7 +148,7 @@ STATION = _record(
 #: the access point aggregates it is a copy of the entry ``number`` of `Cell.pool`.
 HELD = _record("frame", "came", "number", "tries")
 
-#: The agreement on block acknowledgments from a host to the access point, or back; request and
+#: The agreement on block acknowledgements from a host to the access point, or back; request and
 #: response that wait to be sent, by the order in which they came (0: none), and their failures.
 AGREEMENT = _record("state", "request", "response", "request_tries", "response_tries")
 #: Not agreed on; asked for; not answered in time; agreed on.

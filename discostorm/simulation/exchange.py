@@ -94,7 +94,7 @@ def note(cell, station, start, end, outcome):
 
 @shared
 def give_up_single(cell, station):
-    """Lose a frame without block acknowledgment that has failed too often, if it has."""
+    """Lose a frame without block acknowledgement that has failed too often, if it has."""
     now, its, held = cell.now[0], cell.stations[station], cell.window[station, 0]
     tries = cell.pool[held.number].tries if station == now.hosts else held.tries
     if tries < cell.radio[0].attempts or agreed(cell, station, held.frame):
@@ -128,7 +128,7 @@ def count_failure(cell, station, time):
         its.must_ask = 1
     elif now.cold and its.sent:
         give_up_single(cell, station)
-    # Under a block acknowledgment frames are repeated until they arrive or are too old.
+    # Under a block acknowledgement frames are repeated until they arrive or are too old.
     elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
         lose(cell, cell.window[station, 0].frame, station, RETRY)
         its.held = 0

@@ -21,7 +21,7 @@ RTO_LEAST, RTO_MOST = 0.2, 120.0
 #: What a process sends to a host for each port that a process there may have.
 HOST_BY_HOST = UNITS["process and other host"]
 #: What a message is to the inner loops; announcements they tell by what they inform of.
-_ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgment": _cell.ACKNACK}
+_ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _cell.ACKNACK}
 
 
 def check_table(protocol: Protocol) -> None:
@@ -65,11 +65,11 @@ def _check_repair(protocol: Protocol) -> None:
                 f"for what has the role 'data' to be simulated with recovery; "
                 f"got {message.unit.name!r}"
             )
-    asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgment"))
+    asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
     if len(asking) > 1 or [m.name for m in asking] != [m.answers for m in answering]:
         told = [f"{m.name!r} ({m.role})" for m in (*asking, *answering)]
         raise ValueError(
-            f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgment it must have "
+            f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
             f"none, or one message each, the second of which answers the first; got "
             f"{', '.join(told)}"
         )
@@ -224,11 +224,11 @@ def repair_record(protocol: Protocol) -> Records:
     record = np.zeros(1, _cell.REPAIRS)
     names = [message.name for message in protocol.messages]
     for heartbeat in _of_role(protocol, "heartbeat"):
-        (acknowledgment,) = _of_role(protocol, "acknowledgment")
+        (acknowledgement,) = _of_role(protocol, "acknowledgement")
         seconds["heartbeat_first"] = timers.heartbeat_first
         seconds["heartbeat_most"] = timers.heartbeat_most
         record["heartbeat"] = names.index(heartbeat.name)
-        record["acknack"] = names.index(acknowledgment.name)
+        record["acknack"] = names.index(acknowledgement.name)
         record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
     for name, value in seconds.items():
         record[name] = ticks(value)

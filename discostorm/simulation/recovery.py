@@ -5,7 +5,7 @@ message for each of its own endpoints, an item. Over UDP a writer repeats Heartb
 that have not acknowledged, a reader answers each with an ACKNACK, and what this says is
 missing is sent again (OMG DDSI-RTPS 2.5, 8.4). Over TCP the sender repeats the first missing
 item when its timer ends, doubles the timer, and goes on as in slow start (RFC 6298, 5681); the
-acknowledgments of TCP travel for free. Who has not been heard of for a lease is forgotten
+acknowledgements of TCP travel for free. Who has not been heard of for a lease is forgotten
 with all that it sent, and may be discovered again.
 """
 
@@ -47,7 +47,7 @@ from discostorm.simulation.samples import has_found, is_user_data, send_user_dat
 
 _MASK = (1 << PROCESS_BITS) - 1
 _WORD = 64
-#: Item of an acknowledgment that says nothing new.
+#: Item of an acknowledgement that says nothing new.
 EMPTY = np.int64(ITEMS)
 
 
@@ -377,7 +377,7 @@ def take_item(cell, frame, process, time):
 
 
 @shared
-def take_acknowledgment(cell, frame, process, time):
+def take_acknowledgement(cell, frame, process, time):
     """Send again what a reader says is missing, or note that nothing is."""
     source, topic = source_of(frame), item_of(frame) >> 1
     if item_of(frame) == EMPTY:
@@ -424,7 +424,7 @@ def arrive(cell, frame, process, time):
     elif kind.role == HEARTBEAT:
         acknowledge(cell, frame, process, time)
     elif kind.role == ACKNACK:
-        take_acknowledgment(cell, frame, process, time)
+        take_acknowledgement(cell, frame, process, time)
 
 
 @njit

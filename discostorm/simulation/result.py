@@ -91,7 +91,7 @@ class Simulation:
     starts : ndarray of shape (runs, hosts)
         When each host started [s], in the order of the fleet's groups.
     drain_time : ndarray
-        End of the last transmission of the burst, with its acknowledgment [s]; infinity if
+        End of the last transmission of the burst, with its acknowledgement [s]; infinity if
         some of it was still waiting or still to come at the end. With recovery the repairs
         belong to it.
     lost : ndarray
@@ -110,10 +110,10 @@ class Simulation:
         ``ap_*`` the same at the access point; ``on_air``: multicast, which nobody repeats)
         and still ``waiting``;
         ``ppdus``, the ``mpdus`` in them, those ``retried``; ``collisions`` and the PPDUs
-        ``collided`` in them; ``requests`` for block acknowledgments and for
+        ``collided`` in them; ``requests`` for block acknowledgements and for
         agreements on them, with the responses; ``expired`` leases.
     airtime : ndarray of shape (runs, messages + 1, 3)
-        Airtime by message, the last row for requests, with acknowledgments: up, down,
+        Airtime by message, the last row for requests, with acknowledgements: up, down,
         and failed [s].
     queues : tuple of ndarray
         For each run rows of time [s], and frames waiting at all hosts and at the access

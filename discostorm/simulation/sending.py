@@ -76,7 +76,7 @@ def deliver(cell, station, frame, time, alone):
     row = cell.kinds[kind_of(frame)]
     if station < now.hosts and row.down:
         if offer(cell, now.hosts, frame, time):
-            # Between a single frame and its acknowledgment the medium is idle (10.23.2.2 a).
+            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
             wake(cell, now.hosts, time, not alone)
         return
     burst = not frame & STEADY

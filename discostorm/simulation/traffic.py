@@ -26,9 +26,9 @@ from discostorm.wifi.channel import TICK
 ATTEMPTS = 7
 #: From the begin of an OFDM frame until the receiver knows it [s]: aRxPHYStartDelay (17.4.4).
 RX_START_DELAY = 20e-6
-#: How many frames a block acknowledgment looks back at least (10.25).
+#: How many frames a block acknowledgement looks back at least (10.25).
 WINDOW = 64
-#: From an acknowledgment of 14 octets to an action frame of 37 at 6 Mbit/s [s]: eight symbols.
+#: From an acknowledgement of 14 octets to an action frame of 37 at 6 Mbit/s [s]: eight symbols.
 LONGER_ACTION = 8 * 4e-6
 #: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
@@ -104,7 +104,7 @@ def radio_record(
         "heard": (radio.sifs + basic + extension) * eifs,
         "ack": radio.ack + extension,
         "block_ack": radio.block_ack + extension,
-        # A request has 24 octets, which take as many symbols as a block acknowledgment of 32.
+        # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
         "request": radio.block_ack + extension,
         "action": basic + LONGER_ACTION + extension,
         "basic_ack": basic + extension,
@@ -278,7 +278,7 @@ def kind_records(
                 f"for what is counted by {message.unit.name!r}, which has no receivers; "
                 f"got {message.cast!r}"
             )
-        # Under a block acknowledgment each frame has a QoS Control field.
+        # Under a block acknowledgement each frame has a QoS Control field.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         if octets > _MOST_OCTETS:
             raise ValueError(

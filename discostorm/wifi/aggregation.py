@@ -23,7 +23,7 @@ class Aggregation:
         frame that does not fit in cannot be sent.
     overhead : float
         Airtime that each exchange costs whatever its length [s], at least 0: waiting,
-        preamble, block acknowledgment.
+        preamble, block acknowledgement.
     least_bytes : int, optional
         Least length of a subframe [B], at least 0: so long that receivers which need time
         between the starts of two frames have it.
@@ -45,7 +45,7 @@ class Aggregation:
 def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
     r"""Return the length of an A-MPDU subframe [B] that carries a frame of that length.
 
-    Under a block acknowledgment the frame has a QoS Control field of 2 octets, which the
+    Under a block acknowledgement the frame has a QoS Control field of 2 octets, which the
     paper's frames lack. A delimiter of 4 octets goes before it, and padding after it up
     to a multiple of 4:
 
@@ -72,6 +72,6 @@ def mpdus(frame_bytes: sp.Expr) -> sp.Expr:
 
     References
     ----------
-    IEEE Std 802.11-2020, 10.25 (block acknowledgment window), 9.7 and 10.12 (length).
+    IEEE Std 802.11-2020, 10.25 (block acknowledgement window), 9.7 and 10.12 (length).
     """
     return sp.Min(nt.N_AGG, sp.floor(nt.A_MOST / subframe_bytes(frame_bytes)))

@@ -88,7 +88,7 @@ class Link:
         Data rate [bit/s], from 1 to 1e15.
     overhead : float
         Airtime that each frame costs whatever its length [s], from 0 to 1e6: waiting,
-        preamble, acknowledgment.
+        preamble, acknowledgement.
     padding : Padding, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper.

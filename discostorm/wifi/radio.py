@@ -19,7 +19,7 @@ from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_
 TOPOLOGY = "one access point, infrastructure"
 
 #: Most frames in an A-MPDU of two stations that aggregate by default: all from 802.11n on do, and
-#: this is the block acknowledgment window of 802.11n and ac (``data/wifi/ampdu.csv``).
+#: this is the block acknowledgement window of 802.11n and ac (``data/wifi/ampdu.csv``).
 USUAL_MPDUS = 64
 
 #: What of a `Radio` is no number.
@@ -269,12 +269,12 @@ class Radio:
 
     @property
     def ack(self) -> float:
-        """Duration of an acknowledgment with its preamble [s]."""
+        """Duration of an acknowledgement with its preamble [s]."""
         return float(response("ACK", self._parts.response_rate) / MICRO)
 
     @property
     def block_ack(self) -> float:
-        """Duration of a block acknowledgment with its preamble [s]."""
+        """Duration of a block acknowledgement with its preamble [s]."""
         return float(block_ack(self._parts.response_rate, int(self.mpdus)) / MICRO)
 
     @property

@@ -196,7 +196,7 @@ def response(frame: str, rate: int) -> Fraction:
 
 
 def block_ack(response_rate: int, mpdus: int) -> Fraction:
-    """Return the duration of a block acknowledgment whose bitmap has room for the MPDUs [us]."""
+    """Return the duration of a block acknowledgement whose bitmap has room for the MPDUs [us]."""
     bitmaps = [
         int(row["name"].removeprefix("BlockAck "))
         for row in read_data("wifi/frames.csv")

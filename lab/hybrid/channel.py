@@ -4,7 +4,7 @@ The rules and numbers are those of `discostorm.simulation.medium` (IEEE Std 802.
 10.23.2), without aggregation. That engine is compiled for tables of messages; this one carries
 what a protocol decides while it runs, and is meant for few frames: it counts back-off slots
 of those that wait, a host that has nothing to send has no back-off, and who collided contends
-from AIFS on as all others do (there after its timeout for the acknowledgment).
+from AIFS on as all others do (there after its timeout for the acknowledgement).
 """
 
 from collections import deque

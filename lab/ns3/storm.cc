@@ -514,7 +514,7 @@ Start()
             auto address = Mac48Address::ConvertFrom(devices.Get(to)->GetAddress());
             if (!MacOf(node)->GetBaAgreementEstablishedAsOriginator(address, 0))
             {
-                Fail("no block acknowledgment agreement before the burst");
+                Fail("no block acknowledgement agreement before the burst");
             }
         }
     }
@@ -569,7 +569,7 @@ Start()
     WatchForEnd();
 }
 
-// Three frames at once from each host to the next set up block acknowledgment, up and down.
+// Three frames at once from each host to the next set up block acknowledgement, up and down.
 void
 WarmUp(uint32_t host)
 {

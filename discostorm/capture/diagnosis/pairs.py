@@ -11,7 +11,7 @@ from discostorm.capture.diagnosis.seen import ACKNACK, DATA, HEARTBEAT, Seen
 
 #: Announcements that follow each other within this time are of one start [s].
 TOGETHER = 5.0
-#: Two acknowledgments further apart than this did not just overtake each other [s].
+#: Two acknowledgements further apart than this did not just overtake each other [s].
 APART = 1.0
 
 
@@ -112,7 +112,7 @@ def groups(chosen: Array, *keys: Array) -> list[tuple[int, int, Array]]:
 Acks = dict[tuple[int, int, int], tuple[Array, Array]]
 
 
-def acknowledgments(seen: Seen) -> Acks:
+def acknowledgements(seen: Seen) -> Acks:
     """Return by who confirms, whose writer's and which: when, and the first sample it lacks."""
     chosen = seen.of("kind", ACKNACK) & (seen.process >= 0) & (seen.peer >= 0)
     writer = seen.rows["writer"].to_numpy(np.int64)
@@ -127,7 +127,7 @@ def acknowledgments(seen: Seen) -> Acks:
 def rtps_pairs(seen: Seen, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return what is known of ordered pairs: of whom, by whom."""
     heard = rtps_heard(seen)
-    writers, acks = _writers(seen), acknowledgments(seen)
+    writers, acks = _writers(seen), acknowledgements(seen)
     nothing = np.zeros(0), np.zeros(0, np.int64)
     pairs = []
     spoke = _spoke(seen)
@@ -174,7 +174,7 @@ def _exchanged(seen: Seen) -> set[tuple[str, str]]:
 
 
 def _begun_anew(times: Array, bases: Array) -> list[float]:
-    """Return when acknowledgments begin anew, having got somewhere before."""
+    """Return when acknowledgements begin anew, having got somewhere before."""
     got = np.flatnonzero(bases > 1)
     if not len(got):
         return []

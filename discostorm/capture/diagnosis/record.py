@@ -9,7 +9,7 @@ import numpy as np
 
 from discostorm import words
 from discostorm.capture.diagnosis.finding import Finding, listed
-from discostorm.capture.diagnosis.pairs import Pair, acknowledgments, groups
+from discostorm.capture.diagnosis.pairs import Pair, acknowledgements, groups
 from discostorm.capture.diagnosis.reach import PATIENCE, unheard
 from discostorm.capture.diagnosis.seen import (
     DATA,
@@ -25,7 +25,7 @@ def began_late(seen: Seen) -> set[int]:
 
     Others confirm samples that the capture does not show, and never began with the first one.
     """
-    acks = acknowledgments(seen)
+    acks = acknowledgements(seen)
     data = seen.of("kind", DATA) & (seen.process >= 0) & (seen.number > 0)
     writer = seen.rows["writer"].to_numpy(np.int64)
     # What a process tells long after it was heard first, and not from its first sample on, comes
@@ -45,7 +45,7 @@ def began_late(seen: Seen) -> set[int]:
 def _settled(seen: Seen) -> set[int]:
     """Return the processes that others know, and that say nothing that is said at a start.
 
-    A start has Heartbeats or acknowledgments of endpoints, an acknowledgment of nothing yet, or
+    A start has Heartbeats or acknowledgements of endpoints, an acknowledgement of nothing yet, or
     a handshake.
     """
     speaks = seen.process >= 0
@@ -166,7 +166,7 @@ def holes_of(seen: Seen, late: set[int]) -> dict[tuple[str, str], int]:
     jumped = {(one, which) for one, which, _ in groups(gaps, seen.process, writer)}
     found: dict[tuple[str, str], int] = {}
     nothing = np.zeros(0, np.int64)
-    for (by, of, which), (_, bases) in acknowledgments(seen).items():
+    for (by, of, which), (_, bases) in acknowledgements(seen).items():
         if of in late or (of, which) in jumped:
             continue
         rows = sent.get((of, which), nothing)

@@ -13,7 +13,7 @@ from discostorm.capture._bytes import Array
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Of RTPS what SEDP's messages are called: samples, Heartbeats, acknowledgments.
+#: Of RTPS what SEDP's messages are called: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 #: Of DDS Security: the handshake, the keys that follow it, and what these encrypt.
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
