@@ -1,8 +1,8 @@
-"""Kernels that have imported what chapters need when they start: copies of one process.
+"""Warm kernels: copies of one process that has imported everything that chapters need.
 
-While `warm_kernels` is entered, whoever starts the kernel "python3" gets one of them: a kernel
-specification names this script, which asks the process that has imported it all for a copy, and
-lasts as long as that. To start cold, a kernel takes longer than half of the chapters do.
+Inside `warm_kernels`, the kernel "python3" is such a copy. A kernel specification names this
+script, which asks the process with the imports for a copy and waits for its end. A cold kernel
+takes longer to start than half of the chapters take to run.
 """
 
 import json
@@ -46,7 +46,7 @@ if __name__ != "__main__":
 
     @contextmanager
     def warm_kernels() -> Iterator[None]:
-        """Let kernels start warm; where libraries of the system may not be copied, as they do."""
+        """Let kernels start warm on Linux; elsewhere they start cold."""
         if sys.platform != "linux":
             yield
             return
@@ -66,7 +66,7 @@ if __name__ != "__main__":
             try:
                 # It ends when its input does, however that comes.
                 with subprocess.Popen(serving, stdin=subprocess.PIPE, pass_fds=[number]):
-                    listener.close()  # so that nobody waits for it once it has failed
+                    listener.close()  # a kernel must not wait for it once it has failed
                     yield
             finally:
                 if before is None:
@@ -118,9 +118,9 @@ def fork() -> int:
 
 
 def serve(listener: socket.socket) -> list[str]:
-    """Copy this process for everybody who asks; return in the copies, with their arguments."""
+    """Copy this process on each request; return in the copies, with their arguments."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for those that `watch`
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # processes that `watch` need no wait
     while True:
         ready, _, _ = select.select([listener, sys.stdin], [], [])
         if sys.stdin in ready:

@@ -1,6 +1,4 @@
-"""Build in less time: pages side by side, by kernels that are warm, and each page read once for
-all numbers that others name.
-"""
+"""Build faster: parallel pages, warm kernels, and each page read once for all references."""
 
 import os
 import sys
@@ -24,7 +22,7 @@ _KERNELS = ExitStack()
 
 
 class _Read:
-    """The environment, with documents that are read once: who takes one changes nothing in it."""
+    """The environment, which reads each document once; its readers change nothing in it."""
 
     def __init__(self, env: BuildEnvironment) -> None:
         self._env = env
@@ -35,7 +33,7 @@ class _Read:
 
 
 class _Standard(StandardDomain):
-    """What resolves references, which looks for each number in the whole document that has it."""
+    """The standard domain, which looks up each number in the whole document that has it."""
 
     _read: Any = None
 
@@ -60,7 +58,7 @@ def _start(app: Sphinx) -> None:
 
 
 def _declare(app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
-    # It only numbers what has been read, but does not say so.
+    # It numbers pages after they have been read, but does not declare it.
     app.extensions["sphinx_multitoc_numbering"].parallel_read_safe = True
 
 

@@ -23,12 +23,11 @@ from discostorm.cli.output import (
     seconds,
     visible,
 )
+from discostorm.simulation import NoRecovery
 from discostorm.wifi import Wifi
 
 #: When discovery would be complete without user data, a column.
 ALONE = "convergence_without_data_s"
-#: How the package says that it does not simulate the recovery of a table.
-REFUSED = "recovery must be False for the protocol"
 #: What delays are called in the table of topics.
 TOLD = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
@@ -184,10 +183,8 @@ def simulate(
                 results = [ds.simulate(one, protocol, wifi, **arguments) for one in fleets]
             except ImportError as error:
                 raise BadInput(str(error)) from error
-            except ValueError as error:
-                if not str(error).startswith(REFUSED):
-                    raise
-                refused[protocol.name] = str(error).partition(": ")[2]
+            except NoRecovery as error:
+                refused[protocol.name] = error.why
                 unrepaired = arguments | {"recovery": False}
                 results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in fleets]
             found[protocol.name] = results[0]

@@ -22,14 +22,14 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.simulation._memory import available
 from discostorm.simulation.places import MOST_DECIBELS, THRESHOLD, disc, powers
-from discostorm.simulation.result import Run, Simulation
+from discostorm.simulation.result import NoRecovery, Run, Simulation
 from discostorm.simulation.starts import Start, told
 from discostorm.wifi import Wifi
 
 if TYPE_CHECKING:
     from discostorm.simulation.run import Setup
 
-__all__ = ["Simulation", "disc", "powers", "simulate"]
+__all__ = ["NoRecovery", "Simulation", "disc", "powers", "simulate"]
 
 #: Frames and seconds; None for no limit.
 Queue: TypeAlias = tuple[float | None, float | None] | NDArray[Any]

@@ -10,6 +10,7 @@ from discostorm import _checks
 from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
 from discostorm.simulation import cell as _cell
 from discostorm.simulation.cell import Records
+from discostorm.simulation.result import NoRecovery
 from discostorm.simulation.traffic import Shares, ticks
 from discostorm.wifi.channel import TICK
 
@@ -26,22 +27,24 @@ _ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _
 
 def check_table(protocol: Protocol) -> None:
     """Refuse a table that does not say all that recovery takes."""
-    refused = f"recovery must be False for the protocol {protocol.name!r}: "
     for message in protocol.messages:
         if message.role is None:
-            raise ValueError(
-                f"{refused}its message {message.name!r} has no role; give each message of the "
-                "table one, see discostorm.messages.Message"
+            raise NoRecovery(
+                protocol.name,
+                f"its message {message.name!r} has no role; give each message of the table one, "
+                "see discostorm.messages.Message",
             )
     if protocol.timers is None:
-        raise ValueError(
-            f"{refused}it has no timers; give it some, such as discostorm.DDS.timers or "
-            "discostorm.messages.Timers()"
+        raise NoRecovery(
+            protocol.name,
+            "it has no timers; give it some, such as discostorm.DDS.timers or "
+            "discostorm.messages.Timers()",
         )
     if not _announcements(protocol):
-        raise ValueError(
-            f"{refused}its processes announce themselves to servers or routers instead of to each "
-            "other, and who learns what from these, and when, is not simulated"
+        raise NoRecovery(
+            protocol.name,
+            "its processes announce themselves to servers or routers instead of to each other, and "
+            "who learns what from these, and when, is not simulated",
         )
     _check_answers(protocol)
     _check_repair(protocol)

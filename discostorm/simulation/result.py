@@ -34,6 +34,20 @@ OUTCOMES = ("success", "collision", "error")
 QUANTILES = tuple(part / 20 for part in range(21))
 
 
+class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
+    """The recovery of a protocol is not simulated: `simulate` needs ``recovery=False``.
+
+    Attributes
+    ----------
+    why : str
+        Why, and what to change if that helps.
+    """
+
+    def __init__(self, protocol: str, why: str) -> None:
+        super().__init__(f"recovery must be False for the protocol {protocol!r}: {why}")
+        self.why = why
+
+
 def _plain(value: Any) -> Any:
     """Return it with None for infinity, which JSON has not."""
     if isinstance(value, list):
