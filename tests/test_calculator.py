@@ -493,7 +493,7 @@ def test_what_would_help_is_the_planners(tab: Page, entries: dict[str, str]) -> 
 
 def test_the_planner_tries_what_the_page_says_beside_its_own() -> None:
     page = (ROOT / "book" / "calculator.md").read_text(encoding="utf-8")
-    (command,) = re.findall(r"^discostorm (plan .*)$", page, re.M)
+    (command,) = re.findall(r"`discostorm (plan fleet.toml[^`]*)`", page)
     command = command.replace("fleet.toml", str(data_path("fleets/nav2_laptop.toml")))
     said = CliRunner().invoke(main, [*shlex.split(command), "--json"])
     assert said.exit_code == 0, said.output
