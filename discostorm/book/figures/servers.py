@@ -173,7 +173,7 @@ def arrangements() -> Figure:
             loc="outside lower center",
             ncols=2,
         )
-        headline(figure, "A central router admits the most robots, and it can silence all of them")
+        headline(figure, "A wired Zenoh router admits the most robots, but it can silence all of them")
     return figure
 
 
