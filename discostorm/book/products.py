@@ -303,24 +303,6 @@ def reasons() -> pd.DataFrame:
     return said.join(why, how="right")[["cases", "what"]].reset_index()
 
 
-def later(name: str, phase: str) -> float:
-    """Return the rank correlation of how late a run is ready with how much of a phase it has [1].
-
-    Over the startups of swarms with four processes or more.
-    """
-    kinds, both = {message.kind for message in PROTOCOLS[name].of_phase(phase)}, []
-    for point in measured.points(name):
-        sent = sum(
-            run[:, 0]
-            for (window, kind, about, *_), run in point.runs.items()
-            if window == "startup" and kind in kinds and not about
-        )
-        if float(np.asarray(point.fleet.processes())) >= 4 and np.median(sent):
-            both.append([values / np.median(values) for values in (point.ready, sent)])
-    ranks = np.concatenate(both, axis=1).argsort().argsort()
-    return float(np.asarray(np.corrcoef(ranks))[0, 1])
-
-
 def refits() -> pd.DataFrame:
     """Return how far measured models were off before and after the fit to the wider grid.
 
