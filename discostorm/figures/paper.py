@@ -241,7 +241,14 @@ def _map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> N
         grid.columns, grid.index, grid.to_numpy(), levels, colors=color,
         linewidths=[2.6 if level == 1 else 1 for level in levels],
     )  # fmt: skip
-    for text in axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8):
+    # Each name stands where the dashed line does not cross its curve: the first one low in the map.
+    vertices = [np.asarray(path.vertices) for path in lines.get_paths()]
+    heights = [5, 18, 18, 18]
+    places = [
+        tuple(at[np.abs(at[:, 1] - height).argmin()])
+        for at, height in zip(vertices, heights, strict=True)
+    ]
+    for text in axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8, manual=places):
         text.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     label = f"{FIG3_ENDPOINTS_IN_ALL} endpoints in all"
     axis.plot(line["processes"], line["endpoints"], "--", color="black", label=label, zorder=1)

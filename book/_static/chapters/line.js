@@ -11,7 +11,6 @@
   const state = { endpoints: start, processes: begun };
   const { make, put, within } = CHAPTER;
   const STEPS = 200; // of a curve
-  const NAMES = 2.5; // processes that a name is wide
 
   const utilization = ({ terms }, processes) =>
     terms.reduce((sum, [i, j, factor]) => sum + factor * processes ** i * (state.endpoints / processes) ** j, 0);
@@ -82,21 +81,13 @@
       put(dot, end);
       return end;
     });
-    // Names stand above the curves, one above the other, and within the panel: where the curves
-    // begin beside those of further processes, elsewhere beside their dots.
+    // Names stand where the curves do not come: one above the other, at the panel's upper left.
     const order = ends.map(([, y], index) => [y, index]).sort(([a], [b]) => a - b);
-    const early = processes < NAMES + first + 1;
-    const [, above] = below.place(0, Math.max(...DATA.protocols.map((one) => utilization(one, processes + NAMES))));
-    let free = below.top + 16;
-    order.forEach(([y, index], rank) => {
-      const more = 18 * (order.length - 1 - rank);
-      const at = within(early ? above - 10 - more : y - 8, free, below.bottom - 6 - more);
-      free = at + 18;
+    order.forEach(([, index], rank) => {
       const { name, protocol } = curves[index];
       name.textContent = `${protocol.name} ${percent(utilization(protocol, processes))}`;
-      name.setAttribute("x", ends[index][0] + (early ? -6 : -12));
-      name.setAttribute("y", at);
-      name.setAttribute("text-anchor", early ? "start" : "end");
+      name.setAttribute("x", below.left + 10);
+      name.setAttribute("y", below.top + 18 + 18 * rank);
     });
     told.textContent = said();
   }

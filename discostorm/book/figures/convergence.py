@@ -184,7 +184,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                     textcoords="offset points",
                     ha="right",
                     va="center",
-                    color=color,
+                    color=COLORS[protocol],  # a tint is too pale to read
                     fontsize=9,
                 )
             ticks = [0.5, 1, 2, 5, 10, 20, 45]

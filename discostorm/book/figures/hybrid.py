@@ -99,6 +99,7 @@ def ladder() -> Figure:
                     said, (airtime, place), (across, 0),
                     textcoords="offset points", va="center", fontsize=8.5,
                     ha="left" if across > 0 else "right",
+                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
                 )  # fmt: skip
             axis.annotate(
                 str(column).removesuffix(" [s]"), (data[column].iloc[0], 0), (across, 9),
@@ -112,7 +113,8 @@ def ladder() -> Figure:
         axis.tick_params(axis="y", length=0, labelsize=8.5)
         axis.spines["left"].set_visible(False)
         axis.grid(visible=False, axis="y")
-        axis.set_xticks([10.0**power for power in range(-3, 3)])
+        # On a phone no more numbers fit below the axis.
+        axis.set_xticks([10.0**power for power in (-2, 0, 2)])
         axis.xaxis.set_minor_locator(NullLocator())
         axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,g}"))
         headline(figure, "Every step helps; dropping acknowledgments helps most")
