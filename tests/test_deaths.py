@@ -305,7 +305,7 @@ def test_what_remedies_say_of_deaths_was_measured() -> None:
     table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
     again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
     assert table.loc[again, "happened"] < table.loc[again, "runs"]
-    assert "nor after short outages without -b" in fails["discovery server"]
+    assert "and after short outages without -b" in fails["discovery server"]
     short = {
         name: [found for event, found in outages(name).items() if float(event.split()[2]) <= 10]
         for name in lab.OUTAGES_OF
@@ -325,4 +325,4 @@ def test_what_remedies_say_of_deaths_was_measured() -> None:
         ("router on each host", "Zenoh router per host", "orphans"),
     ):
         back = table.loc[(name, "server killed", "return", who, "found"), "median_s"]
-        assert f"until {back:.1f} s after it is back" in fails[kind]
+        assert f"until {back:.1f} s after the router is back" in fails[kind]

@@ -98,11 +98,11 @@ def test_without_each_is_the_fleet_without_each() -> None:
 def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(50))
     assert plan.advice().count("- Group ") == 5
-    assert "- 45 further groups: each part of at most" in plan.advice()
+    assert "- 45 further groups: each involved in at most" in plan.advice()
     shares = [share.share for share in plan.of_kind("group")]
     assert len(shares) == 50
     assert all(one >= another for one, another in pairwise(shares))
-    assert "- 1 further group: part of at most" in ds.plan(fleet(6)).advice()
+    assert "- 1 further group: involved in at most" in ds.plan(fleet(6)).advice()
     assert "further group" not in ds.plan(fleet(5)).advice()
 
 

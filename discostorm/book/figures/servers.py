@@ -173,7 +173,9 @@ def arrangements() -> Figure:
             loc="outside lower center",
             ncols=2,
         )
-        headline(figure, "A wired Zenoh router admits the most robots, but it can silence all of them")
+        headline(
+            figure, "A wired Zenoh router admits the most robots, but it can silence all of them"
+        )
     return figure
 
 
