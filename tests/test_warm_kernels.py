@@ -9,6 +9,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbformat import v4
+from test_workers import running
 
 pytestmark = [
     pytest.mark.book,
@@ -32,14 +33,6 @@ def run(*paths: Path, **env: str) -> "subprocess.CompletedProcess[str]":
         capture_output=True,
         check=False,
     )
-
-
-def running(process: int) -> bool:
-    try:
-        stat = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
-    except OSError:
-        return False
-    return stat.rpartition(")")[2].split()[0] not in "ZX"
 
 
 def test_a_kernel_is_warm_and_otherwise_as_one_that_starts_cold(tmp_path: Path) -> None:
