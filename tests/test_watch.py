@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from capture_files import CAPTURES, packets, pcap
 from click.testing import CliRunner
+from conftest import missing
 
 from discostorm.capture import CaptureError
 from discostorm.capture.live import Packets, Watch
@@ -176,8 +177,9 @@ def test_wrong_usage_is_told(arguments: list[str], said: str) -> None:
     assert said in " ".join(result.output.split())
 
 
-@pytest.mark.skipif(not shutil.which("tcpdump"), reason="needs tcpdump")
 def test_an_interface_that_is_none_is_told() -> None:
+    if not shutil.which("tcpdump"):
+        missing("no tcpdump here; on Debian: apt-get install tcpdump")
     result = CliRunner().invoke(main, ["watch", "-i", "none0", "--seconds", "1"])
     assert result.exit_code == 2
     assert "cannot capture on none0" in result.output.replace("'", "")
