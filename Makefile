@@ -43,7 +43,7 @@ help: ## list what can be made
 book: $(READY) ## execute every notebook and build the HTML book
 	@$(BIN)/python scripts/loopback.py
 	@rm -rf _build
-	@$(BIN)/python scripts/run_notebooks.py --report _build
+	@$(BIN)/python scripts/book/run_notebooks.py --report _build
 	@$(BUILD)
 	@touch _build/.done
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
@@ -53,7 +53,7 @@ test: $(READY) ## run all tests, notebooks included
 	@$(BIN)/pytest -n 2
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
-	@sh scripts/check_latex.sh
+	@sh scripts/checks/check_latex.sh
 	@rm -rf _build/latex _build/.doctrees _build/run_times.csv
 	@$(BUILD) --builder latex
 	@echo "Running LaTeX ..."
@@ -61,8 +61,8 @@ pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 		SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 latexmk -xelatex -halt-on-error \
 		-interaction=nonstopmode -quiet $$name.tex >$$name.latexmk 2>&1 \
 		|| { tail -n 40 $$name.latexmk; exit 1; }; done
-	@$(BIN)/python scripts/check_pdf.py _build/latex/discostorm.pdf
-	@$(BIN)/python scripts/check_pdf.py _build/latex/cheat_sheet.pdf --pages 1
+	@$(BIN)/python scripts/book/check_pdf.py _build/latex/discostorm.pdf
+	@$(BIN)/python scripts/book/check_pdf.py _build/latex/cheat_sheet.pdf --pages 1
 	@mkdir -p build && cp _build/latex/discostorm.pdf _build/latex/cheat_sheet.pdf build/
 	@echo; echo "The PDF is ready: open $$PWD/build/discostorm.pdf, and cheat_sheet.pdf beside it"
 
@@ -71,25 +71,25 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 	@$(BUILD)
 	@$(BIN)/discostorm figures --out build/release/figures
 	@SOURCE_DATE_EPOCH=$(EPOCH) $(BIN)/python -m hatchling build --target wheel --directory build/release/dist
-	@$(BIN)/python scripts/make_release.py --epoch $(EPOCH)
+	@$(BIN)/python scripts/book/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 	@$(BIN)/discostorm figures --out "$$OUT"
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
-	@$(BIN)/python scripts/write_calculator.py
+	@$(BIN)/python scripts/generate/write_calculator.py
 
 live: $(READY) ## compile the simulator for the pages and write what its runs are set up from (needs lld)
-	@$(BIN)/python scripts/write_live.py
+	@$(BIN)/python scripts/generate/write_live.py
 
 live-check: $(READY) ## compare the pages' simulator with Python's, in 1000 settings (needs Chromium)
-	@$(BIN)/python scripts/check_live.py $(ARGS)
+	@$(BIN)/python scripts/generate/check_live.py $(ARGS)
 
 palette: $(READY) ## write the colors of the pages from the palette
-	@$(BIN)/python scripts/write_palette.py
+	@$(BIN)/python scripts/generate/write_palette.py
 
 notebooks: $(READY) ## execute every notebook in place
-	@$(BIN)/python scripts/run_notebooks.py
+	@$(BIN)/python scripts/book/run_notebooks.py
 
 lint: $(READY) ## check style, types and which module imports which
 	$(BIN)/ruff check .
@@ -98,7 +98,7 @@ lint: $(READY) ## check style, types and which module imports which
 	$(BIN)/lint-imports --no-logo --cache-dir .venv/import-linter
 
 bench: $(READY) ## measure the speed of the package against its limits
-	@$(BIN)/python scripts/bench.py
+	@$(BIN)/python scripts/checks/bench.py
 
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
@@ -120,7 +120,7 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 	@$(BIN)/python lab/published.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/run_hybrid.py --out discostorm/data/measured/hybrid.csv
+	@$(BIN)/python lab/run_hybrid.py --out packages/book/discostorm_book/data/measured/hybrid.csv
 
 build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }
@@ -134,25 +134,25 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
-	@$(BIN)/python scripts/simulate.py $(ARGS)
+	@$(BIN)/python scripts/sweeps/simulate.py $(ARGS)
 	@$(BIN)/python lab/simulate_hybrid.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
-	@$(BIN)/python scripts/test_versions.py oldest
+	@$(BIN)/python scripts/checks/test_versions.py oldest
 
 test-newest: $(READY) ## test the package with the newest versions of what it needs
-	@$(BIN)/python scripts/test_versions.py newest
+	@$(BIN)/python scripts/checks/test_versions.py newest
 
-build/dist-tools/.ready: scripts/check_dist.lock | $(READY)
+build/dist-tools/.ready: scripts/checks/check_dist.lock | $(READY)
 	@echo "Installing what checks distributions into build/dist-tools (once) ..."
-	@sh scripts/install.sh build/dist-tools --no-deps --require-hashes -r scripts/check_dist.lock
+	@sh scripts/install.sh build/dist-tools --no-deps --require-hashes -r scripts/checks/check_dist.lock
 	@touch $@
 
 check-dist: build/dist-tools/.ready ## build source archive and wheel, and try them as an index would
-	@$(BIN)/python scripts/check_dist.py --tools build/dist-tools
+	@$(BIN)/python scripts/checks/check_dist.py --tools build/dist-tools
 
 metadata: $(READY) ## write what indexes and archives read, from CITATION.cff and _config.yml
-	@$(BIN)/python scripts/write_metadata.py
+	@$(BIN)/python scripts/generate/write_metadata.py
 
 serve: book ## show the book at http://localhost:8000, or below it (BASE=/discostorm/)
 	@$(BIN)/python scripts/serve.py _build/html --base "$$BASE"
@@ -160,7 +160,7 @@ serve: book ## show the book at http://localhost:8000, or below it (BASE=/discos
 lock: $(READY) ## resolve the versions anew (needs uv)
 	uv pip compile --upgrade pyproject.toml --extra book --extra simulation --group book --group dev --universal --fork-strategy fewest \
 		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
-	$(BIN)/python scripts/write_environment.py
+	$(BIN)/python scripts/generate/write_environment.py
 
 clean: ## remove what was built, but not .venv
 	rm -rf _build build

@@ -1,22 +1,52 @@
 """Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable."""
 
+import ast
+from functools import cache
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
-import lazy_loader
-
-from discostorm._renamed import MODULES, answer_imports
-
-__version__ = "0.3.0"
-
-# What is public is listed in __init__.pyi, which type checkers read as well. It is loaded when it
-# is asked for, so that the command line can answer Ctrl-C before NumPy and SymPy are loaded.
-_public, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__version__ = "0.4.0.dev0"
 
 
-answer_imports()
+@cache
+def _homes() -> dict[str, tuple[str, str]]:
+    """Return the module and the name there of each public name, as __init__.pyi lists them."""
+    stub = ast.parse(Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+    imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
+    return {
+        alias.asname or alias.name: (node.module or "", alias.name)
+        for node in imports
+        for alias in node.names
+    }
 
 
+__all__ = [name for name, (module, _) in _homes().items() if module.partition(".")[0] == __name__]
+
+
+# Names are loaded when they are asked for, so that the command line answers Ctrl-C before NumPy and
+# SymPy are loaded, and the core works without the packages that are built on it.
 def __getattr__(name: str) -> Any:
-    if name in MODULES:
-        raise AttributeError(f"discostorm.{name} is {MODULES[name]} since 0.3.0")
-    return _public(name)
+    if name not in _homes():
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, attribute = _homes()[name]
+    if module == __name__:
+        value = import_module(f"{module}.{attribute}")
+    else:
+        try:
+            value = getattr(import_module(module), attribute)
+        except ModuleNotFoundError as error:
+            package = module.partition(".")[0]
+            if error.name != package:
+                raise
+            extra = package.removeprefix("discostorm_")
+            raise ImportError(
+                f"discostorm.{name} needs {package}; to get it: pip install 'discostorm[{extra}]'",
+                name=package,
+            ) from error
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*_homes(), "__version__"])

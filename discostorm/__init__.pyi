@@ -1,5 +1,4 @@
-from . import (
-    capture as capture,
+from discostorm import (
     data as data,
     figures as figures,
     fleet as fleet,
@@ -8,21 +7,17 @@ from . import (
     messages as messages,
     model as model,
     notation as notation,
-    paper as paper,
-    planner as planner,
     protocols as protocols,
     robots as robots,
     saturation as saturation,
-    simulation as simulation,
-    staggered as staggered,
+    snippets as snippets,
     timeline as timeline,
     uncertainty as uncertainty,
     wifi as wifi,
 )
-from ._numeric import lambdify as lambdify
-from .capture import Capture as Capture, CaptureError as CaptureError, read_capture as read_capture
-from .fleet import Fleet as Fleet, HostGroup as HostGroup
-from .messages import (
+from discostorm._numeric import lambdify as lambdify
+from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup
+from discostorm.messages import (
     ENDPOINT_PAIR as ENDPOINT_PAIR,
     ONCE as ONCE,
     PAIR as PAIR,
@@ -33,15 +28,12 @@ from .messages import (
     Schedule as Schedule,
     Unit as Unit,
 )
-from .model import breakdown as breakdown, burst as burst, utilization as utilization
-from .planner import Plan as Plan, Remedy as Remedy, Share as Share
-from .planner.plan import plan as plan
-from .protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
-from .saturation import saturation_hosts as saturation_hosts
-from .simulation import Simulation as Simulation, simulate as simulate
-from .timeline import drain_time as drain_time
-from .uncertainty import bounds as bounds, sensitivity as sensitivity
-from .wifi import (
+from discostorm.model import breakdown as breakdown, burst as burst, utilization as utilization
+from discostorm.protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
+from discostorm.saturation import saturation_hosts as saturation_hosts
+from discostorm.timeline import drain_time as drain_time
+from discostorm.uncertainty import bounds as bounds, sensitivity as sensitivity
+from discostorm.wifi import (
     PAPER as PAPER,
     WIFI as WIFI,
     Aggregation as Aggregation,
@@ -50,5 +42,12 @@ from .wifi import (
     Radio as Radio,
     Wifi as Wifi,
 )
+from discostorm_capture import (
+    Capture as Capture,
+    CaptureError as CaptureError,
+    read_capture as read_capture,
+)
+from discostorm_planner import Plan as Plan, Remedy as Remedy, Share as Share, plan as plan
+from discostorm_simulation import Simulation as Simulation, simulate as simulate
 
 __version__: str

@@ -14,7 +14,6 @@ import sympy as sp
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, plain
-from discostorm._renamed import OF_FLEET, answer, renamed_members
 from discostorm.fleet_file import COUNTS as COUNTS, LEAST as LEAST, fleet_tables, told_of
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
@@ -169,7 +168,6 @@ class HostGroup:
         return f"HostGroup({', '.join(parts)})"
 
 
-@renamed_members(OF_FLEET)
 @dataclass(frozen=True, repr=False)
 class Fleet:
     """All hosts that share the channel.
@@ -466,5 +464,3 @@ def _group(table: dict[str, Any]) -> HostGroup:
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.
 SWARM = Fleet.swarm(nt.N_H, nt.N_P, nt.N_E)
-
-answer(__name__)

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm._renamed import answer
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 
@@ -77,7 +76,7 @@ def arrangements() -> dict[str, dict[str, str]]:
 @cache
 def _counts(kind: str) -> dict[str, dict[Key, tuple[float, ...]]]:
     counts: dict[str, dict[Key, tuple[float, ...]]] = defaultdict(dict)
-    for row in read_data(f"measured/{kind}counts.csv"):
+    for row in read_data(f"measured/{kind}counts.csv", "discostorm_book"):
         messages, frames, octets = map(float, (row["messages"], row["frames"], row["bytes"]))
         cast = "multicast" if row["multicast"] == "1" else "unicast"
         of_run = counts[row["run"]]
@@ -126,7 +125,7 @@ def points_of(
     With the kind left out: of an arrangement of ``lab/mitigations.csv``, with a table or without.
     """
     of_point: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
-    for run in read_data(f"measured/{kind}runs.csv"):
+    for run in read_data(f"measured/{kind}runs.csv", "discostorm_book"):
         if (run["product"], run["variant"]) == (product, variant):
             columns = ("hosts", "processes", "endpoints", "names", "use")
             of_point[tuple(run[column] for column in columns)][run["run"]] = float(run["made_s"])
@@ -318,7 +317,7 @@ _OF_DEATHS = ("arrangement", "event", "phase", "who", "quantity")
 @cache
 def _seconds(table: str = "deaths") -> dict[tuple[str, ...], list[dict[str, str]]]:
     found: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
-    for row in read_data(f"measured/{table}.csv"):
+    for row in read_data(f"measured/{table}.csv", "discostorm_book"):
         found[tuple(row[name] for name in _OF_DEATHS)].append(row)
     return dict(found)
 
@@ -396,6 +395,3 @@ def deaths(table: Literal["deaths", "outages"] = "deaths") -> pd.DataFrame:
             }
         )
     return pd.DataFrame(rows)
-
-
-answer(__name__)

@@ -14,17 +14,12 @@ from numpy.typing import ArrayLike
 from discostorm import _checks, notation as nt
 from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Polynomial, Value
-from discostorm._renamed import renamed
 from discostorm.fleet import SWARM, Count, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import sum_over_units, total_of, unit_costs
 from discostorm.wifi import PAPER, Model, Wifi
 
 
-@renamed(
-    beside="fleet=, a Fleet of the hosts that grow and of the others",
-    shared="fleet=, with HostGroup.shared",
-)
 def saturation_hosts(
     protocol: Protocol,
     processes: ArrayLike | None = None,

@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from discostorm.book.comparison import airtime_counted, airtime_expected
 from discostorm.data import data_path, read_data
 from discostorm.measured import (
     CLASSES,
@@ -29,6 +28,7 @@ from discostorm.measured import (
     size_of,
 )
 from discostorm.protocols.as_built import as_built
+from discostorm_book.comparison import airtime_counted, airtime_expected
 
 DIGITS = 3
 RESTARTS = ("restart", "join")
@@ -71,7 +71,8 @@ def restarts() -> Iterator[dict[str, Any]]:
     """
     names = {(row["product"], row["variant"]): name for name, row in products().items()}
     for key in dict.fromkeys(
-        (run["product"], run["variant"]) for run in read_data("measured/restart_runs.csv")
+        (run["product"], run["variant"])
+        for run in read_data("measured/restart_runs.csv", "discostorm_book")
     ):
         zenoh = products()[names[key]]["family"] == "Zenoh"
         shares, factors = defaultdict(list), defaultdict(list)

@@ -20,8 +20,8 @@ import numpy as np
 from run import SECURITY
 
 import discostorm as ds
-from discostorm.capture import files, ip, link
-from discostorm.capture._bytes import Numbers
+from discostorm_capture import files, ip, link
+from discostorm_capture._bytes import Numbers
 
 #: The windows that are counted, from the time that all processes begin at [s]. What serves them
 #: has begun before.

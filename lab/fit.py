@@ -19,12 +19,12 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
-from discostorm.book.comparison import misses, times
 from discostorm.data import data_path, read_data
 from discostorm.measured import WINDOWS, Point, arrangements, beyond, points, products
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule
+from discostorm_book.comparison import misses, times
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),

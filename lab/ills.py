@@ -1,7 +1,7 @@
 """What a capture shows of sick fleets: real middleware with one thing wrong, captured.
 
 Each run is a process tree of its own, as those of run.py. `ills.csv` lists what is staged;
-`discostorm.capture` diagnoses the captures, and `ills.py --table FILE` writes what it finds.
+`discostorm_capture` diagnoses the captures, and `ills.py --table FILE` writes what it finds.
 """
 
 import argparse

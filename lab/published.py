@@ -1,7 +1,7 @@
 """What others published of discovery traffic, staged in the lab and counted as they did.
 
 `published.csv` has the stagings, `published_endpoints.csv` what their programs are said to make. A
-row of `discostorm/data/measured/published.csv` is a kind of message of a run, and one of a run the
+row of the book's `data/measured/published.csv` is a kind of message of a run, and one of a run the
 packets that the authors would have counted.
 """
 
@@ -19,8 +19,8 @@ import numpy as np
 from run import ARRANGEMENTS, BUILD, LAB, PACKAGES, PRODUCTS, finish, run, start, version
 
 import discostorm as ds
-from discostorm.book.literature import AROUND
 from discostorm.data import data_path
+from discostorm_book.literature import AROUND
 
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),

@@ -1,7 +1,7 @@
 """The hybrid discovery in the lab: speakers in network namespaces, captured (see README.md).
 
 Each run is a stage of its own, as in run.py. What a run was, and what its capture has of each kind
-of message, are rows of `discostorm/data/measured/hybrid.csv`.
+of message, are rows of `packages/book/discostorm_book/data/measured/hybrid.csv`.
 """
 
 import argparse

@@ -68,7 +68,9 @@ else
     install='.venv/bin/python -m pip install --quiet'
 fi
 try "install requirements.lock" $install --require-hashes -r requirements.lock
-try "install discostorm" $install --no-deps --no-build-isolation -e .
+for package in . packages/simulation packages/planner packages/capture packages/book; do
+    try "install $package" $install --no-deps --no-build-isolation -e "$package"
+done
 # Matplotlib looks for fonts now, into the folder that the Makefile gives it, and not in each of
 # the notebooks that run side by side.
 try "find fonts" .venv/bin/python -c 'import matplotlib.font_manager'

@@ -1,4 +1,4 @@
-"""What all tests share: examples that are the same in every run, the built book, a browser."""
+"""What the tests of the whole share: the built book, and a browser."""
 
 from __future__ import annotations
 
@@ -8,98 +8,15 @@ import shutil
 import subprocess
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import pytest
-from hypothesis import settings
-from xdist.remote import Producer
-from xdist.scheduler import LoadScopeScheduling
+from support import BUILD, ROOT, TOC, left_alone, missing, newest, sources
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
-
-settings.register_profile("same", derandomize=True, database=None, deadline=None)
-settings.load_profile("same")
-
-ROOT = Path(__file__).parents[1]
-BUILD = ROOT / "_build"
-TOC = ROOT / "_toc.yml"
-
-
-def newest(paths: Iterator[Path]) -> float:
-    """Return when the last of the files was changed."""
-    return max(path.stat().st_mtime for path in paths if path.is_file())
-
-
-def sources() -> Iterator[Path]:
-    """Yield all that the book is made from."""
-    yield from (ROOT / name for name in ("_config.yml", "_toc.yml", "CITATION.cff", "Makefile"))
-    yield from (ROOT / "notebooks").glob("*.ipynb")
-    for folder in ("book", "discostorm"):
-        yield from (p for p in (ROOT / folder).rglob("*.*") if "__pycache__" not in p.parts)
-
-
-class ByFileOrPage(LoadScopeScheduling):
-    """Keep in one process the tests of a file, of simulation, and in test_browser.py of a page.
-
-    Simulation comes first, as it has most tests, and pages last, as they take a few seconds each:
-    so all processes end at about the same time.
-    """
-
-    def _split_scope(self, nodeid: str) -> str:
-        file, _, test = nodeid.partition("::")
-        simulating = ("air", "hybrid", "landing", "live", "own_starts", "recovery", "trace")
-        if "simulat" in nodeid or file.endswith(tuple(f"test_{name}.py" for name in simulating)):
-            return "simulation"  # compiled by one of the processes, and not by each
-        if file.endswith(("test_links.py", "test_chapters.py")):
-            return "links"  # both look at all pages, which are parsed once
-        if not file.endswith("test_browser.py"):
-            return file
-        page = test.partition("[")[2].removesuffix("]")
-        return f"page {page.removesuffix('-http').removesuffix('-file')}"
-
-    def schedule(self) -> None:
-        first = self.collection is None
-        super().schedule()
-        if first:
-            for scope in [scope for scope in self.workqueue if scope.startswith("page ")]:
-                self.workqueue.move_to_end(scope)
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> ByFileOrPage:
-    return ByFileOrPage(config, log)
-
-
-def missing(message: str) -> NoReturn:
-    """Skip a test; fail where nothing may be skipped."""
-    if os.environ.get("DISCOSTORM_SKIP_NOTHING") == "1":
-        pytest.fail(message)
-    pytest.skip(message)
-
-
-def unshare(*namespaces: str) -> list[str]:
-    """Return the start of a command that runs the rest in namespaces of its own."""
-    start = ["unshare", *namespaces, *([] if os.geteuid() == 0 else ["--map-root-user"])]
-    if shutil.which("unshare") is None or subprocess.run([*start, "true"], check=False).returncode:
-        missing(f"this needs leave for {' '.join(start)}")
-    return start
-
-
-@contextmanager
-def left_alone(folder: Path) -> Iterator[None]:
-    """Give notebooks of a folder back what they held, and when they were written, afterwards."""
-    before = {path: (path.read_bytes(), path.stat()) for path in folder.glob("*.ipynb")}
-    try:
-        yield
-    finally:
-        for path, (content, status) in before.items():
-            if path.read_bytes() != content:
-                path.write_bytes(content)
-                os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
 @pytest.fixture(scope="session")

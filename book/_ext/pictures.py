@@ -11,7 +11,7 @@ from typing import Any
 import yaml  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
 
-from discostorm.book.notebook import NARROW
+from discostorm_book.notebook import NARROW
 
 #: As custom.js and custom.css call a screen narrow.
 _PHONE = "(width < 37.5rem)"

@@ -18,8 +18,8 @@ from sphinx.application import Sphinx
 from sphinx.errors import ConfigError
 
 from discostorm import DDS
-from discostorm.book import storm
 from discostorm.figures import color_of
+from discostorm_book import storm
 
 #: The picture of the first page; those of the others lie in the folder.
 PICTURE = "_static/preview.png"

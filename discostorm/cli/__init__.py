@@ -5,6 +5,6 @@ command needs beyond the package itself is imported when it runs: tables of a fe
 pandas, which takes as long to import as the rest.
 """
 
-from discostorm.cli.group import main
+from discostorm.cli.main import main
 
 __all__ = ["main"]

@@ -9,7 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleets import Members, says_what_matches, swarm_options
+from discostorm.cli.fleet_options import Members, says_what_matches, swarm_options
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Output,

@@ -10,7 +10,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import (
+from discostorm.cli.fleet_options import (
     count_options,
     error_band,
     file_options,

@@ -8,7 +8,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleets import (
+from discostorm.cli.fleet_options import (
     Members,
     error_band,
     say_bands,

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
-from discostorm.figures.looks import STYLES, WIDTH, color_of, headline, style
+from discostorm.figures.style import STYLES, WIDTH, color_of, headline, style
 from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH

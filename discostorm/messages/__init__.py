@@ -4,7 +4,6 @@
 `protocol` the table. `data_table` makes one of what a fleet sends besides discovery.
 """
 
-from discostorm._renamed import answer
 from discostorm.messages.data_table import DATA, data_table
 from discostorm.messages.message import (
     HOPS,
@@ -73,5 +72,3 @@ __all__ = [
     "header_bytes",
     "hop_airtime",
 ]
-
-answer(__name__)

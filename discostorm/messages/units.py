@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from discostorm import _checks
 from discostorm._numeric import plain
-from discostorm._renamed import answer, renamed_fields
 from discostorm.fleet import Count, Fleet
 
 What = Literal[
@@ -106,12 +105,6 @@ class Hosts:
         return np.isin(self.host_of, first).astype(np.int64)
 
 
-@renamed_fields(
-    name="UNITS[name]",
-    count="what, to and factor",
-    senders="what, to and factor",
-    receivers="what, to and factor",
-)
 @dataclass(frozen=True)
 class Unit:
     """What a message is sent once, twice or more for; a fleet says how many there are.
@@ -387,5 +380,3 @@ AWAY = {
         "matched endpoint and other process away from the server"
     ],
 }
-
-answer(__name__)

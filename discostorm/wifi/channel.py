@@ -7,7 +7,6 @@ from typing import Literal, get_args
 import sympy as sp
 
 from discostorm import _checks, notation as nt
-from discostorm._renamed import answer
 from discostorm.data import read_data
 from discostorm.wifi import aggregation as agg
 
@@ -211,6 +210,3 @@ def _frame_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model) -> sp.Expr:
         return airtime(frame_bytes, nt.R_MULTI, nt.O_MULTI)
     # Nobody acknowledges a multicast frame, so it is never aggregated.
     return nt.O_MULTI + data_time(frame_bytes, *MULTICAST)
-
-
-answer(__name__)

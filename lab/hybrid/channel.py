@@ -1,8 +1,8 @@
 """One medium for frames of any kind: contention, queues and losses, one transmission a step.
 
-The rules and numbers are those of `discostorm.simulation.medium` (IEEE Std 802.11-2020, 10.3 and
-10.23.2), without aggregation. That engine is compiled for tables of messages; this one carries
-what a protocol decides while it runs, and is meant for few frames: it counts back-off slots
+The rules and numbers are those of `discostorm_simulation.channel_access` (IEEE Std 802.11-2020,
+10.3 and 10.23.2), without aggregation. That engine is compiled for tables of messages; this one
+carries what a protocol decides while it runs, and is meant for few frames: it counts back-off slots
 of those that wait, a host that has nothing to send has no back-off, and who collided contends
 from AIFS on as all others do (there after its timeout for the acknowledgement).
 """
@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from discostorm.simulation.traffic import ATTEMPTS, RX_START_DELAY
 from discostorm.wifi import Radio, Wifi
+from discostorm_simulation.cell_setup import ATTEMPTS, RX_START_DELAY
 
 #: Headers that a payload gets on the air [B] come with the frame's size.
 UP, DOWN = 0, 1

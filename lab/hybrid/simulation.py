@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
-from discostorm.simulation import _queue
 from discostorm.wifi import Wifi
+from discostorm_simulation import _queue
 from hybrid.channel import Channel, Frame, timing_of
 from hybrid.speaker import (
     BEAT,

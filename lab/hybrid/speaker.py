@@ -34,7 +34,7 @@ from numpy.typing import NDArray
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import header_bytes
-from discostorm.simulation.traffic import hosts_of
+from discostorm_simulation.cell_setup import hosts_of
 from hybrid.channel import Timing
 
 Bits = NDArray[np.uint64]

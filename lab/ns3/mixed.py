@@ -5,8 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import discostorm as ds
-from discostorm.book.sweeps import mixed
 from discostorm.messages.data_table import data_table
+from discostorm_book.sweeps import mixed
 
 #: What ns-3 says for whom a sample is.
 _TO = {

@@ -24,8 +24,8 @@ from tqdm import tqdm
 
 import discostorm as ds
 from discostorm.messages import ENDPOINT_PAIR
-from discostorm.simulation import disc
-from discostorm.simulation.run import compiled, one_run, set_up
+from discostorm_simulation import disc
+from discostorm_simulation.run import compiled, one_run, set_up
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]

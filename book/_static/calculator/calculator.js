@@ -304,7 +304,7 @@
   const likeThose = ([N_P, N_E, N_S], those) =>
     N_P === those.N_P && Math.abs(N_E - those.N_E) < MODEL.ready.whole && Math.abs(N_S - those.N_S) <= MODEL.ready.shared * those.N_E;
 
-  /** What was simulated of these robots, null if nothing was, as `discostorm.planner.spans` has it. */
+  /** What was simulated of these robots, null if nothing was, as `discostorm_planner.aggregation_range` has it. */
   function simulated(name, channel, swarm) {
     const { robots: kinds, laptop, found } = MODEL.ready;
     const laptops = swarm.N_H1 === 1 && likeThose([swarm.N_P1, swarm.N_E1, swarm.N_S1], laptop) ? 1 : 0;
@@ -348,7 +348,7 @@
     return rows && { low: rows[0][1], high: rows[1][2], hosts: [...new Set(rows.map(([n]) => n))] };
   }
 
-  /** What it takes when one robot reboots, as `discostorm.planner.reboot` has it; null if that was not measured. */
+  /** What it takes when one robot reboots, as `discostorm_planner.reboot` has it; null if that was not measured. */
   function rebootOf(name, channel, swarm) {
     const factors = MODEL.protocols[name].reboot;
     const { N_H, N_P, N_H1, N_P1 } = swarm;

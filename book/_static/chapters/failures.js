@@ -1,6 +1,6 @@
 // Kill a server, router or hub, and see who hears whom from then on: one run of the lab at a time.
 // When who lost whom and heard them again was measured, and is in the data on the page
-// (discostorm.book.staged); what is here runs the clock, draws the moment and says it.
+// (discostorm_book.failure_runs); what is here runs the clock, draws the moment and says it.
 "use strict";
 
 (() => {

@@ -1,5 +1,5 @@
 // One start to step through, frame by frame: the simulator traces it in this browser. Starts and words are
-// the package's, from the data on the page (discostorm.book.trace).
+// the package's, from the data on the page (discostorm_book.trace).
 "use strict";
 
 (() => {

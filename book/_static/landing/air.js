@@ -1,5 +1,5 @@
 // Frames on the air, on the first page: the simulator's runs, played slower. Robots, tables and channels
-// are the package's, from the data on the page (discostorm.book.air).
+// are the package's, from the data on the page (discostorm_book.landing).
 "use strict";
 
 (() => {

@@ -38,7 +38,7 @@ function liveRun(module, data) {
       return at;
     }
 
-    // Double what holds waiting frames and events: discostorm.simulation.traffic.grown.
+    // Double what holds waiting frames and events: discostorm_simulation.cell_setup.grown.
     grow() {
       const { pool, events } = this.cell;
       const [frames, [count]] = [pool.shape[0], events.shape];
@@ -152,7 +152,7 @@ function liveRun(module, data) {
       return constants.CAUSES.reduce((total, name) => total + this.now(name), 0);
     }
 
-    // Return what one run found: times [s] and counts, as discostorm.simulation.Run has them.
+    // Return what one run found: times [s] and counts, as discostorm_simulation.Run has them.
     result() {
       const lost = this.lost();
       const [expected, arrived] = [this.now("expected"), this.now("arrived")];

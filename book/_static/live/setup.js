@@ -1,4 +1,4 @@
-// The arrays of a run at its start: what discostorm.simulation.run and .traffic make of a setting.
+// The arrays of a run at its start: what discostorm_simulation.run and .traffic make of a setting.
 // What depends on neither fleet nor seed comes from the package, as data (tables.js).
 "use strict";
 

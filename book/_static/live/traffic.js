@@ -1,5 +1,5 @@
 // Who sends how many of each message to whom: what discostorm.messages.Unit and
-// discostorm.simulation.traffic say, process by process.
+// discostorm_simulation.cell_setup say, process by process.
 "use strict";
 
 function liveTraffic() {

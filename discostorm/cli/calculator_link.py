@@ -1,0 +1,56 @@
+"""A link that opens the book's calculator with the numbers of a fleet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from urllib.parse import urlencode
+
+import discostorm as ds
+from discostorm.fleet import COUNTS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+#: The calculator in the book.
+PAGE = "book/calculator.html"
+
+
+@dataclass(frozen=True)
+class Link:
+    """A link, and what of the fleet the calculator cannot take."""
+
+    address: str
+    middleware: str | None
+    notes: tuple[str, ...]
+
+
+def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
+    """Return the link of a fleet: its largest group are the robots; None if all are wired."""
+    notes = []
+    if wired := sum(group.hosts for group in fleet.groups if group.wired):
+        left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
+        notes.append(f"the calculator has no wired hosts, so that {left}")
+    groups = sorted((g for g in fleet.groups if not g.wired), key=lambda g: -g.hosts)
+    if not groups:
+        return None
+    robots, *others = groups
+    entries = {"robot": "own", **_counts([robots]), "beside": "own" if others else "none"}
+    if others:
+        entries |= {f"beside_{name}": value for name, value in _counts(others).items()}
+    if len(others) > 1:
+        notes.append(f"the means of {len(others)} groups stand beside the largest one")
+    if middleware is not None:
+        entries["middleware"] = middleware
+    entries |= {"wifi": "paper", "matching": str(int(fleet.matching >= 0.5))}
+    return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
+
+
+def _counts(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
+    """Return hosts, processes of a host and endpoints of a process, the latter as means."""
+    hosts = sum(group.hosts for group in groups)
+    processes = sum(group.hosts * group.processes for group in groups)
+    endpoints = sum(group.hosts * group.processes * group.endpoints for group in groups)
+    means = (hosts, processes / hosts, endpoints / processes if processes else 0)
+    return {name: f"{value:.6g}" for name, value in zip(COUNTS, means, strict=True)}

@@ -1,0 +1,143 @@
+"""The command ``discostorm`` itself; packages add commands by entry points."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import sys
+from functools import cache
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any
+
+import click
+
+import discostorm as ds
+from discostorm import _names
+
+#: Each command of the project: the extra that brings it ("" if the core does), and its help line,
+#: which is shown without loading the command.
+COMMANDS = {
+    "breakdown": ("", "Show the cost of each message type."),
+    "capture": ("capture", "Diagnose a capture, and compare it with a model."),
+    "claims": ("book", "List the paper's claims with their verdicts."),
+    "figures": ("", "Write the paper's figures and their data."),
+    "fleet": ("planner", "Write a fleet file from the output of ROS 2 commands."),
+    "plan": ("planner", "Rank the changes that help a fleet."),
+    "robots": ("", "List the ready-made robots."),
+    "saturation": ("", "Compute how many hosts fill the channel."),
+    "simulate": ("simulation", "Simulate the startup of a fleet, frame by frame."),
+    "utilization": ("", "Compute the airtime that discovery needs in one second."),
+    "watch": ("capture", "Watch live discovery, with a diagnosis."),
+}
+
+
+@cache
+def installed() -> dict[str, EntryPoint]:
+    """Return the entry point of each installed command, by its name."""
+    return {point.name: point for point in sorted(entry_points(group="discostorm.commands"))}
+
+
+def _line(extra: str) -> str:
+    return f"pip install 'discostorm[{extra}]'"
+
+
+class Commands(click.Group):
+    """Commands whose output may fail: a full disk is told, a closed pipe is not."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """Return the names of the commands; see `click.Group.list_commands`."""
+        return list(installed())
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """Return the command of that name; see `click.Group.get_command`."""
+        if cmd_name not in installed():
+            return None
+        command: click.Command = installed()[cmd_name].load()
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command that is meant, with its arguments, none of which may be dropped."""
+        try:
+            name, command, rest = super().resolve_command(ctx, args)
+        except click.UsageError as error:
+            if args[0] in COMMANDS:
+                extra, _ = COMMANDS[args[0]]
+                message = f"{args[0]!r} is not installed; to get it: {_line(extra)}"
+                raise click.UsageError(message, ctx) from error
+            like = _names.did_you_mean(args[0], installed())
+            raise click.UsageError(f"No such command {args[0][:99]!r}{like}", ctx) from error
+        if command is not None and not ctx.resilient_parsing:
+            _refuse_repeated(command, click.Context(command, ctx, name), rest)
+        return name, command, rest
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """Write what each command does, without loading it."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, _help(name)) for name in installed()])
+        if rest := [name for name in COMMANDS if name not in installed()]:
+            with formatter.section("Not installed"):
+                formatter.write_dl([(name, _line(COMMANDS[name][0])) for name in rest])
+
+    def main(self, *args: Any, **kwargs: Any) -> Any:
+        """Run a command; see `click.Group.main`."""
+        for stream in (sys.stdout, sys.stderr):
+            # What the terminal cannot show is escaped.
+            if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+                stream.reconfigure(errors="backslashreplace")
+        try:
+            if sys.stdout is None:  # closed before the start: click would write to nobody
+                raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+            return super().main(*args, **kwargs)
+        except OSError as error:  # click itself answers a closed pipe
+            click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
+            sys.stdout = None  # or it would be tried again at the end
+            sys.exit(1)
+
+
+def _help(name: str) -> str:
+    if name in COMMANDS:
+        return COMMANDS[name][1]
+    command: click.Command = installed()[name].load()
+    return command.get_short_help_str(80)
+
+
+def _refuse_repeated(command: click.Command, ctx: click.Context, args: list[str]) -> None:
+    """Raise a UsageError if an option that is taken once is given again, which click drops."""
+    ctx.resilient_parsing = True  # what else is wrong is answered where the command is run
+    _, _, order = command.make_parser(ctx).parse_args(list(args))
+    for option in dict.fromkeys(order):
+        if isinstance(option, click.Option) and not (option.multiple or option.is_flag):
+            many = order.count(option)
+            if many > 1:
+                ctx.resilient_parsing = False
+                listed = "," in str(option.metavar)
+                several = "; several values go in one, with commas between" if listed else ""
+                raise click.UsageError(
+                    f"{option.opts[0]} is given {many} times; give it once{several}", ctx
+                )
+
+
+@click.group(
+    cls=Commands,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Exit codes: 0 success, 1 output not written or stopped, 2 wrong usage or input.",
+)
+@click.version_option(ds.__version__, message="%(prog)s %(version)s")
+def main() -> None:
+    """Compute the Wi-Fi airtime that ROS 2 discovery needs, and what reduces it.
+
+    Utilization is airtime per second. At 1, or 100%, the channel carries nothing else. At 2,
+    discovery needs two seconds of airtime in one second, so it does not fit.
+
+    \b
+    Examples:
+      discostorm plan --robot turtlebot4 --hosts 12
+      discostorm utilization --hosts 7 --processes 2 --endpoints 10 --protocol all
+      discostorm plan fleet.toml
+
+    Is something wrong already? Start from your symptom, on the book's page "What is wrong with my
+    robots?" (book/what_is_wrong).
+    """

@@ -1,5 +1,0 @@
-"""What tests of claims compute, by topic: swarms, frames, and what was found beside the model."""
-
-from discostorm._renamed import answer
-
-answer(__name__)

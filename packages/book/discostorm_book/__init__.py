@@ -1,0 +1,10 @@
+"""What only the book's chapters and pages need: an extra, which nothing else imports."""
+
+from importlib.util import find_spec
+
+# By tabulate pandas writes tables.
+for _name in ("IPython", "matplotlib_inline", "tabulate"):
+    if find_spec(_name) is None:
+        raise ImportError(
+            f"discostorm_book needs {_name}; to get it: pip install 'discostorm[book]'", name=_name
+        )

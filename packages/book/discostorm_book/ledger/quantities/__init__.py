@@ -1,0 +1,1 @@
+"""What tests of claims compute, by topic: swarms, frames, and what was found beside the model."""

@@ -1,0 +1,156 @@
+"""Any figure again for a phone: as narrow as its screen, panels one below the other."""
+
+import math
+from itertools import pairwise
+from textwrap import wrap
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
+from matplotlib.legend import Legend
+from matplotlib.text import Annotation, Text
+
+from discostorm.figures.style import style
+
+#: Inches: at this width letters of 9 points are 10 px high on a screen of 360 px.
+NARROW = 4.45
+#: Inches of a figure that are not panels: title, labels of the axis, legend.
+_AROUND = 1.1
+#: Share of the width beyond which names of rows are broken, fewest and most letters of their lines,
+#: and inches of a line of small letters and of what parts two names.
+_NAMES, _LETTERS, _LINE, _GAP = 0.3, (15, 26), 0.145, 0.07
+#: Share of a panel beyond which a legend is no longer in it but below the figure.
+_LEGEND = 0.52
+#: Inches that long words in a panel keep off the edge.
+_EDGE = 0.05
+#: Most lines of a title.
+_LINES = 4
+
+
+def narrowed(figure: Figure) -> Figure:
+    """Make a figure that was drawn for a page as narrow as a phone, and return it.
+
+    Panels that stood beside each other come one below the other, unless they are a grid that
+    shares both axes. Titles, names of rows and legends are broken where they are too long. What is
+    drawn in the panels stays as it is.
+    """
+    width, height = figure.get_size_inches()
+    with style():
+        figure.set_size_inches(min(width, NARROW), height + _stack(figure, height))
+        figure.draw_without_rendering()
+        for text in (text for axis in figure.axes for text in axis.texts):
+            # Long words in a panel would take its room.
+            if text.get_window_extent().width >= 0.5 * figure.bbox.width:
+                text.set_in_layout(False)
+        for legend in [*figure.legends, *(axis.get_legend() for axis in figure.axes)]:
+            if legend:
+                _fold(figure, legend)
+        for axis in figure.axes:
+            _name_rows(figure, axis)
+        _wrap(figure)
+        _pull_in(figure)
+    return figure
+
+
+def _stack(figure: Figure, height: float) -> float:
+    """Put panels one below the other; return how much higher that is [inch]."""
+    placed = [(axis, axis.get_subplotspec()) for axis in figure.axes]
+    panels = [axis for axis, place in placed if place is not None]
+    grid = next((place.get_gridspec() for _, place in placed if place is not None), None)
+    if grid is None or grid.ncols == 1 or len(panels) == grid.nrows * grid.ncols > 3:
+        return 0.0
+    rows = GridSpec(
+        len(panels), 1, figure, height_ratios=[axis.get_position().height for axis in panels]
+    )
+    for row, axis in enumerate(panels):
+        axis.set_subplotspec(rows[row])
+        axis.tick_params(labelleft=True)
+        alike = [p for p in panels[:row] if axis.get_shared_y_axes().joined(axis, p)]
+        if alike and not axis.get_ylabel():
+            axis.set_ylabel(alike[0].get_ylabel())
+    return (height - _AROUND) * (len(panels) / grid.nrows - 1)
+
+
+def _fold(figure: Figure, legend: Legend) -> None:
+    """Give a legend as few columns as fit, below the figure if it would fill its panel."""
+    boxes = [text.get_window_extent() for text in legend.get_texts()]
+    columns, axis = len({round(box.x0) for box in boxes}), legend.axes
+    inside = axis is not None and legend not in figure.legends
+    box, room = (
+        legend.get_window_extent(),
+        axis.bbox.width if inside and axis else figure.bbox.width,
+    )
+    if box.width <= (_LEGEND if inside else 1) * room:
+        return
+    # The widest entry, with its mark.
+    widest = max(box.width for box in boxes) + 3 * max(box.height for box in boxes)
+    handles = [handle for handle in legend.legend_handles if handle]
+    labels = [text.get_text() for text in legend.get_texts()]
+    legend.remove()
+    figure.legend(
+        handles, labels, title=legend.get_title().get_text() or None, columnspacing=1,
+        ncols=max(1, min(columns + inside, int(figure.bbox.width / widest))),
+        loc="outside lower center",
+    )  # fmt: skip
+    figure.draw_without_rendering()
+
+
+def _name_rows(figure: Figure, axis: Axes) -> None:
+    """Break long names of rows into lines, and make room for these."""
+    names = [tick.label1 for tick in axis.yaxis.get_major_ticks()]
+    texts = [" ".join(name.get_text().split()) for name in names]
+    widest = max((name.get_window_extent().width for name in names), default=0) / figure.dpi
+    width, height = figure.get_size_inches()
+    if not axis.axison or widest <= _NAMES * width:
+        return
+    fewest, most = _LETTERS
+    letters = min(max(fewest, 4 + math.ceil(max(map(len, texts)) / 2)), most)
+    broken = [wrap(text, letters) for text in texts]
+    rows = sorted(zip(axis.get_yticks(), map(len, broken), strict=True))
+    axis.set_yticks(axis.get_yticks(), ["\n".join(lines) for lines in broken])
+    low, high = sorted(axis.get_ylim())
+    # Between two rows there is half of each.
+    needed = (high - low) * max(
+        ((one + other) / 2 * _LINE + _GAP) / (b - a) for (a, one), (b, other) in pairwise(rows)
+    )
+    shares = [other.get_position().height for other in figure.axes]
+    share = axis.get_position().height
+    if (missing := needed - share * height) > 0:
+        # What a figure grows by is shared by its panels.
+        figure.set_size_inches(width, height + missing * sum(shares) / share)
+    figure.draw_without_rendering()
+
+
+def _wrap(figure: Figure) -> None:
+    """Break titles and names of axes that run off the figure."""
+    texts = [*figure.texts]  # its title
+    for axis in figure.axes:
+        own = [text for text in axis.get_children() if isinstance(text, Text)]
+        texts += [text for text in own if text not in axis.texts]  # titles
+        texts.append(axis.xaxis.label)
+    for lines in range(2, _LINES + 1):
+        too_long = [
+            text for text in texts
+            if (box := text.get_window_extent()).x0 < 0 or box.x1 > figure.bbox.width
+        ]  # fmt: skip
+        for text in too_long:
+            whole = " ".join(text.get_text().split())
+            text.set_text("\n".join(wrap(whole, len(whole) // lines + 4)))
+        if too_long:
+            figure.draw_without_rendering()
+
+
+def _pull_in(figure: Figure) -> None:
+    """Keep words that stand in a panel off its names of rows, and long ones on the figure."""
+    for axis in figure.axes:
+        ends = [text for text in axis.texts if text.get_horizontalalignment() == "right"]
+        over = axis.bbox.x0 - min((text.get_window_extent().x0 for text in ends), default=math.inf)
+        if over > 0 and axis.get_xscale() == "log":
+            low, high = axis.get_xlim()
+            axis.set_xlim(low * (low / high) ** (1.3 * over / axis.bbox.width), high)
+        for text in axis.texts:
+            # For the others the layout makes room.
+            over = text.get_window_extent().x1 + _EDGE * figure.dpi - figure.bbox.width
+            if over > 0 and not text.get_in_layout() and isinstance(text, Annotation):
+                right, up = text.xyann
+                text.xyann = (right - 72 * over / figure.dpi, up)

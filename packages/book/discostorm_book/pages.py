@@ -1,0 +1,354 @@
+"""What pages do in a browser: the data that their scripts read, and the questions that they ask.
+
+A cell tagged ``remove-input`` and ``page-data`` shows what is made here. Nothing of it is seen
+without JavaScript, on paper, in the PDF or in Jupyter.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import sympy as sp
+from IPython.display import HTML
+from matplotlib.figure import Figure
+
+from discostorm import figures
+from discostorm.messages import ONCE, Protocol
+from discostorm.model import utilization
+from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI, R_UNI
+from discostorm.protocols import PROTOCOLS
+from discostorm.wifi import PAPER
+from discostorm_book import failure_runs, mobile, sweeps, trace
+from discostorm_book.facts import unfounded
+from discostorm_book.figures import convergence, meaning, message_charts
+from discostorm_book.notebook import payload_meaning
+
+#: Endpoints that all processes of a robot have together: the fewest and the most to choose [1].
+LINE = (4, 100)
+#: Where the line begins: the paper's endpoints, in the most processes that Sec. IV-B names [1].
+LINE_PROCESSES = 8
+#: Where a reader's own starts begin: robots [1] and middleware.
+OWN = (10, "Fast DDS")
+#: Of the queue: endpoints of a process, fewest and most [1]; periods of announcements [s].
+QUEUE_ENDPOINTS = (0, 40)
+QUEUE_PERIODS = tuple(range(1, 11))
+#: Of the blocks of airtime: fewest and most hosts, processes of each and endpoints of each [1].
+BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+#: How values of the radio are shown: the unit of the notation, and what it is multiplied by.
+_SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
+
+
+def carried(name: str, data: Any, *files: str) -> HTML:
+    """Put data on a page under a name, and load style sheets and scripts of ``book/_static``."""
+    text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("</", r"<\/")
+    parts = [f'<script type="application/json" id="{name}-data">{text}</script>']
+    for file in files:
+        address = f"../_static/{file}"
+        sheet = file.endswith(".css")
+        parts.append(
+            f'<link rel="stylesheet" href="{address}">'
+            if sheet
+            else f'<script src="{address}"></script>'
+        )
+    return HTML("\n".join(parts))
+
+
+def guess(
+    question: str,
+    answer: float,
+    *,
+    least: float,
+    most: float,
+    step: float,
+    unit: str,
+    given: Mapping[str, float] | None = None,
+) -> HTML:
+    """Ask for a guess before a page's *In short* is read.
+
+    Parameters
+    ----------
+    question : str
+        What is asked; it says in words what it is about.
+    answer : float
+        What the package computes, in the unit: one of the facts of *In short*.
+    least, most, step : float
+        What the slider offers; the step has the digits that *In short* states.
+    unit : str
+        What stands behind the number, such as "s" or "times".
+    given : mapping of str to float, optional
+        Facts that the question states, in its order.
+
+    Raises
+    ------
+    ValueError
+        If the question states other numbers than those given, or the answer is out of reach.
+
+    Examples
+    --------
+    >>> asked = guess("How many?", 4.62, least=1, most=10, step=0.1, unit="times")
+    >>> print(asked.data.splitlines()[0][:96])
+    <script type="application/json" id="guess-data">{"question":"How many?","answer":4.6,"least":1,"
+    """
+    if problem := unfounded(question, given or {}):
+        raise ValueError(f"the question and what is given disagree: {problem}")
+    if not least < answer < most:
+        raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
+    places = len(f"{step:g}".partition(".")[2])
+    data = {
+        "question": question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
+        "answer": round(float(answer), places),
+        "least": least,
+        "most": most,
+        "step": step,
+        "places": places,
+        "unit": unit,
+    }
+    return carried("guess", data, "chapters/pages.css", "guess.js")
+
+
+def line_of_fig3() -> HTML:
+    """Let the reader drag the line of Fig. 3: robots with so many endpoints in all."""
+    return carried("line", _line(), "chapters/pages.css", "chapters/chapter.js", "chapters/line.js")
+
+
+def _line() -> dict[str, Any]:
+    """Return where the panels of Fig. 3 are, and utilization as a polynomial for each protocol."""
+    protocols = []
+    for protocol in figures.PAPER_PROTOCOLS:
+        known = protocol.values() | PAPER.values() | {N_H: figures.FIG3_HOSTS}
+        terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
+        protocols.append(
+            {
+                "name": protocol.name,
+                "color": figures.property_of(protocol),
+                # Powers of the processes and of the endpoints of each, and the factor.
+                "terms": [[i, j, _short(factor)] for (i, j), factor in terms],
+            }
+        )
+    return {
+        **_places(figures.fig3()),
+        "hosts": figures.FIG3_HOSTS,
+        "protocols": protocols,
+        "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
+        "processes": [1, 10, LINE_PROCESSES],
+    }
+
+
+def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
+    """Let the reader change endpoints and period of a startup, and see when its queue clears."""
+    data = _queue(protocol, hosts, processes, endpoints)
+    return carried("queue", data, "chapters/pages.css", "chapters/chapter.js", "chapters/queue.js")
+
+
+def _queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
+    """Return where the panel is, and when a startup sends how much airtime."""
+    schedules = dict.fromkeys(message.schedule for message in protocol.messages)
+    rounds = []
+    for schedule in schedules:
+        once = [
+            replace(message, schedule=ONCE, answers=None)
+            for message in protocol.messages
+            if message.schedule == schedule
+        ]
+        table = Protocol(protocol.name, tuple(once))
+        none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
+        rounds.append(
+            {
+                "starts": list(schedule.starts),
+                "repeats": bool(np.isfinite(schedule.period)),
+                # Without endpoints, and with each endpoint of a process more [s].
+                "airtime": [_short(none), _short(one - none)],
+            }
+        )
+    (period,) = {s.period for s in schedules if np.isfinite(s.period)}
+    steady = {
+        each: utilization(
+            meaning.announced_every(protocol, each), hosts, processes, endpoints, window=np.inf
+        )
+        for each in QUEUE_PERIODS
+    }
+    swarm = {"processes": processes, "endpoints": endpoints}
+    return {
+        **_places(meaning.queue(protocol, hosts, swarm)),
+        "color": figures.property_of(protocol),
+        "hosts": hosts,
+        "processes": processes,
+        "rounds": rounds,
+        "periods": [[each, _short(share)] for each, share in steady.items()],
+        "period": period,
+        "endpoints": [*QUEUE_ENDPOINTS, endpoints],
+    }
+
+
+def scrub() -> HTML:
+    """Let the reader step through a start, frame by frame."""
+    scripts = ("chapter", "trace", "lanes_of_start", "scrub")
+    sheets = ("chapters/pages.css", "chapters/live.css")
+    files = (*sheets, "live/live.js", *(f"chapters/{name}.js" for name in scripts))
+    return carried("scrub", trace.export(), *files)
+
+
+def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
+    """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
+    files = ("pages.css", "live.css", "chapter.js", "own.js")
+    chapters = (f"chapters/{name}" for name in files)
+    return carried("own", _own(rows, names), "live/live.js", *chapters)
+
+
+def _own(rows: pd.DataFrame, names: Sequence[str]) -> dict[str, Any]:
+    """Return where the panels are, what is simulated, and what the stored runs found."""
+    (processes,), (endpoints,) = set(rows["processes"]), set(rows["endpoints"])
+    (frames,), (seconds,) = set(rows["queue_frames"]), set(rows["queue_s"])
+    (until,), (runs,) = set(rows["until_s"]), set(rows["runs"])
+    hosts, name = OWN
+    stored = rows.set_index(["protocol", "hosts"]).sort_index()
+    columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
+    return {
+        **_places(convergence.quartiles(rows, names)),
+        "begin": [names.index(name), hosts],
+        "never": convergence.NEVER,
+        "runs": runs,
+        "processes": processes,
+        "endpoints": endpoints,
+        "setting": {
+            "radio": sweeps.channel().name,
+            "queue": [frames, seconds],
+            "until": until,
+        },
+        "middleware": [
+            {
+                "name": name,
+                "color": figures.property_of(PROTOCOLS[name]),
+                # Of each number of robots the quartiles [s], and how many converged.
+                "stored": [
+                    [
+                        hosts,
+                        *(x if np.isfinite(x) else None for x in row[columns].tolist()),
+                        int(row["converged"]),
+                    ]
+                    for hosts, row in stored.loc[name].iterrows()
+                ],
+            }
+            for name in names
+        ],
+    }
+
+
+def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
+    """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
+    sheets = ("chapters/pages.css", "chapters/blocks.css")
+    scripts = ("chapters/chapter.js", "chapters/blocks.js")
+    return carried("blocks", _blocks(hosts, processes, endpoints), *sheets, *scripts)
+
+
+def _blocks(hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
+    """Return what each message costs, how many there are as factors, and what symbols mean."""
+    start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
+    frames = message_charts.airtime_data().set_index(["message", "direction"])
+    values: dict[sp.Symbol, float] = {}
+    meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
+    protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
+    for protocol in figures.PAPER_PROTOCOLS:
+        values |= protocol.values() | PAPER.values()
+        messages = []
+        for message in protocol.messages:
+            payload = message.payload_symbol
+            (header,) = message.frame_symbolic.free_symbols - {payload}
+            down = (R_MULTI, O_MULTI) if message.cast == "multicast" else (R_UNI, O_UNI)
+            links = {"up": (R_UNI, O_UNI), "down": down}
+            for symbol in (header, *links["up"], *links["down"]):
+                factor, unit = _SHOWN[meanings[symbol].unit]
+                shown = f"{float(f'{factor * float(values[symbol]):.6g}'):g} {unit}"
+                symbols[symbol.name] = [meanings[symbol].meaning, shown]
+            size = f"{float(values[payload]):g} B"
+            symbols[payload.name] = [payload_meaning(protocol, message), size]
+            messages.append(
+                {
+                    "name": message.name,
+                    "count": _factors(message.load()),
+                    "header": header.name,
+                    "payload": payload.name,
+                    **{
+                        direction: {
+                            "rate": rate.name,
+                            "overhead": overhead.name,
+                            "seconds": [
+                                _short(frames.loc[(message.name, direction), part])
+                                for part in ("overhead_s", "bits_s")
+                            ],
+                        }
+                        for direction, (rate, overhead) in links.items()
+                    },
+                }
+            )
+        color = figures.property_of(protocol)
+        protocols.append({"name": protocol.name, "color": color, "messages": messages})
+    return {
+        "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
+        "symbols": symbols,
+        "protocols": protocols,
+    }
+
+
+def _factors(load: sp.Expr) -> list[list[Any]]:
+    """Return the factors of a number of messages: a symbol, what is taken off it, and a power."""
+    factors = []
+    for factor in sp.Mul.make_args(sp.factor(load)):
+        base, power = factor.as_base_exp()
+        number, symbol = base.as_coeff_Add()
+        name = "" if base.is_Number else symbol.name
+        factors.append([name, -int(number), int(power)])
+    order = ["", *(symbol.name for symbol in BLOCKS)]
+    return sorted(factors, key=lambda factor: order.index(factor[0]))
+
+
+def failures() -> HTML:
+    """Let the reader kill a server or router, and see who hears whom in each run of the lab."""
+    data = [
+        {
+            "title": title,
+            "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
+            "routers": routers,
+            "relations": failure_runs.relations(name),
+            "stagings": failure_runs.stagings(name),
+        }
+        for name, (title, victim, routers) in failure_runs.ARRANGEMENTS.items()
+    ]
+    sheets = ("chapters/pages.css", "chapters/failures.css")
+    scripts = ("chapters/chapter.js", "chapters/failures.js")
+    return carried("failures", data, *sheets, *scripts)
+
+
+def _short(value: Any) -> float:
+    """Return a number without its last bits, which differ between processors."""
+    return float(f"{float(value):.12g}")
+
+
+def _places(figure: Figure) -> dict[str, Any]:
+    """Return the size of a figure [px], and where its panels are with the values at their ends.
+
+    Under ``narrow`` the same of the figure for phones, which it has become afterwards.
+    """
+    return {**_placed(figure), "narrow": _placed(mobile.narrowed(figure))}
+
+
+def _placed(figure: Figure) -> dict[str, Any]:
+    with figures.style():
+        figure.draw_without_rendering()
+    panels = []
+    for axis in figure.axes:
+        box = axis.get_position()
+        panels.append(
+            {
+                # Parts of the figure: from the left and from above.
+                "x": [round(float(x), 5) for x in (box.x0, box.x1)],
+                "y": [round(1 - float(y), 5) for y in (box.y0, box.y1)],
+                "xlim": [_short(x) for x in axis.get_xlim()],
+                "ylim": [_short(y) for y in axis.get_ylim()],
+            }
+        )
+    size = [round(96 * float(inches), 2) for inches in figure.get_size_inches()]
+    return {"size": size, "panels": panels}

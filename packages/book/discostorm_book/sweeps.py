@@ -1,0 +1,170 @@
+"""Stored sweeps for the chapters: what was simulated, and what ns-3 found beside it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+
+from discostorm.data import data_path
+from discostorm.fleet import Fleet
+from discostorm.model import utilization
+from discostorm.protocols import PROTOCOLS
+from discostorm.wifi import Radio, Wifi
+
+#: Processes of a robot and endpoints of each, in the sweeps.
+SWARM = (2, 10)
+
+
+def load(name: str, folder: str = "simulated") -> pd.DataFrame:
+    """Return a stored sweep, such as ``convergence``; what ns-3 found is in ``measured``."""
+    # The planner reads this one, too.
+    package = "discostorm_planner" if name == "staggered" else "discostorm_book"
+    return pd.read_csv(data_path(f"{folder}/{name}.csv", package))
+
+
+def channel(mpdus: int = 1) -> Wifi:
+    """Return the channel of the sweeps: 802.11n, two streams, 20 MHz, best effort."""
+    return Radio("802.11n", streams=2, aifsn=3, mpdus=mpdus).wifi()
+
+
+def mixed(image_hz: float) -> Fleet:
+    """Return robots whose burst is beside user data, with that rate of their largest topic."""
+    fleet = Fleet.from_toml(data_path("fleets/mixed_data.toml"))
+    (robots,) = fleet.groups
+    data = tuple(replace(f, rate=image_hz) if f.topic == "image" else f for f in robots.data)
+    return replace(fleet, groups=(replace(robots, data=data),))
+
+
+def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
+    """Return the airtime of each row's burst by the formula [s].
+
+    Parameters
+    ----------
+    rows : pandas.DataFrame
+        Columns protocol, hosts and mpdus.
+    channels : mapping, optional
+        Channel by the number of frames in an A-MPDU; default: `channel`.
+    """
+    channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
+    seconds = [
+        utilization(PROTOCOLS[str(protocol)], int(hosts), *SWARM, channels[int(mpdus)])
+        for protocol, hosts, mpdus in zip(
+            rows["protocol"], rows["hosts"], rows["mpdus"], strict=True
+        )
+    ]
+    return pd.Series(seconds, rows.index, dtype=float)
+
+
+def drains() -> pd.DataFrame:
+    """Return drain times without limits of the queues, by simulation, formula and ns-3 [s].
+
+    With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
+    """
+    rows = load("drain")
+    rows["formula_s"] = formula(rows)
+    alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
+    cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
+    ns3 = _frames(pd.concat([alone, cold]))
+    keys = ["protocol", "hosts", "mpdus"]
+    rows = rows.merge(
+        ns3[[*keys, "drain_time_s", "runs"]], on=keys, suffixes=("", "_ns3"), how="left"
+    )
+    rows = rows.rename(columns={"drain_time_s_ns3": "ns3_s"})
+    rows["ratio"] = rows["drain_time_s"] / rows["formula_s"]
+    rows["ratio_ns3"] = rows["ns3_s"] / rows["formula_s"]
+    return rows
+
+
+def losses_beside_ns3() -> pd.DataFrame:
+    """Return what is lost with limited queues here and in ns-3, and the difference in points.
+
+    The error of a difference of medians is from quartiles, as if the runs were normal.
+    """
+    theirs = load("ns3_bursts", "measured")
+    theirs = _frames(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
+    keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
+    rows = load("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
+    rows["points"] = 100 * (rows["lost"] - rows["lost_ns3"])
+    variances = [
+        (1.2533 * 100 * (rows[f"lost_q75{of}"] - rows[f"lost_q25{of}"]) / 1.349) ** 2
+        / rows[f"runs{of}"]
+        for of in ("", "_ns3")
+    ]
+    rows["error"] = np.sqrt(sum(variances))
+    return rows
+
+
+def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
+    """Return the mean of some differences and its standard error [points]."""
+    error = np.sqrt((rows["error"] ** 2).sum()) / len(rows)
+    return float(rows["points"].mean()), float(error)
+
+
+def capture_of_ns3() -> pd.DataFrame:
+    """Return what ns-3 loses where hosts stand on a disc, with the part of multicast."""
+    rows = _frames(load("ns3_capture", "measured"))
+    many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
+    rows["multicast_lost"] = rows["on_air"] / many / rows["runs"]
+    return rows
+
+
+def _frames(ns3: pd.DataFrame) -> pd.DataFrame:
+    """Return ns-3's rows with frames in an A-MPDU as the sweeps have them."""
+    return ns3.assign(mpdus=np.where(ns3["ampdu"] > 0, 64, 1))
+
+
+def rounded_up(value: float, step: float) -> float:
+    """Return a largest difference, rounded up to whole steps."""
+    return float(np.ceil(value / step - 1e-9) * step)
+
+
+def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
+    """Return frames a second that arrive by Bianchi's chain of stations that always have some.
+
+    Parameters
+    ----------
+    stations : sequence of int
+        How many, each by itself.
+    wifi : Wifi
+        The channel, with a radio.
+    success, collision : float
+        How long the channel is busy with one frame, and with frames that collide [s].
+    """
+    assert wifi.radio is not None
+    slot, window = wifi.radio.slot, wifi.radio.cw_min + 1
+    stages = int(np.log2((wifi.radio.cw_max + 1) / window))
+    found = []
+    for count in stations:
+        low, high = 0.0, 1.0
+        for _ in range(60):  # the chain's fixed point, by bisection
+            p = (low + high) / 2
+            steps = ((2 * p) ** np.arange(stages)).sum()
+            tau = 2 / (1 + window + p * window * steps)
+            low, high = (p, high) if 1 - (1 - tau) ** (count - 1) > p else (low, p)
+        idle = (1 - tau) ** count
+        good = count * tau * (1 - tau) ** (count - 1)
+        lasts = idle * slot + good * success + (1 - idle - good) * collision
+        found.append(float(good / lasts))
+    return found
+
+
+def staggered(**wanted: object) -> pd.DataFrame:
+    """Return rows of the sweep of starts, by default of 802.11n without aggregation."""
+    rows = load("staggered")
+    wanted = {"radio": "n", "mpdus": 1} | wanted
+    return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
+
+
+def sooner(row: pd.Series, other: pd.Series) -> bool:
+    """Return whether one converges sooner by more than the runs scatter."""
+    return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
+
+
+def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
+    """Return how many times as long one takes, and the least and the most that it may be."""
+    return (
+        float(slow["convergence_time_s"] / fast["convergence_time_s"]),
+        float(slow["convergence_time_s_low"] / fast["convergence_time_s_high"]),
+        float(slow["convergence_time_s_high"] / fast["convergence_time_s_low"]),
+    )

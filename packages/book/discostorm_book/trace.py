@@ -1,0 +1,180 @@
+"""One start, frame by frame: what each transmission carries, and what waits after it.
+
+The chapter on the burst steps through these starts in the browser (``book/_static/live/`` with
+``trace``), `rows` does the same in Python, and ``data/simulated/events.csv`` holds the first of
+them for still pictures.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from discostorm import figures
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol
+from discostorm.protocols import PROTOCOLS
+from discostorm_book import sweeps
+from discostorm_simulation.result import CAUSES
+
+#: The seed of all starts: that of the chapter's sweeps.
+SEED = 2026
+#: What roles of messages are called.
+NAMES = {
+    "announcement": "participant announcement",
+    "data": "endpoint announcement",
+    "heartbeat": "Heartbeat",
+    "acknowledgement": "ACKNACK",
+}
+#: How receptions are lost, by cause.
+LOSSES = {
+    "host_full": "at full queues of robots",
+    "host_age": "expired at robots",
+    "host_retry": "after the last attempt of a robot",
+    "ap_full": "at the full queue of the access point",
+    "ap_age": "expired at the access point",
+    "ap_retry": "after the last attempt of the access point",
+    "on_air": "in collisions of multicast",
+}
+
+
+@dataclass(frozen=True)
+class Start:
+    """A fleet that starts at once, whose burst nothing repairs."""
+
+    label: str
+    hosts: int
+    processes: int
+    endpoints: int
+    #: Frames and seconds that a queue holds; None for no limit.
+    queue: tuple[int, float] | None
+    table: str = "DDS"
+
+    @property
+    def fleet(self) -> Fleet:
+        """Who is on the channel."""
+        return Fleet.swarm(self.hosts, self.processes, self.endpoints)
+
+    @property
+    def protocol(self) -> Protocol:
+        """What they send."""
+        return PROTOCOLS[self.table]
+
+
+#: The chapter's first figure, and the first fleet whose frames also expire at the robots.
+SMALL = Start("3 robots, unlimited queues", 3, 1, 2, None)
+FULL = Start("7 robots, queues of 500 frames", 7, *sweeps.SWARM, (500, 0.5))
+STARTS = (SMALL, FULL)
+
+#: What is known of a transmission: first as `Simulation.transmissions` has it.
+LOG = ("start", "end", "station", "kind", "frames", "outcome")
+#: Then the processes that its frame is from and for, which of the like messages between them it
+#: is, and when it came to the station [ticks].
+FRAME = ("source", "destination", "item", "came")
+#: Then, after the exchange, receptions lost by cause, and frames waiting at each station.
+COLUMNS = (*LOG, *FRAME, *CAUSES)
+
+
+def export() -> dict[str, Any]:
+    """Return what the page steps through: settings, columns, and what messages are called."""
+    return {
+        "columns": COLUMNS,
+        "causes": {cause: LOSSES[cause] for cause in CAUSES},
+        "starts": [
+            {
+                "label": start.label,
+                "hosts": start.hosts,
+                "processes": start.processes,
+                # Of each robot, for each other one.
+                "announcements": start.processes**2 * start.endpoints,
+                "color": figures.property_of(start.protocol),
+                "messages": [
+                    {
+                        "name": NAMES[str(message.role)],
+                        "multicast": message.cast == "multicast",
+                        "endpoint": message.role == "data",
+                    }
+                    for message in start.protocol.messages
+                ],
+                "setting": {
+                    "table": start.table,
+                    "radio": sweeps.channel().name,
+                    "recovery": False,
+                    "fleet": {
+                        "groups": [
+                            {
+                                "hosts": start.hosts,
+                                "processes": start.processes,
+                                "endpoints": start.endpoints,
+                            }
+                        ]
+                    },
+                    "queue": start.queue,
+                    "seed": SEED,
+                },
+            }
+            for start in STARTS
+        ],
+    }
+
+
+def rows(start: Start) -> NDArray[np.float64]:
+    """Return a row a transmission: `COLUMNS`, then the frames that wait at each station.
+
+    Of radios that send one message in a frame, as a station then sends what its window begins with.
+    """
+    from discostorm_simulation.cell_setup import grown
+    from discostorm_simulation.engine import MEMORY, OVER, advance
+    from discostorm_simulation.run import set_up
+    from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS
+
+    queue = start.queue or (np.inf, np.inf)
+    given = (start.fleet, start.protocol, sweeps.channel(), queue)
+    setup = set_up(*given, 0.0, 0.0, False, 120.0, False)
+    (seed,) = np.random.SeedSequence(SEED).spawn(1)
+    cell, _ = setup.cell(seed)
+    now, found = cell.now[0], []
+    while (state := advance(cell, int(NEVER) - 1, setup.reserve, 1)) != OVER:
+        if state == MEMORY:
+            cell = grown(cell)
+        after = [*(now[cause] for cause in CAUSES), *cell.stations["length"]]
+        for sent in cell.log[: now["logged"]]:
+            held = cell.window[sent["station"], 0]
+            frame = int(held["frame"]) >> KIND_BITS
+            parts = []
+            for bits in (PROCESS_BITS, PROCESS_BITS, ITEM_BITS):
+                parts.append(frame % 2**bits)
+                frame >>= bits
+            to, source, item = parts
+            found.append([*(sent[name] for name in LOG), source, to, item, held["came"], *after])
+        now["logged"] = 0
+    return np.array(found, dtype=float)
+
+
+def table(start: Start) -> pd.DataFrame:
+    """Return the transmissions of a start for people: one row each, in seconds."""
+    names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
+    columns = [*COLUMNS, *(f"waiting_{name.replace(' ', '_')}" for name in names)]
+    found = pd.DataFrame(rows(start), columns=columns)
+    messages = [message.name for message in start.protocol.messages]
+    multicast = [message.cast == "multicast" for message in start.protocol.messages]
+    of_host = (found[["source", "destination"]] // start.processes).astype(int)
+    to_all = [multicast[int(kind)] for kind in found["kind"]]
+    return pd.DataFrame(
+        {
+            **{f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in found[end]] for end in LOG[:2]},
+            "station": [names[int(number)] for number in found["station"]],
+            "message": [messages[int(kind)] for kind in found["kind"]],
+            "frames": found["frames"].astype(int),
+            "outcome": ["success" if not failed else "collision" for failed in found["outcome"]],
+            "from": [names[host] for host in of_host["source"]],
+            "to": [
+                "all" if all_ else names[host]
+                for all_, host in zip(to_all, of_host["destination"], strict=True)
+            ],
+            "came_s": [f"{tick * 1e-7:.7f}" for tick in found["came"]],
+            **{name: found[name].astype(int) for name in columns[len(COLUMNS) :]},
+        }
+    )

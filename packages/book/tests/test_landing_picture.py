@@ -1,0 +1,43 @@
+"""Frames on the air: the still picture shows the run that the page plays."""
+
+import io
+
+import pandas as pd
+
+import discostorm as ds
+from discostorm.data import data_path
+from discostorm_book import landing
+
+
+def test_the_picture_is_of_todays_simulator() -> None:
+    kept = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"), dtype=str)
+    pd.testing.assert_frame_equal(kept, landing.start().astype(str))
+
+
+def test_the_caption_says_what_the_picture_shows() -> None:
+    kept = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
+    assert (landing.HOSTS, landing.TABLE, landing.SHOWN) == (12, "Fast DDS", 0.25)
+    assert set(kept["station"]) == set(range(landing.HOSTS + 1))
+    assert kept["start_s"].max() > 0.98 * landing.SHOWN
+    full = kept[kept["waiting"] >= landing.QUEUE[0]]["start_s"].min()
+    assert round(full, 2) == 0.15
+    assert (kept["outcome"] == 1).sum() > 0.9 * (kept["outcome"] != 0).sum()
+
+
+def test_each_product_and_the_papers_tables_can_be_chosen() -> None:
+    chosen = landing.choices()
+    products = {p.product for p in ds.PROTOCOLS.values() if p.basis in ("measured", "arranged")}
+    assert {p.product for p in chosen} == products | {None}
+    assert {p.name for p in chosen if p.basis == "paper"} == {"DDS", "Zenoh"}
+    exported = landing.export()
+    assert [table["name"] for table in exported["tables"]] == [p.name for p in chosen]
+    assert exported["table"] in {p.name for p in chosen}
+
+
+def test_the_picture_is_the_same_every_time() -> None:
+    pictures = []
+    for _ in range(2):
+        picture = io.BytesIO()
+        landing.picture().savefig(picture, format="png", metadata={"Software": None})
+        pictures.append(picture.getvalue())
+    assert pictures[0] == pictures[1]

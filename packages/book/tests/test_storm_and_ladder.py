@@ -1,0 +1,62 @@
+"""The storm and the ladder: what is shown of them is the package's."""
+
+import io
+import math
+
+import pytest
+
+import discostorm as ds
+from discostorm.wifi import Radio
+from discostorm_book import ladder, storm
+
+
+@pytest.mark.parametrize("name", ["DDS", "Zenoh"])
+def test_the_airtime_of_a_storm_is_its_utilization(name: str) -> None:
+    protocol = ds.PROTOCOLS[name]
+    sent, used = storm._carried(protocol, 7, 2, 10)
+    assert len(sent) == used.size
+    assert used[-1] == pytest.approx(ds.utilization(protocol, 7, 2, 10), rel=1e-12)
+
+
+def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
+    rungs = {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
+    assert len(rungs) == len(list(ladder.rungs()))
+    names = {switch.key: switch for switch in ladder.SWITCHES}
+    for switches, protocol in rungs:
+        assert switches <= names.keys()
+        assert all(set(names[key].needs) <= switches for key in switches)
+        assert {(switches, other) for other in ladder.TABLES} <= rungs.keys(), protocol
+    for protocol in ladder.TABLES:
+        paper = rungs[frozenset(), protocol]
+        full = ds.saturation_hosts(ds.PROTOCOLS[protocol], 2, 10)
+        assert paper.full == full
+        assert paper.fit < full <= paper.fit + 1
+        for switch in ladder.SWITCHES:
+            with_it = [
+                one for (on, of), one in rungs.items() if switch.key in on and of == protocol
+            ]
+            assert any(one.fit != paper.fit for one in with_it), switch.key
+    frames = Radio("802.11n", streams=2, mpdus=ladder.MPDUS).wifi()
+    most = rungs[frozenset({"timing", "aggregation", "periods", "as built"}), "DDS"]
+    fast = ds.PROTOCOLS["Fast DDS"]
+    assert most.full == ds.saturation_hosts(fast, 2, 10, frames, window=fast.lease)
+
+
+def test_a_simulated_rung_tells_of_its_runs() -> None:
+    for rung in ladder.rungs():
+        low, high = rung.fits
+        assert low <= rung.fit <= high
+        assert bool(rung.runs) == math.isnan(rung.full)
+        if rung.runs:
+            assert f"ith {rung.fit} robots the median of " in rung.runs
+            assert ("might change" in rung.runs) == (low < high)
+        assert rung.shown == (f"{low}" if low == high else f"{low} to {high}")
+
+
+def test_pictures_are_the_same_every_time() -> None:
+    pictures = []
+    for _ in range(2):
+        picture = io.BytesIO()
+        storm.preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
+        pictures.append(picture.getvalue())
+    assert pictures[0] == pictures[1]

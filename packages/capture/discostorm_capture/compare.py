@@ -1,0 +1,198 @@
+"""What a capture shows of a fleet, beside what a protocol's table expects of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from discostorm.fleet import Count, Fleet
+from discostorm.messages import (
+    ENDPOINT_PAIR,
+    MATCHED_WRITER,
+    PAIR,
+    Message,
+    Protocol,
+)
+from discostorm_capture import rtps, zenoh
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A fleet, and the number of the group whose one host alone shows its unicast, if any."""
+
+    fleet: Fleet
+    own: int | None = None
+
+    def count(self, count: Callable[[Fleet], Count]) -> float:
+        """Return how many of what a fleet has of something by unicast the capture shows."""
+        every = float(count(self.fleet))
+        if self.own is None:
+            return every
+        groups = list(self.fleet.groups)
+        mine = groups.pop(self.own)
+        if mine.hosts >= 2:
+            groups.insert(self.own, replace(mine, hosts=mine.hosts - 1))
+        if not groups:
+            return every
+        return every - float(count(Fleet(tuple(groups), self.fleet.matching)))
+
+    def units(self, message: Message) -> float:
+        """Return of how many units of a message the capture shows what they send."""
+        if message.cast == "multicast":
+            return float(message.unit.count(self.fleet))
+        return self.count(message.unit.count)
+
+
+def from_host(fleet: Fleet, processes: pd.DataFrame) -> Shown:
+    """Return what the host of these processes sees of a fleet.
+
+    It is of the group whose hosts are most like it.
+    """
+    mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
+    unlike = [
+        (abs(group.processes - len(processes)), abs(group.endpoints - mean))
+        for group in fleet.groups
+    ]
+    return Shown(fleet, unlike.index(min(unlike)))
+
+
+def completed(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Shown:
+    """Return the fleet that was found, with what it does not announce itself."""
+    shown = _with_publishers(shown, protocol, rows)
+    counted = {message.unit.what for message in protocol.messages}
+    if "matched writer" not in counted:
+        return shown
+    none, all_ = (
+        replace(shown, fleet=Fleet(shown.fleet.groups, matching)) for matching in (0.0, 1.0)
+    )
+    if "unmatched endpoint" in counted:
+        # With every match one of two does not declare the key expression.
+        kind = "Declare key expression"
+        least, most = (
+            sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
+            for of in (all_, none)
+        )
+        saved, most = most - int((rows["kind"] == kind).sum()), most - least
+    else:
+        answers = rows[rows["kind"] == "User ACKNACK"]
+        saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
+        most = all_.count(MATCHED_WRITER.count)
+    share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
+    return replace(shown, fleet=Fleet(shown.fleet.groups, share))
+
+
+def _with_publishers(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Shown:
+    """Return the fleet with the publishers of Zenoh, which are not announced as such."""
+    groups = shown.fleet.groups
+    declared = sum(
+        m.per_unit for m in protocol.messages if (m.kind, m.unit) == ("Declare", ENDPOINT_PAIR)
+    )
+    if 0 < declared < 1:
+        groups = tuple(replace(g, endpoints=g.endpoints / declared) for g in groups)
+    if declared > 1 and (pairs := shown.count(PAIR.count)) > 0:
+        # A token for each endpoint and for the node.
+        tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
+        groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
+    return replace(shown, fleet=Fleet(groups))
+
+
+def spoken(protocol: Protocol) -> str | None:
+    """Return which protocol on the wire has the messages of a table."""
+    names = {message.kind for message in protocol.messages}
+    wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh.KINDS))
+    found = [wire for wire, kinds in wires if names & set(kinds)]
+    return found[0] if len(found) == 1 else None
+
+
+def as_if_wired(protocol: Protocol, rows: pd.DataFrame) -> bool:
+    """Return whether something is multicast that a table has by unicast alone."""
+    by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
+    alone = {m.kind for m in protocol.messages} - by_multicast
+    return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
+
+
+def begin_of(protocol: Protocol, messages: pd.DataFrame) -> float:
+    """Return when the first message of a table was captured [s]; 0 if there is none."""
+    kinds = [message.kind for message in protocol.messages]
+    return float(messages.loc[messages["kind"].isin(kinds), "time"].min(skipna=True) or 0.0)
+
+
+def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
+    """Return the time from the first message of a table to the end of the capture [s]."""
+    kinds = [message.kind for message in protocol.messages]
+    mine = messages.loc[messages["kind"].isin(kinds), "time"]
+    if mine.empty:
+        return duration
+    # Who is silent for longer than this is gone.
+    periods = [m.schedule.period for m in protocol.messages]
+    end = min(duration, float(mine.max()) + min(periods) / 2)
+    return end - float(mine.min())
+
+
+def table(
+    protocol: Protocol, shown: Shown, rows: pd.DataFrame, wire: str | None, seconds: float
+) -> pd.DataFrame:
+    """Return what was captured of each kind, and what a table expects in so many seconds.
+
+    Parameters
+    ----------
+    protocol : Protocol
+        The table.
+    shown : Shown
+        The fleet that sent.
+    rows : pandas.DataFrame
+        The messages between hosts, with ``airtime_s``.
+    wire : str or None
+        The protocol on the wire that they are of; all if None.
+    seconds : float
+        From the first message of the table on [s].
+
+    Returns
+    -------
+    pandas.DataFrame
+        See `Capture.compare`.
+    """
+    import pandas as pd
+
+    if wire is not None:
+        rows = rows[rows["protocol"].isin([wire, "TCP"] if wire == "Zenoh" else [wire])]
+    counts = rows.groupby("kind", observed=True).agg(
+        unicast=("multicast", lambda column: int((~column).sum())),
+        multicast=("multicast", "sum"),
+        bytes=("bytes", "sum"),
+        airtime_s=("airtime_s", "sum"),
+    )
+    kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
+    others = [kind for kind in counts.index if kind not in kinds]
+    found = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
+    started = _started(protocol, rows)
+    units = dict.fromkeys(others, np.nan)
+    expected = dict(units)
+    for message in protocol.messages:
+        visible = shown.units(message)
+        units.setdefault(message.kind, visible)
+        if started:
+            times = float(np.asarray(message.schedule.sent(seconds)))
+        else:
+            times = seconds * message.schedule.per_second
+        sent = visible * message.per_unit * times
+        expected[message.kind] = expected.get(message.kind, 0.0) + sent
+    found.insert(0, "units", pd.Series(units))
+    found.insert(1, "expected", pd.Series(expected))
+    total = found["unicast"] + found["multicast"]
+    found.insert(4, "per_unit", total / found["units"].where(found["units"] > 0))
+    whole = ["unicast", "multicast", "bytes"]
+    return found.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
+
+
+def _started(protocol: Protocol, rows: pd.DataFrame) -> bool:
+    """Return whether the capture shows what a table has for the start alone."""
+    again = {m.kind for m in protocol.messages if m.schedule.per_second}
+    once = {m.kind for m in protocol.messages} - again
+    return not again or not once or bool(rows["kind"].isin(once).any())

@@ -1,0 +1,468 @@
+"""What a capture tells: its messages, processes and fleet, held against a protocol's table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+import sympy as sp
+
+from discostorm import _checks
+from discostorm._arguments import reject_symbols
+from discostorm._numeric import evaluate
+from discostorm.fleet import COUNTS, Fleet, HostGroup
+from discostorm.messages import HOPS, Hop, Protocol, header_bytes
+from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
+from discostorm_capture import dissector
+from discostorm_capture.compare import (
+    Shown,
+    as_if_wired,
+    begin_of,
+    completed,
+    from_host,
+    spoken,
+    table,
+    window as counted,
+)
+from discostorm_capture.pcap import CaptureError
+from discostorm_capture.totals import sums
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+    from discostorm_capture.diagnosis import Diagnosis
+
+
+@dataclass(frozen=True, repr=False)
+class Capture:
+    """Discovery traffic that was captured; `discostorm.read_capture` makes one.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    packets : int
+        How many packets it holds [1].
+    start : float
+        When its earliest packet was captured, in seconds since 1970 [s].
+    duration : float
+        Time from its earliest packet to its latest [s].
+    notes : tuple of str
+        What could not be read or counted, and why.
+    _messages, _processes : pandas.DataFrame
+        What `messages` and `processes` return copies of.
+    _asides : pandas.DataFrame
+        What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
+        connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+    _cut : int
+        How many packets were cut when they were captured [1].
+    _jumps : tuple of tuple
+        Where the clock that stamped the packets jumped: the frame, and by how much [s].
+    _first, _last : float
+        When the first packet in the file came, since the earliest one, and how much later the last
+        one came, without jumps of the clock [s].
+    _others : dict of str to int
+        How many packets there are of "ARP", "TCP", "UDP" and "other" that hold no message [1].
+    _lost : tuple of str
+        What the capture says that it lacks.
+    """
+
+    path: str
+    packets: int
+    start: float
+    duration: float
+    notes: tuple[str, ...]
+    _messages: pd.DataFrame = field(compare=False)
+    _processes: pd.DataFrame = field(compare=False)
+    _asides: pd.DataFrame = field(compare=False)
+    _cut: int = field(compare=False)
+    _jumps: tuple[tuple[int, float], ...] = ()
+    _first: float = 0.0
+    _last: float = 0.0
+    _others: dict[str, int] = field(default_factory=dict, compare=False)
+    _lost: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return (
+            f"Capture({self.path!r}, {self.packets} packets, {self.duration:.6g} s, "
+            f"{len(self._messages)} messages)"
+        )
+
+    def messages(self) -> pd.DataFrame:
+        """Return the messages, in the order of the frames that completed them.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of
+            the packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments,
+            "TCP"; ``kind``, as the tables of protocols call it; ``multicast``; ``bytes``, its
+            part of the payload of UDP or TCP [B], so that they add up to it; ``sender`` and
+            ``receiver``, addresses; ``way``, "up" or "down" if the capture is of a Wi-Fi
+            network. Then ``process`` and ``peer``, whom it is from and to, "" if it does
+            not say; ``submessage``, its name in the standard or in Zenoh; of RTPS, ``entity``,
+            what its entities are about, ``reader`` and ``writer``, their ids, ``number``, the
+            sequence number of a sample, of the last one that a Heartbeat tells of, or of the first
+            that an ACKNACK lacks, ``missing``, how many that says it lacks, and ``size``,
+            the octets to the next header [B]; ``ends``, whether it takes back what it is
+            about, or ends a connection; ``copy``, whether the capture shows it once more;
+            ``transport``; ``frames``, its part of packets [1].
+        """
+        return self._messages.copy()
+
+    def processes(self) -> pd.DataFrame:
+        """Return the processes that were found, in the order in which they appeared.
+
+        Returns
+        -------
+        pandas.DataFrame
+            By ``process``, as the messages name them: ``protocol``, ``product``, ``host``,
+            its address, ``endpoints``, how many it announced, ``time``, when it was seen
+            first [s], and ``server``, whether it says that it is a Discovery Server of Fast DDS or
+            a router of Zenoh. A publisher of Zenoh announces nothing; of rmw_zenoh the tokens are
+            counted.
+        """
+        return self._processes.copy()
+
+    def serving(self) -> tuple[str, ...]:
+        """Return the addresses of hosts with servers and routers alone, beside hosts without.
+
+        They are no robots. Unless `fleet`, `airtime` and `compare` are told which hosts are wired
+        to the access point, these are.
+        """
+        found = self._processes[self._processes["host"] != ""]
+        alone = found.groupby("host", sort=False, observed=True)["server"].all()
+        return () if alone.all() else tuple(map(str, alone.index[alone]))
+
+    def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
+        """Return the fleet that was found: hosts, processes and the endpoints they announced.
+
+        It is the whole fleet also from one robot's view, as everybody announces to everybody.
+
+        Parameters
+        ----------
+        protocol : {"RTPS", "Zenoh"}, optional
+            Take processes of that one only.
+        wired : sequence of str, optional
+            The addresses of all hosts that are wired to the access point; those of `serving` if
+            left out.
+
+        Returns
+        -------
+        Fleet
+            A group for the hosts with as many processes and, in the mean, endpoints, wired or
+            not. A wired host of `serving` is left out: it is in the tables of servers and routers
+            already. One that is not wired comes first, as in the tables of a server on a robot.
+
+        Raises
+        ------
+        CaptureError
+            If no process was found.
+        ValueError
+            If `wired` has an address that the capture does not show.
+        """
+        on_wires, serving = self._wired(wired), set(self.serving())
+        if protocol is not None:
+            _checks.choice("protocol", protocol, dissector.PROTOCOLS[:2])
+        found = self._processes
+        if protocol is not None:
+            found = found[found["protocol"] == protocol]
+        found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
+        found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
+        if not len(found):
+            what = "of a process" if protocol is None else f"of a process of {protocol}"
+            raise CaptureError(f"{self.path}: there is no message {what} in it")
+        by_host = found.groupby("host", sort=False, observed=True)["endpoints"]
+        like: dict[tuple[int, float, bool], list[str]] = {}
+        for host, endpoints in by_host:
+            alike = len(endpoints), float(endpoints.mean()), str(host) in on_wires
+            like.setdefault(alike, []).append(str(host))
+        groups = [
+            HostGroup(len(hosts), some, each, _group_name(hosts, len(like)), wired=by_wire)
+            for (some, each, by_wire), hosts in like.items()
+        ]
+        return Fleet(tuple(groups))
+
+    def view(self) -> str | None:
+        """Return the address of the host whose traffic alone was captured, if it is so.
+
+        It is if there are at least three hosts, and all that is unicast is from or to that one,
+        which has more than servers: from and to a server it is in any case.
+        """
+        hosts = set(self._processes["host"]) - {""}
+        messages = self._on_air()
+        unicast = messages[~messages["multicast"]]
+        if len(hosts) < 3 or unicast.empty:
+            return None
+        pairs = unicast[["sender", "receiver"]].drop_duplicates().astype(str).to_numpy().tolist()
+        common = set(pairs[0]).intersection(*map(set, pairs[1:])) & hosts - set(self.serving())
+        return common.pop() if len(common) == 1 else None
+
+    def airtime(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
+        """Return the airtime of each message on a channel, up and again down [s].
+
+        A message has its part of that of the packets that carried it. A packet is a frame
+        of its payload and the headers of the paper's Table II. Of a host that is ``wired`` to the
+        access point, of `serving` if left out, nothing goes up, and by unicast nothing down to it.
+        """
+        _checks.instance("wifi", wifi, Wifi)
+        on_wires = self._wired(wired)
+        import pandas as pd
+
+        rows = self._messages
+        frames = rows["frames"].to_numpy(np.float64)
+        payload = rows["bytes"].to_numpy() / np.where(frames > 0, frames, np.inf)
+        udp = (rows["transport"] == "UDP").to_numpy()
+        headers = header_bytes()
+        size = payload + np.where(udp, headers["UDP"], headers["TCP"])
+        # Lengths repeat, and half a byte more or less is from sharing a packet.
+        lengths, which = np.unique(np.round(size, 3), return_inverse=True)
+        up, down = (~rows[end].isin(on_wires).to_numpy() for end in ("sender", "receiver"))
+        seconds = np.zeros(len(rows))
+        for hops, mine in ((HOPS, up & down), (("up",), up & ~down), (("down",), down & ~up)):
+            if not mine.any():
+                continue
+            each = {
+                cast: np.broadcast_to(_airtime(lengths, cast, hops, wifi), lengths.shape)[which]
+                for cast in get_args(Cast)
+            }
+            part = frames * np.where(rows["multicast"], each["multicast"], each["unicast"])
+            seconds[mine] = part[mine]
+        return pd.Series(seconds, index=rows.index, name="airtime_s")
+
+    def compare(
+        self,
+        protocol: Protocol,
+        fleet: Fleet | None = None,
+        wifi: Wifi = PAPER,
+        wired: Sequence[str] | None = None,
+        window: float | None = None,
+    ) -> pd.DataFrame:
+        """Hold what was captured against the table of a protocol.
+
+        Left out are what the capture shows twice, what stays on one host, and what takes back
+        an announcement or ends a connection (shutdown). A capture without any message that the
+        table has for the start alone is taken for one of the steady state.
+
+        Parameters
+        ----------
+        protocol : Protocol
+            The table; messages are found by their kind. Where it has another table for networks
+            that are taken for wired (`Protocol.wired`), that one is taken if the capture shows
+            messages by multicast that the first has by unicast alone.
+        fleet : Fleet, optional
+            The fleet that sent; the one found in the capture if left out. How far its endpoints
+            match is then told from the acknowledgements of user endpoints, and of Zenoh from how
+            few key expressions are declared. Of Zenoh without tokens, which does not announce
+            publishers, it has as many of them as the table takes it to have.
+        wifi : Wifi, optional
+            The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            The addresses of all hosts that are wired to the access point; those of `serving` if
+            left out. For a server on a robot it is empty.
+        window : float, optional
+            Count so long from the first message of the table on [s], above 0; to the end of the
+            capture if left out. `compared_seconds` says how long that is.
+
+        Returns
+        -------
+        pandas.DataFrame
+            By ``message``, its kind, first those of the table, then what else of RTPS or of Zenoh
+            and its TCP was captured: ``units``,
+            of how many of its units the capture shows the messages [1], where a kind has several
+            rows in the table those of the first; ``expected``, how many
+            messages these send from the first message in the capture to its end, or
+            until nobody sends any more [1];
+            ``unicast`` and ``multicast``, how many were captured [1]; ``per_unit``, captured
+            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s].
+            Where the table has no such message, ``units`` and what follows from it are NaN.
+
+        Raises
+        ------
+        TypeError
+            If an argument is of another type.
+        CaptureError
+            If no fleet is given, and no process was found.
+        ValueError
+            If `wired` has an address that the capture does not show, or `window` is not above 0.
+        """
+        _checks.instance("protocol", protocol, Protocol)
+        _checks.instance("wifi", wifi, Wifi)
+        wire = spoken(protocol)
+        rows = self._on_air()
+        seconds = self.compared_seconds(protocol, window)
+        if window is not None:
+            rows = rows[rows["time"] <= begin_of(protocol, self._messages) + seconds]
+        if protocol.wired is not None and as_if_wired(protocol, rows):
+            protocol = protocol.wired
+        if fleet is None:
+            shown = completed(self._shown(self.fleet(wire, wired)), protocol, rows)
+        else:
+            _checks.instance("fleet", fleet, Fleet)
+            reject_symbols(fleet)
+            for group in fleet.groups:
+                _checks.one_each(zip(COUNTS, group.counts(), strict=True))
+            shown = self._shown(fleet)
+        rows = rows.assign(airtime_s=self.airtime(wifi, wired))
+        return table(protocol, shown, rows, wire, seconds)
+
+    def compared_seconds(self, protocol: Protocol, window: float | None = None) -> float:
+        """Return how long `compare` counts: from the first message of a table on [s].
+
+        It is to the end of the capture, or until nobody sends any more, at most `window`.
+        """
+        _checks.instance("protocol", protocol, Protocol)
+        seconds = counted(protocol, self._messages, self.duration)
+        if window is None:
+            return seconds
+        return min(seconds, _checks.number("window", window, _checks.LEAST_SECONDS))
+
+    def sums(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
+        """Return what is sent for discovery, and what users' data take.
+
+        Left out is what `compare` leaves out.
+
+        Parameters
+        ----------
+        wifi : Wifi, optional
+            The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            As for `compare`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            By ``what``, "discovery" and "user data": ``messages`` [1], which are no whole numbers
+            where both share segments of TCP; ``bytes``, their payload [B]; ``airtime_s`` [s]; and
+            ``of_time``, its part of the capture's duration [1].
+        """
+        rows = self._on_air()
+        return sums(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
+
+    def diagnosis(self) -> Diagnosis:
+        """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
+
+        What cannot be told apart is said to be one of two. What the capture cannot show is not
+        found; what it lacks is a finding of its own.
+
+        Returns
+        -------
+        Diagnosis
+            Its ``summary()``, ``findings``, ``hosts()`` and the pairs that are ``incomplete()``.
+
+        Examples
+        --------
+        >>> import discostorm as ds
+        >>> from discostorm.data import data_path
+        >>> capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz", "discostorm_capture"))
+        >>> capture.diagnosis().complete
+        True
+        """
+        from discostorm_capture.diagnosis import Seen, diagnose, view_of, without_jumps
+
+        rows = self._messages
+        here = rows["sender"].astype(str) == rows["receiver"].astype(str)
+        loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
+        rows, asides, processes = rows[~(rows["copy"] | here | loop)], self._asides, self._processes
+        rows, asides = (
+            table.assign(
+                time=without_jumps(
+                    table["time"].to_numpy(), table["frame"].to_numpy(), self._jumps, self._first
+                )
+            )
+            for table in (rows, asides)
+        )
+        serving = frozenset(self.serving())
+        return diagnose(
+            Seen(
+                rows=rows.sort_values("time", kind="stable") if self._jumps else rows,
+                processes=processes[processes["host"] != ""],
+                asides=asides,
+                duration=self._last,
+                view=view_of(rows, serving),
+                serving=serving,
+                others=self._others,
+                jumps=self._jumps,
+                lost=self._lost,
+                cut=self._cut / max(self.packets, 1),
+            )
+        )
+
+    def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
+        """Draw messages over time, and their airtime against the channel.
+
+        Parameters
+        ----------
+        wifi : Wifi, optional
+            The channel to compute airtime for; the paper's if left out.
+        wired : sequence of str, optional
+            As for `compare`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Above, how many messages of each kind there were in each of some tens of
+            intervals; below, the part of the interval that they take on the channel.
+
+        Raises
+        ------
+        CaptureError
+            If there is no message.
+        """
+        from discostorm_capture.picture import draw
+
+        rows = self._on_air()
+        if rows.empty:
+            raise CaptureError(f"{self.path}: there is no message in it to draw")
+        channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
+        return draw(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
+
+    def _wired(self, wired: Sequence[str] | None) -> set[str]:
+        """Return the addresses of hosts that are wired to the access point."""
+        if wired is None:
+            return set(self.serving())
+        known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
+        for address in _checks.members("wired", wired, str) if len(wired) else ():
+            if address not in known:
+                raise ValueError(
+                    f"wired must have addresses that the capture shows, such as "
+                    f"{', '.join(sorted(known)[:3]) or 'none'}; got {address!r}"
+                )
+        return set(wired)
+
+    def _on_air(self) -> pd.DataFrame:
+        """Return the messages that go from host to host, once each."""
+        rows = self._messages
+        here = rows["sender"].astype(str) == rows["receiver"].astype(str)
+        loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
+        return rows[~(rows["copy"] | rows["ends"] | here | loop)]
+
+    def _shown(self, fleet: Fleet) -> Shown:
+        """Return how much of a fleet the capture shows."""
+        if (view := self.view()) is None:
+            return Shown(fleet)
+        return from_host(fleet, self._processes[self._processes["host"] == view])
+
+
+def _group_name(hosts: list[str], groups: int) -> str:
+    if groups == 1:
+        return ""
+    more = f" and {len(hosts) - 1} more" if len(hosts) > 1 else ""
+    return hosts[0] + more
+
+
+def _loopback_rows(addresses: pd.Series) -> pd.Series:
+    loop = [name for name in addresses.cat.categories if name.startswith("127.") or name == "::1"]
+    return addresses.isin(loop)
+
+
+def _airtime(lengths: np.ndarray, cast: Cast, hops: tuple[Hop, ...], wifi: Wifi) -> Any:
+    length = sp.Symbol("S")
+    model = wifi.model
+    on = {"up": uplink_airtime(length, model), "down": downlink_airtime(length, cast, model)}
+    expression = sp.Add(*(on[hop] for hop in hops))
+    given: dict[Any, Any] = {length: lengths}
+    return evaluate(expression, given | wifi.values())

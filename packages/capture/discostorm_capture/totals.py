@@ -1,0 +1,72 @@
+"""Two sums: what is sent for discovery, and what users' data take."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from discostorm_capture._bytes import Array
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: What a sum is called; the last is of what both share: the segments of TCP itself.
+DISCOVERY, USERS = "discovery", "user data"
+#: Of Zenoh, messages of users; those that carry others are what the others in their packet are.
+_USERS = ("Push", "Request", "Response", "ResponseFinal")
+_CARRIERS = ("Frame", "Fragment")
+
+
+def of_users(rows: pd.DataFrame) -> Array:
+    """Return the part of each message that is of users' data, from 0 to 1.
+
+    Of RTPS it is what users' endpoints send, with their Heartbeats and acknowledgements; of Zenoh
+    what is published and asked for. A segment of TCP itself is shared between the two as the
+    other segments between its hosts are.
+    """
+    kind = rows["kind"].astype(str).to_numpy()
+    part = np.zeros(len(rows))
+    part[np.char.startswith(kind.astype(str), "User")] = 1.0
+    part[np.isin(kind, _USERS)] = 1.0
+    frame = rows["frame"].to_numpy()
+    with_users = np.unique(frame[np.isin(kind, _USERS)])
+    part[np.isin(kind, _CARRIERS) & np.isin(frame, with_users)] = 1.0
+    own = (rows["protocol"] == "TCP").to_numpy()
+    if own.any():
+        ends = _ends(rows)
+        content = ~own & (rows["transport"] == "TCP").to_numpy()
+        size = int(ends.max()) + 1
+        weight = rows["frames"].to_numpy(np.float64)
+        whole = np.bincount(ends[content], weight[content], size)
+        theirs = np.bincount(ends[content], weight[content] * part[content], size)
+        part[own] = (theirs / np.where(whole > 0, whole, 1.0))[ends[own]]
+    return part
+
+
+def _ends(rows: pd.DataFrame) -> Array:
+    """Return a number for each two hosts, whichever speaks."""
+    numbers: dict[frozenset[str], int] = {}
+    found = [
+        numbers.setdefault(frozenset(pair), len(numbers))
+        for pair in zip(rows["sender"].astype(str), rows["receiver"].astype(str), strict=True)
+    ]
+    return np.array(found, np.int64)
+
+
+def sums(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
+    """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
+    import pandas as pd
+
+    part = of_users(rows)
+    table = {}
+    for name, share in ((DISCOVERY, 1 - part), (USERS, part)):
+        table[name] = {
+            "messages": float(share.sum()),
+            "bytes": float((rows["bytes"].to_numpy() * share).sum()),
+            "airtime_s": float((rows["airtime_s"].to_numpy() * share).sum()),
+        }
+    found = pd.DataFrame.from_dict(table, orient="index")
+    found["of_time"] = found["airtime_s"] / seconds if seconds > 0 else np.nan
+    found.index.name = "what"
+    return found

@@ -1,0 +1,84 @@
+"""The command ``discostorm fleet``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+import discostorm as ds
+from discostorm import _checks, words
+from discostorm.cli.fleet_options import called, standard_input
+from discostorm.cli.options import A_FILE, output_options
+from discostorm.cli.output import BadInput, Output, as_text, bad_input, print_rows, visible
+from discostorm_planner import ros2_text
+
+
+@click.command()
+@click.option(
+    "--from",
+    "file",
+    **A_FILE,
+    required=True,
+    help="File with the output of ROS 2 commands, or - for standard input.",
+)
+@click.option(
+    "--hosts",
+    type=float,
+    metavar="N",
+    help="Robots of this kind; the text then describes one of them.",
+)
+@click.option(
+    "--processes",
+    type=float,
+    metavar="N",
+    help="Processes on each robot.  [default: one for each node, the maximum]",
+)
+@output_options
+def fleet(file: str, hosts: float | None, processes: float | None, output: Output) -> None:
+    """Write a fleet file from the output of ROS 2 commands.
+
+    One file may hold the text of `ros2 node list`, `ros2 node info` and `ros2 topic list -v`, one
+    after the other. Begin with:
+
+    \b
+      (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
+
+    Comments in the fleet file name what ROS 2 does not tell, and the formats that were never tried
+    on a live system.
+
+    \b
+    Examples:
+      discostorm fleet --from ros2.txt
+      discostorm fleet --from ros2.txt --hosts 12 --processes 3 > fleet.toml
+    """
+    with bad_input():
+        seen = ros2_text.read_text(_text(file), called(file))
+        found, notes = ros2_text.fleet_of(seen, hosts, processes)
+    notes = [ros2_text.tried(seen), *notes]
+    rows = found.described()
+    if output.as_json:
+        click.echo(as_text({"groups": rows, "notes": notes}))
+    elif output.as_csv:
+        print_rows(rows, output)
+    else:
+        click.echo(visible(_toml(found, notes)), nl=False)
+
+
+def _text(file: str) -> str:
+    try:
+        if file == "-":
+            return standard_input().read().decode("utf-8")
+        return Path(_checks.path("--from", file, "a text file")).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise BadInput(f"{called(file)} must be text in UTF-8, as ROS 2 prints it") from None
+
+
+def _toml(found: ds.Fleet, notes: list[str]) -> str:
+    lines = [f"# {line}" for note in notes for line in words.wrapped(f"{note}.", 77).splitlines()]
+    for group in found.groups:
+        lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]
+        for key in ("hosts", "processes", "endpoints", "nodes"):
+            lines.append(f"{key} = {getattr(group, key):.12g}")
+    return "\n".join([*lines, ""])

@@ -1,0 +1,118 @@
+"""What could be changed of a channel: its radio, the rate of multicast, aggregation."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from discostorm import words
+from discostorm.wifi import PAPER, Radio, Wifi
+from discostorm.wifi.radio import USUAL_MPDUS, both_ends, most_mpdus
+from discostorm_planner.changes import Change
+from discostorm_planner.remedy_rules import simulated_aggregation
+
+#: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
+#: 17.2.2.3), and frames in an A-MPDU [1].
+MULTICAST_RATE, MPDUS = 24e6, USUAL_MPDUS
+#: Other radios: what they change, with at least so many streams.
+RADIOS: tuple[dict[str, Any], ...] = (
+    {"standard": "802.11n", "width": 40e6},
+    {"standard": "802.11ac", "width": 80e6},
+    {"standard": "802.11ax", "width": 160e6},
+)
+STREAMS = 2
+
+
+def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
+    """Yield faster multicast, other radios and aggregation, or why there are none."""
+    radio = _radio(wifi)
+    if isinstance(radio, str):
+        yield f"another radio, multicast rate and aggregation: {radio}"
+        return
+    timed = replace(radio.wifi(), name=wifi.name) != wifi
+    by = "both values use standard timing" if timed else ""
+    if radio.basic_rate < MULTICAST_RATE:
+        what = (
+            f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
+            f"{radio.basic_rate / 1e6:g} Mbit/s"
+        )
+
+        def faster(old: Radio) -> Radio:
+            return replace(old, multicast_rate=MULTICAST_RATE, name=None)
+
+        yield Change("multicast rate", what, "multicast rate", radio=faster, note=by, by=by)
+    for changes in RADIOS:
+        other = _another(radio, changes)
+        if other.rate > radio.rate:
+            yield Change(
+                "radio",
+                f"another radio ({other.wifi().name})",
+                "radio",
+                radio=lambda old, changes=changes: _another(old, changes),  # type: ignore[misc]
+                note=_compared(radio, other, by),
+                by=by,
+            )
+    most = most_mpdus(radio.standard)
+    if most == 1:
+        yield f"aggregation: {radio.standard} has none"
+    elif both_ends(wifi) != (wifi, wifi):
+        yield "aggregation: already counted, because radios since 802.11n aggregate by default"
+    elif radio.mpdus < MPDUS:
+
+        def aggregated(old: Radio) -> Radio:
+            return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
+
+        what = f"aggregating up to {MPDUS} frames"
+        note = words.sentences(by, simulated_aggregation(MPDUS))
+        yield Change("aggregation", what, "aggregation", radio=aggregated, note=note, by=by)
+
+
+def _radio(wifi: Wifi) -> Radio | str:
+    """Return the radio whose channel it is, or why none is known."""
+    if wifi.radio is None:
+        return (
+            "the channel has rates and overheads but no Radio, so its back-off, preambles and "
+            "symbols cannot be compared with those of another radio"
+        )
+    papers = (PAPER.unicast, PAPER.multicast, PAPER.aggregation)
+    if (wifi.unicast, wifi.multicast, wifi.aggregation) == papers:
+        return wifi.radio
+    if replace(wifi.radio.wifi(), name=wifi.name) == wifi:
+        return wifi.radio
+    return (
+        "the channel was changed by hand and no longer matches its Radio, so it cannot be "
+        "compared with the channel of another radio"
+    )
+
+
+def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
+    """Return another radio at its fastest, with the settings of the one there is."""
+    rate = radio.multicast_rate
+    return Radio(
+        **changes,
+        streams=max(STREAMS, int(radio.streams)),
+        # DSSS rates are of 2.4 GHz alone.
+        multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
+        aifsn=radio.aifsn,
+        mpdus=min(int(radio.mpdus), most_mpdus(changes["standard"])),
+        start_spacing=radio.start_spacing,
+    )
+
+
+def _compared(old: Radio, new: Radio, by: str) -> str:
+    """Return what another radio changes: rates, and what an exchange costs beside its data."""
+    before, after = old.wifi(), new.wifi()
+    rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
+    was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
+    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead per frame exchange"]
+    if new.basic_rate != old.basic_rate:
+        multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
+        told.append(f"multicast at {multicast}")
+    return words.sentences(f"compared with {before.name}: {words.listed(told)}", by)
+
+
+def _instead(new: float, old: float, unit: str) -> str:
+    """Return a number instead of another, or alone where both read the same."""
+    new_text, old_text = f"{new:.0f}", f"{old:.0f}"
+    if new_text == old_text:
+        return f"{new_text} {unit}"
+    return f"{new_text} instead of {old_text} {unit}"

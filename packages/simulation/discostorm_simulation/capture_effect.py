@@ -1,0 +1,70 @@
+"""Which of the frames that overlap is received, if stations are heard at unlike strength (capture).
+
+A receiver follows the frame whose power there exceeds the sum of all others that are sent with it:
+by one factor for what is sent at the basic rate, such as the begin of each frame, and by a larger
+one for data at the top rate. Of an A-MPDU that exceeds by the smaller factor only, those MPDUs
+arrive that begin when the others are over. Who sends receives nothing. The answer is taken to
+arrive.
+"""
+
+import numpy as np
+
+from discostorm_simulation._compile import njit, shared
+from discostorm_simulation.delivery import data_ticks, is_multicast, prevails, subframe
+from discostorm_simulation.queues import receiver
+
+
+@njit
+def sent_to(cell, station):
+    """Return who is to receive what a station sends; of multicast the access point, as nobody."""
+    if station < cell.now[0].hosts:
+        return cell.now[0].hosts
+    if cell.stations[station].sent == 0 and not cell.stations[station].must_ask:
+        return cell.actions[station].sends // 2
+    return receiver(cell, cell.window[station, 0].frame)
+
+
+@njit
+def begun_before(cell, station, since):
+    """Return how many MPDUs of a PPDU begin in the ticks after its own begin."""
+    octets = np.int64(0)
+    for place in range(cell.stations[station].sent):
+        if data_ticks(cell.radio[0], octets) >= since:
+            return np.int64(place)
+        octets += subframe(cell, cell.window[station, place].frame)
+    return np.int64(cell.stations[station].sent)
+
+
+@shared
+def survives(cell, count, station, time):
+    """Return whether something arrives of what a station sends with others; note what does not."""
+    now, radio, sent = cell.now[0], cell.radio[0], cell.stations[station].sent
+    now.damaged = 0
+    if is_multicast(cell, station):
+        for host in range(now.hosts):
+            if prevails(cell, count, station, host, radio.exceeds_basic):
+                return True
+        return False
+    to = sent_to(cell, station)
+    if not prevails(cell, count, station, to, radio.exceeds_basic):
+        return False
+    if sent == 0 or prevails(cell, count, station, to, radio.exceeds):
+        return True
+    others = np.int64(0)
+    for place in range(count):
+        if cell.senders[place].station != station:
+            others = max(others, cell.senders[place].end)
+    now.damaged = begun_before(cell, station, others - time) if sent > 1 else sent
+    return now.damaged < sent
+
+
+@shared
+def survivor(cell, count, time):
+    """Return who of those that send together is received in spite of the others, or -1."""
+    for place in range(count):
+        station = cell.senders[place].station
+        if survives(cell, count, station, time):
+            cell.now[0].overlapping = count
+            return station
+    cell.now[0].damaged = 0
+    return np.int64(-1)

@@ -1,0 +1,483 @@
+"""From fleet, protocol and channel to the arrays that a run reads and changes.
+
+Who sends a message and who receives it is what its `discostorm.messages.Unit` declares. Where
+a process is to send x of it to each receiver, a fraction, it numbers them i = 0, 1, 2 ... and sends
+floor((i + 1) x + u) - floor(i x + u) to the i-th, with u between 0 and 1 drawn once a run for
+each process and row of the table. So each receives x in the mean over runs, all together
+less than one more or fewer than x times their number, and a whole x is x in every run. Of
+messages that share frames the frames are sent: x is that of their parts.
+"""
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from discostorm import _checks
+from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
+from discostorm.messages import Hosts, Message, Protocol
+from discostorm.wifi import Padding, Radio, Wifi
+from discostorm.wifi.channel import TICK
+from discostorm_simulation import state as _cell
+from discostorm_simulation.state import Cell, Records
+
+#: Retransmissions end with this attempt: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
+ATTEMPTS = 7
+#: From the begin of an OFDM frame until the receiver knows it [s]: aRxPHYStartDelay (17.4.4).
+RX_START_DELAY = 20e-6
+#: How many frames a block acknowledgement looks back at least (10.25).
+WINDOW = 64
+#: From an acknowledgement of 14 octets to an action frame of 37 at 6 Mbit/s [s]: eight symbols.
+LONGER_ACTION = 8 * 4e-6
+#: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
+_MOST_OCTETS = 65_535
+_MOST_PROCESSES = 2**_cell.PROCESS_BITS
+_MOST_ENDPOINTS = 2**_cell.ITEM_BITS
+_MOST_MESSAGES = 2**_cell.KIND_BITS
+#: What `Cell.power` is if all are heard alike.
+ALIKE = np.zeros((1, 1))
+#: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
+_SAMPLES, _LOG, _POOL = 512, 4096, 4096
+
+
+def ticks(seconds: float) -> int:
+    """Return a time in whole ticks; what is too long to count them never comes."""
+    never = int(_cell.NEVER)
+    found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
+    return never if found >= never else round(found)
+
+
+def hosts_of(fleet: Fleet) -> Hosts:
+    """Return the hosts of a fleet; refuse one that is not made of whole numbers."""
+    fleet.reject_wired("a simulation")
+    rows = []
+    for index, group in enumerate(fleet.groups):
+        for count, value in zip(COUNTS, group.counts(), strict=True):
+            name = f"groups[{index}].{count}"
+            if group.name:
+                name += f" of {group.name}"
+            if is_symbolic(value):
+                raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
+            most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)
+            _checks.whole(f"fleet: {name}", value, LEAST[count], most)
+        rows.append([int(value) for value in group.counts()])
+    numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
+    if numbers.sum() < 2:
+        raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
+    if (numbers * processes).sum() > _MOST_PROCESSES:
+        raise ValueError(
+            f"fleet must have at most {_MOST_PROCESSES} processes to simulate; "
+            f"got {(numbers * processes).sum()}"
+        )
+    return Hosts(
+        np.repeat(processes, numbers),
+        np.repeat(endpoints, numbers),
+        np.repeat(np.arange(numbers.size), numbers),
+        fleet.matching,
+        np.repeat([float(group.shared) for group in fleet.groups], numbers),
+    )
+
+
+def radio_record(
+    wifi: Wifi,
+    queue: tuple[float, float],
+    eifs: bool,
+    threshold: tuple[float, float] = (np.inf, np.inf),
+) -> Records:
+    """Return the radio of a channel as the inner loops take it."""
+    radio = wifi.radio
+    if radio is None:
+        raise ValueError(
+            "wifi must have a radio to simulate, as those of ds.Radio(...).wifi(), ds.WIFI and "
+            f"ds.PAPER have; got {wifi.name!r}"
+        )
+    padding = wifi.unicast.padding or radio.padding
+    extension = radio.signal_extension
+    aggregation = wifi.aggregation
+    basic = Radio(radio.standard, band=radio.band, mcs=0).ack
+    seconds = {
+        "slot": radio.slot,
+        "sifs": radio.sifs,
+        "aifs": radio.aifs,
+        "timeout": radio.sifs + radio.slot + RX_START_DELAY,
+        "heard": (radio.sifs + basic + extension) * eifs,
+        "ack": radio.ack + extension,
+        "block_ack": radio.block_ack + extension,
+        # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
+        "request": radio.block_ack + extension,
+        "action": basic + LONGER_ACTION + extension,
+        "basic_ack": basic + extension,
+        "preamble": radio.preamble + extension,
+        "symbol": padding.symbol,
+        "grid": padding.grid,
+        "lifetime": queue[1],
+    }
+    whole = {
+        "cw_min": radio.cw_min,
+        "cw_max": radio.cw_max,
+        "attempts": ATTEMPTS,
+        # Stations without QoS count down at the end of idle slots only.
+        "edca": radio.standard not in ("802.11a", "802.11g"),
+        "bits": padding.bits,
+        "added": padding.added,
+        "mpdus": aggregation.mpdus if aggregation else 1,
+        "most_bytes": aggregation.most_bytes if aggregation else 0,
+        "least_subframe": aggregation.least_bytes if aggregation else 0,
+        "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
+        "queue": int(min(queue[0], int(_cell.NEVER))),
+    }
+    record = np.zeros(1, _cell.RADIO)
+    for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
+        record[name] = value
+    record["exceeds"], record["exceeds_basic"] = from_decibels(threshold)
+    return record
+
+
+def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
+    """Return factors of decibels."""
+    factors: NDArray[np.float64] = 10 ** (np.asarray(values, dtype=np.float64) / 10)
+    return factors
+
+
+def _ppdu_ticks(octets: int, padding: Padding, preamble: int) -> int:
+    symbols = -(-(padding.added + 8 * octets) // padding.bits)
+    grid = ticks(padding.grid)
+    return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
+
+
+def paddings(wifi: Wifi) -> tuple[tuple[Padding, int], tuple[Padding, int]]:
+    """Return padding and preamble [ticks] of frames to one receiver, and of those to all."""
+    radio = wifi.radio
+    assert radio is not None
+    waiting = radio.aifs + radio.cw_min / 2 * radio.slot
+    return (
+        (wifi.unicast.padding or radio.padding, ticks(radio.preamble + radio.signal_extension)),
+        (
+            wifi.multicast.padding or radio.multicast_padding,
+            ticks(radio.wifi().multicast.overhead - waiting),
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class Shares:
+    """How many of each message each process sends, and to whom; see `cell.Cell`."""
+
+    each: NDArray[np.float64]
+    to_all: NDArray[np.float64]
+    before: NDArray[np.int64]
+    sets: NDArray[np.int64]
+
+    @property
+    def whole(self) -> NDArray[np.bool_]:
+        """Of which rows of the table nobody sends a fraction."""
+        fractions: NDArray[np.bool_] = ((self.each % 1 != 0) | (self.to_all % 1 != 0)).any(axis=0)
+        return ~fractions
+
+    def most(self) -> NDArray[np.int64]:
+        """Return how many of each message a process sends at most, at once, to one or to all."""
+        most: NDArray[np.float64] = np.maximum(self.each, self.to_all).max(axis=0)
+        return np.ceil(most).astype(np.int64)
+
+
+def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
+    """Return how many frames of each message each process sends, and to whom.
+
+    What rows of ``spread`` send to hosts goes to their processes, on average as many to each.
+    """
+    everyone = tuple(hosts.every)
+    sets = {everyone: 0}
+    remote = hosts.every.size - hosts.processes[hosts.host_of]
+    shape = (hosts.every.size, len(protocol.messages))
+    each, to_all, of_row = np.zeros(shape), np.zeros(shape), np.zeros(shape[1], np.int64)
+    for row, message in enumerate(protocol.messages):
+        unit = message.unit
+        sent = unit.senders(hosts) * (message.per_unit * message.frames)
+        taking = unit.receivers(hosts)
+        if row in spread:
+            taking, sent = hosts.every, sent * (hosts.processes.size - 1) / remote
+        if taking is None:
+            to_all[:, row] = sent
+            each[:, row] = sent / remote
+            continue
+        each[:, row] = sent
+        own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
+        to_all[:, row] = sent * (taking.sum() - own) * (message.cast == "multicast")
+        of_row[row] = sets.setdefault(tuple(taking), len(sets))
+    before = np.zeros((len(sets), hosts.every.size + 1), np.int64)
+    before[:, 1:] = np.cumsum(list(sets), axis=1)
+    return Shares(each, to_all, before, of_row)
+
+
+def _where(protocol: Protocol, message: Message) -> str:
+    return f"protocol {protocol.name!r}, message {message.name!r}"
+
+
+def carrier_of(protocol: Protocol, message: Message) -> int:
+    """Return the row in whose frames a message without any is: the named or only one of its phase.
+
+    It is alike in each of these frames.
+    """
+    framed = [m for m in protocol.messages if m.frames]
+    outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
+    if len(outer) != 1:
+        raise ValueError(
+            f"{_where(protocol, message)}: inside must be the one message of the phase "
+            f"{message.phase!r} in whose frames it is, to be simulated; "
+            f"got {message.inside!r} of {[m.name for m in outer]}"
+        )
+    return protocol.messages.index(outer[0])
+
+
+def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
+    """Return the octets in each frame of a message that rows without frames put inside it."""
+    shares = shares_of(protocol, hosts)
+    octets = np.zeros(len(protocol.messages))
+    for message in protocol.messages:
+        if message.frames:
+            continue
+        carrier = carrier_of(protocol, message)
+        alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
+        counts = [
+            _sent(shares_of(alone, hosts), hosts, 0),
+            _sent(shares, hosts, carrier),
+        ]
+        octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
+    return octets
+
+
+def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
+    """Return how many frames of a row the fleet sends [1]."""
+    to_all = shares.to_all[:, row].sum()
+    if to_all:
+        return float(to_all)
+    taking = np.diff(shares.before[shares.sets[row]])
+    own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
+    return float((shares.each[:, row] * (taking.sum() - own)).sum())
+
+
+def kind_records(
+    protocol: Protocol, wifi: Wifi, hosts: Hosts, spread: Collection[int] = ()
+) -> Records:
+    """Return the rows of a protocol's table; refuse what cannot be simulated."""
+    if len(protocol.messages) > _MOST_MESSAGES:
+        raise ValueError(
+            f"protocol must have at most {_MOST_MESSAGES} messages to simulate; "
+            f"got {len(protocol.messages)}"
+        )
+    fast, slow = paddings(wifi)
+    shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
+    records = np.zeros(len(protocol.messages), _cell.KIND)
+    records["set"], records["whole"] = shares.sets, shares.whole
+    for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
+        multicast, paired = message.cast == "multicast", message.unit.to_each
+        if len(message.hops) > 1 and not (multicast or paired):
+            raise ValueError(
+                f"{_where(protocol, message)}: cast must be 'multicast', or hops only one of them, "
+                f"for what is counted by {message.unit.name!r}, which has no receivers; "
+                f"got {message.cast!r}"
+            )
+        # Under a block acknowledgement each frame has a QoS Control field.
+        octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
+        if octets > _MOST_OCTETS:
+            raise ValueError(
+                f"{_where(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
+                f"headers to be simulated; got {octets}"
+            )
+        record["octets"] = octets
+        record["multicast"] = multicast
+        record["to_all"] = multicast or not paired
+        record["up"] = "up" in message.hops
+        record["down"] = "down" in message.hops
+        record["time_up"] = _ppdu_ticks(octets, *fast)
+        record["time_down"] = _ppdu_ticks(octets, *slow) if multicast else record["time_up"]
+    return records
+
+
+@dataclass(frozen=True)
+class Bursts:
+    """What a host sends by the clock: sets of messages, and when each is sent after the start."""
+
+    messages: tuple[tuple[int, ...], ...]
+    period: tuple[float, ...]
+    times: tuple[tuple[float, int], ...]
+
+
+def bursts_of(protocol: Protocol) -> Bursts:
+    """Return what a host sends by the clock alone: messages due at the same time go together."""
+    at: dict[tuple[float, float], list[int]] = {}
+    for row, message in enumerate(protocol.messages):
+        schedule = message.schedule
+        for time in schedule.starts:
+            at.setdefault((time, 0.0), []).append(row)
+        if np.isfinite(schedule.period):
+            first = schedule.starts[-1] + schedule.period
+            at.setdefault((first, schedule.period), []).append(row)
+            if schedule.period < TICK:
+                raise ValueError(
+                    f"{_where(protocol, message)}: period must be at least {TICK:g} s to be "
+                    f"simulated; got {schedule.period:g}"
+                )
+    sets: dict[tuple[tuple[int, ...], float], int] = {}
+    times = []
+    for (time, period), rows in sorted(at.items()):
+        number = sets.setdefault((tuple(rows), period), len(sets))
+        times.append((time, number))
+    return Bursts(
+        tuple(rows for rows, _ in sets), tuple(period for _, period in sets), tuple(times)
+    )
+
+
+def new_cell(
+    hosts: Hosts,
+    kinds: Records,
+    shares: Shares,
+    bursts: Bursts,
+    radio: Records,
+    starts: NDArray[np.float64],
+    loss: NDArray[np.float64],
+    seed: np.random.SeedSequence,
+    for_parts: np.random.SeedSequence,
+    repairs: Records | None = None,
+    cold: bool = False,
+    power: NDArray[np.float64] = ALIKE,
+    more: Iterable[tuple[int, int]] = (),
+    stamp: int = 0,
+) -> Cell:
+    """Return a cell at the start of a run; ``more`` happens than bursts and repairs say."""
+    count, rows = hosts.processes.size, kinds.size
+    stations = _cell.aligned(count + 1, _cell.STATION)
+    for name in ("head", "tail", "to_head", "to_tail"):
+        stations[name] = -1
+    stations["processes"][:count] = hosts.processes
+    stations["first"][:count] = hosts.first
+    stations["loss"][:count] = loss
+    processes = np.zeros(hosts.host_of.size, _cell.PROCESS)
+    processes["host"] = hosts.host_of
+    processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
+    # A whole number and such a part of one stay that number.
+    part = np.random.default_rng(for_parts).integers(2**20, size=shares.each.shape) / 2**20
+    pairs, has = _pairs(hosts, kinds, shares, part, repairs)
+
+    now = np.zeros(1, _cell.NOW)
+    now["base"] = radio["slot"]
+    now["idle"] = -1
+    now["stray_time"] = _cell.NEVER
+    now["step"] = ticks(1e-3)
+    now["spare"] = _POOL
+    now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
+    now["per_receiver"] = radio["mpdus"] > 1
+    now["cold"] = cold and radio["mpdus"] > 1
+    now["unlike"] = power.size > 1
+    now["stamp"] = stamp
+    # xorshift must not begin at zero.
+    now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
+    pool = np.zeros(_POOL, _cell.ENTRY)
+    pool["next"] = np.arange(1, _POOL + 1)
+
+    sets = np.zeros((max(1, len(bursts.messages)), rows + 1), np.int64)
+    for number, messages in enumerate(bursts.messages):
+        sets[number, list(messages)] = 1
+        sets[number, rows] = ticks(bursts.period[number]) if bursts.period[number] else 0
+    due = [
+        (ticks(start + time), int(_cell.SEND) | host | (number << _cell.PROCESS_BITS))
+        for host, start in enumerate(starts)
+        for time, number in bursts.times
+    ]
+    if repairs is not None:
+        due += _first_events(processes, repairs)
+        now["repairs"] = 1
+        now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
+    due = sorted([*due, *more])  # a sorted list is a heap
+    now["events"] = len(due)
+    now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
+    events = np.zeros(2 * len(due) + 1024, _cell.EVENT)
+    events["time"][: len(due)] = [time for time, _ in due]
+    events["what"][: len(due)] = [what for _, what in due]
+    wheel = 1 << int(2 * radio["cw_max"][0] + 1).bit_length()
+    mpdus = int(radio["mpdus"][0])
+    return Cell(
+        radio=radio,
+        now=now,
+        stations=stations,
+        window=_cell.aligned((count + 1) * mpdus, _cell.HELD).reshape(count + 1, mpdus),
+        ordered=np.full((count, int(radio["window"][0])), -1, np.int64),
+        wheel=np.full(wheel, -1, np.int32),
+        behind=np.full(count + 1, -1, np.int32),
+        strays=np.zeros(count + 1, _cell.STRAY),
+        senders=np.zeros(max(count + 1, mpdus), _cell.SENDER),
+        pool=pool,
+        agreements=np.zeros((count, 2), _cell.AGREEMENT),
+        actions=np.zeros(count + 1, _cell.ACTIONS),
+        events=events,
+        kinds=kinds,
+        batches=sets,
+        processes=processes,
+        each=shares.each,
+        to_all=shares.to_all,
+        part=part,
+        before=shares.before,
+        power=power,
+        repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
+        pairs=pairs,
+        has=has,
+        delays=_delays(kinds),
+        airtime=np.zeros((rows + 1, 3), np.int64),
+        samples=np.zeros(_SAMPLES, _cell.SAMPLE),
+        log=np.zeros(_LOG, _cell.SENT),
+    )
+
+
+def _delays(kinds: Records) -> NDArray[np.int64]:
+    """Return of each row of user data how many were how late, and how many there were: none yet."""
+    rows = int(kinds["user"].max())
+    return np.zeros((rows, _cell.COUNTED) if rows else (1, 1), np.int64)
+
+
+def _pairs(
+    hosts: Hosts,
+    kinds: Records,
+    shares: Shares,
+    part: NDArray[np.float64],
+    repairs: Records | None,
+) -> tuple[Records, NDArray[np.int64]]:
+    """Return what each process holds of each other at the start: nothing."""
+    if repairs is None:
+        return np.zeros((1, 1), _cell.OF_PAIR), np.zeros((1, 1, 1), np.int64)
+    count, host = hosts.every.size, hosts.host_of
+    pairs = np.zeros((count, count), _cell.OF_PAIR)
+    remote = host[:, None] != host
+    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
+        taking = np.diff(shares.before[shares.sets[row]]) * remote
+        rank = np.cumsum(taking, axis=1) - taking  # at [writer, reader]
+        wanted, begin = shares.each[:, row, None], part[:, row, None]
+        sent = np.floor((rank + 1) * wanted + begin) - np.floor(rank * wanted + begin)
+        pairs["missing"] += (sent * taking).astype(np.int64).T
+    return pairs, np.zeros((count, count, 1 + int(pairs["missing"].max()) // 64), np.int64)
+
+
+def _first_events(processes: Records, repairs: Records) -> list[tuple[int, int]]:
+    """Return the first announcements that no table names, and the first looks at leases."""
+    due = []
+    for process, start in enumerate(processes["start"]):
+        if first := repairs["announce_first"][0]:
+            processes["announce"][process] = first
+            due.append((int(start + first), int(_cell.ANNOUNCE) | process))
+        if (lease := repairs["lease"][0]) < _cell.NEVER:
+            due.append((int(start + lease), int(_cell.EXPIRE) | process))
+    return due
+
+
+def grown(cell: Cell) -> Cell:
+    """Return a cell with twice the memory for frames and events."""
+    size = cell.pool.size
+    pool = np.zeros(2 * size, _cell.ENTRY)
+    pool[:size] = cell.pool
+    pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
+    pool["next"][-1] = cell.now["free"][0]
+    cell.now["free"] = size
+    cell.now["spare"] += size
+    events = np.zeros(2 * cell.events.size, _cell.EVENT)
+    events[: cell.events.size] = cell.events
+    return cell._replace(pool=pool, events=events)

@@ -1,0 +1,238 @@
+"""How a middleware recovers: when each message of its table is sent, its timers and its lease.
+
+What a message is for says its role, see `discostorm.messages.Message`; when it is sent follows from
+that, from what it answers and from its schedule.
+"""
+
+import numpy as np
+
+from discostorm import _checks
+from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
+from discostorm.wifi.channel import TICK
+from discostorm_simulation import state as _cell
+from discostorm_simulation.cell_setup import Shares, ticks
+from discostorm_simulation.result import NoRecovery
+from discostorm_simulation.state import Records
+
+#: Timer of TCP before the first round trip [s] (RFC 6298, 2.1).
+RTO_FIRST = 1.0
+#: Least and most of the timer [s] (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
+RTO_LEAST, RTO_MOST = 0.2, 120.0
+
+#: What a process sends to a host for each port that a process there may have.
+HOST_BY_HOST = UNITS["process and other host"]
+#: What a message is to the inner loops; announcements they tell by what they inform of.
+_ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _cell.ACKNACK}
+
+
+def check_table(protocol: Protocol) -> None:
+    """Refuse a table that does not say all that recovery takes."""
+    for message in protocol.messages:
+        if message.role is None:
+            raise NoRecovery(
+                protocol.name,
+                f"its message {message.name!r} has no role; give each message of the table one, "
+                "see discostorm.messages.Message",
+            )
+    if protocol.timers is None:
+        raise NoRecovery(
+            protocol.name,
+            "it has no timers; give it some, such as discostorm.DDS.timers or "
+            "discostorm.messages.Timers()",
+        )
+    if not _announcements(protocol):
+        raise NoRecovery(
+            protocol.name,
+            "its processes announce themselves to servers or routers instead of to each other, and "
+            "who learns what from these, and when, is not simulated",
+        )
+    _check_answers(protocol)
+    _check_repair(protocol)
+
+
+def _check_answers(protocol: Protocol) -> None:
+    """Refuse messages that answer what the table does not have."""
+    names = [message.name for message in protocol.messages]
+    for message in protocol.messages:
+        if message.answers is not None:
+            name = f"protocol {protocol.name!r}, message {message.name!r}: answers"
+            _checks.choice(name, message.answers, names, ", or None")
+
+
+def _check_repair(protocol: Protocol) -> None:
+    """Refuse data that are not for each process, and heartbeats without one that answers."""
+    for message in _of_role(protocol, "data"):
+        if not message.unit.to_each:
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {message.name!r}: unit must have receivers "
+                f"for what has the role 'data' to be simulated with recovery; "
+                f"got {message.unit.name!r}"
+            )
+    asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
+    if len(asking) > 1 or [m.name for m in asking] != [m.answers for m in answering]:
+        told = [f"{m.name!r} ({m.role})" for m in (*asking, *answering)]
+        raise ValueError(
+            f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
+            f"none, or one message each, the second of which answers the first; got "
+            f"{', '.join(told)}"
+        )
+
+
+def _of_role(protocol: Protocol, role: Role) -> list[Message]:
+    return [message for message in protocol.messages if message.role == role]
+
+
+def _announcements(protocol: Protocol) -> list[Message]:
+    """Return what the clock sends to those that are not known: to all or, if nothing is, to each.
+
+    What goes to servers or routers makes nobody known to each other.
+    """
+    by_clock = [m for m in _of_role(protocol, "announcement") if m.answers is None and m.frames]
+    to_all = [m for m in by_clock if m.cast == "multicast"]
+    to_each = (PAIR, HOST_BY_HOST)
+    return to_all or [m for m in by_clock if m.unit in to_each and m.hops == HOPS]
+
+
+def spread(protocol: Protocol) -> list[int]:
+    """Return the rows with which processes announce themselves to all ports of listed hosts."""
+    announcements = _announcements(protocol)
+    return [
+        row
+        for row, message in enumerate(protocol.messages)
+        if message in announcements and message.unit == HOST_BY_HOST
+    ]
+
+
+def check_ports(protocol: Protocol, shares: Shares) -> None:
+    """Refuse more processes on a host than are announced to it: these would not be found."""
+    for row in spread(protocol):
+        if (least := shares.each[:, row].min()) < 1:
+            message = protocol.messages[row]
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {message.name!r}: hosts must have at most "
+                f"{message.per_unit:g} processes on average, as many as have a port, to be "
+                f"simulated with recovery; got {message.per_unit / least:g}"
+            )
+
+
+def clock_only(protocol: Protocol) -> Protocol:
+    """Return the table without what is sent on arrival of something or on discovery."""
+    rows = tuple(
+        message for message in protocol.messages if _trigger(protocol, message) == _cell.CLOCK
+    )
+    return Protocol(protocol.name, rows)
+
+
+def _trigger(protocol: Protocol, message: Message) -> int:
+    """Return when a message is sent: by the clock, in answer to each, or on discovery."""
+    if message.role in ("data", "heartbeat"):
+        return _cell.DISCOVERY
+    announcing = message.role == "announcement"
+    if message.answers is None:
+        once = message.schedule.period == np.inf
+        by_clock = announcing or not message.unit.to_each or not once
+        return _cell.CLOCK if by_clock else _cell.DISCOVERY
+    answered = protocol.message(message.answers)
+    if announcing:
+        # With a schedule of its own it is for those that were not known.
+        return _cell.ANSWER if _at_times_of(message, answered) else _cell.DISCOVERY
+    return _cell.DISCOVERY if answered.role == "announcement" else _cell.ANSWER
+
+
+def _at_times_of(message: Message, answered: Message) -> bool:
+    """Return whether a message is sent each time that another is, or some of these times."""
+    own, other = message.schedule, answered.schedule
+    return set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
+
+
+def _when(message: Message, answered: Message) -> int:
+    """Return which of the messages it answers it does: all, the later ones, or the first."""
+    own, other = message.schedule, answered.schedule
+    if message.role != "announcement" or own == other:
+        return _cell.ALWAYS
+    return _cell.LATER if own.starts[0] > other.starts[0] else _cell.FIRST
+
+
+def fill_kinds(protocol: Protocol, kinds: Records) -> None:
+    """Say of each row of the table what it is for and when it is sent."""
+    names = [message.name for message in protocol.messages]
+    announcements = _announcements(protocol)
+    for record, message in zip(kinds, protocol.messages, strict=True):
+        record["role"] = _ROLES.get(str(message.role), _cell.OTHER)
+        record["trigger"] = _trigger(protocol, message)
+        record["to_unknown"] = message in announcements
+        record["informs"] = message.informs
+        record["of_host"] = message.unit == HOST
+        record["tcp"] = message.transport == "TCP"
+        record["answers"] = -1
+        if message.answers is not None:
+            answered = protocol.message(message.answers)
+            record["answers"] = names.index(message.answers)
+            record["when"] = _when(message, answered)
+            times = answered.schedule
+            # Half-way to the second time, as queues delay what is sent at first.
+            second = (*times.starts, times.starts[-1] + times.period)[1]
+            record["since"] = ticks((times.starts[0] + second) / 2)
+            starts = message.schedule.starts
+            if record["trigger"] == _cell.DISCOVERY and len(starts) > 1:
+                record["gap_number"] = len(starts) - 1
+                record["gap_first"] = ticks(starts[1] - starts[0])
+    _check_circles(protocol, kinds)
+
+
+def _check_circles(protocol: Protocol, kinds: Records) -> None:
+    """Refuse answers that lead back to what they answer."""
+    names = [message.name for message in protocol.messages]
+    for row in range(kinds.size):
+        chain = [row]
+        while kinds["trigger"][row] == _cell.ANSWER:
+            row = kinds["answers"][row]
+            if row in chain:
+                raise ValueError(
+                    f"protocol {protocol.name!r}, message {names[row]!r}: answers must not lead "
+                    f"back to itself; got {' answers '.join(names[n] for n in [*chain, row])}"
+                )
+            chain.append(row)
+
+
+def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
+    """Refuse more announcements of endpoints for a process than are told apart."""
+    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
+        if (most := shares.each[:, row].max()) > 2**_cell.ITEM_BITS:
+            raise ValueError(
+                f"protocol {protocol.name!r}, message {protocol.messages[row].name!r}: a process "
+                f"must send at most {2**_cell.ITEM_BITS} to each other to be simulated with "
+                f"recovery; got {most:g}"
+            )
+
+
+def repair_record(protocol: Protocol) -> Records:
+    """Return the timers of a middleware."""
+    if protocol.lease < TICK:
+        raise ValueError(
+            f"protocol {protocol.name!r}: lease must be at least {TICK:g} s to be simulated; "
+            f"got {protocol.lease:g}"
+        )
+    timers = protocol.timers
+    assert timers is not None  # see `check_table`
+    seconds = {
+        "lease": protocol.lease,
+        "rto_first": RTO_FIRST,
+        "rto_least": RTO_LEAST,
+        "rto_most": RTO_MOST,
+    }
+    if all(message.schedule.period == np.inf for message in _announcements(protocol)):
+        seconds["announce_first"] = timers.announce_first
+        seconds["announce_most"] = timers.announce_most
+    record = np.zeros(1, _cell.REPAIRS)
+    names = [message.name for message in protocol.messages]
+    for heartbeat in _of_role(protocol, "heartbeat"):
+        (acknowledgement,) = _of_role(protocol, "acknowledgement")
+        seconds["heartbeat_first"] = timers.heartbeat_first
+        seconds["heartbeat_most"] = timers.heartbeat_most
+        record["heartbeat"] = names.index(heartbeat.name)
+        record["acknack"] = names.index(acknowledgement.name)
+        record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
+    for name, value in seconds.items():
+        record[name] = ticks(value)
+    return record

@@ -1,0 +1,85 @@
+"""Where hosts stand, and so how strongly stations hear each other."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from discostorm import _checks
+
+#: By how many decibels a frame must exceed all that overlap it: unicast data, and what is sent at
+#: the basic rate. The least power that a receiver of 802.11n needs for 64-QAM 5/6, -64 dBm, and
+#: for BPSK 1/2, -82 dBm, less the noise that is assumed there, -101 + 15 dBm (IEEE Std
+#: 802.11-2020, 17.3.10.2 and Table 19-23).
+THRESHOLD = (22.0, 4.0)
+#: No power is farther than this from the unit [dB].
+MOST_DECIBELS = 300.0
+#: Between one seed of a sunflower and the next [rad].
+_GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
+
+
+def disc(hosts: int) -> NDArray[np.float64]:
+    """Return places of hosts that are spread evenly over a disc, the access point in its middle.
+
+    They stand like the seeds of a sunflower, the nearest first.
+
+    Parameters
+    ----------
+    hosts : int
+        How many [1], at least 1.
+
+    Returns
+    -------
+    ndarray of shape (hosts, 2)
+        Places [radius of the disc].
+
+    Raises
+    ------
+    ValueError, TypeError
+        If there is not at least one whole host.
+
+    References
+    ----------
+    H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44 (1979).
+    """
+    _checks.whole("hosts", hosts, 1)
+    number = np.arange(int(hosts))
+    radius, angle = np.sqrt((number + 0.5) / hosts), number * _GOLDEN_ANGLE
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)
+
+
+def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
+    """Return how strongly stations hear each other whose power fades with a power of the distance.
+
+    Parameters
+    ----------
+    places : array of shape (hosts, 2)
+        Where the hosts stand [any unit]; the access point stands at (0, 0).
+    exponent : float, optional
+        Of the distance [1], from 0 to 10: 2 in free space, 3 as ns-3 has it by default.
+
+    Returns
+    -------
+    ndarray of shape (hosts + 1, hosts + 1)
+        Received power at [sender, receiver], the access point last [dB]; 0 at distance 1.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If two stations stand at the same place, or an argument is not as it says above.
+
+    Examples
+    --------
+    >>> from discostorm_simulation import powers
+    >>> powers([(1, 0), (0, 10)])[:, 2]  # of both hosts at the access point
+    array([  0., -30.,   0.])
+    """
+    given = np.asarray(_checks.numbers("places", places, -1e9, 1e9))
+    _checks.number("exponent", exponent, 0, 10)
+    if given.ndim != 2 or given.shape[1] != 2:
+        raise ValueError(f"places must be of shape (hosts, 2); got {given.shape}")
+    stations = np.concatenate([given, np.zeros((1, 2))])
+    distance = np.hypot(*(stations[:, None] - stations).transpose(2, 0, 1))
+    np.fill_diagonal(distance, 1.0)
+    if not distance.all():
+        raise ValueError("places must be unlike, and none the access point's at (0, 0)")
+    heard: NDArray[np.float64] = 0 - 10 * exponent * np.log10(distance)
+    return heard

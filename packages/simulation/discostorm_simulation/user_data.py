@@ -1,0 +1,143 @@
+"""User data beside discovery: rows of the table, when hosts send them, and how late they were.
+
+A host sends samples to another with their period, the first at random within it, once it has all
+endpoints of that one; by multicast, and to a host that is wired to the access point, from its own
+start on. Without recovery, where nobody discovers anybody, it sends all samples from its start on,
+and the run lasts until its end is due. Samples are queued as all else is; what is lost is lost, as
+no middleware repairs it here. Of what goes to one other host, each as likely, the frames of a
+sample are dealt out to all of them if there are as many; those of a short one go to the same.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm.fleet import Fleet
+from discostorm.messages import DATA, Hosts, Message, Protocol, data_table
+from discostorm.wifi.channel import TICK
+from discostorm_simulation import state as _cell
+from discostorm_simulation.cell_setup import Bursts, ticks
+from discostorm_simulation.result import CAUSES
+from discostorm_simulation.state import Cell, Records
+
+#: Shortest time between two stamps [s].
+_STAMP = 1e-4
+#: Quantiles of delays that are told, by name.
+QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
+
+
+@dataclass(frozen=True)
+class UserData:
+    """What hosts send besides discovery: sets of messages, their period, and of which group.
+
+    ``bursts`` are numbers of `Bursts.messages`; ``stamp`` is the time between two stamps [ticks].
+    """
+
+    bursts: tuple[int, ...]
+    periods: tuple[float, ...]
+    groups: tuple[int, ...]
+    stamp: int
+
+    def first_events(
+        self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
+    ) -> list[tuple[int, int]]:
+        """Return when each host sends its first sample: at random within the first period."""
+        of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
+        return [
+            (ticks(starts[host] + chance.uniform(0, period)), int(_cell.SEND) | int(host) | place)
+            for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
+            for place in [number << _cell.PROCESS_BITS]
+            for host in np.flatnonzero(of == group)
+        ]
+
+
+def with_user_data(protocol: Protocol, fleet: Fleet) -> Protocol:
+    """Return the table with the rows of a fleet's data; who has a sample answers it."""
+    table = data_table(protocol, fleet)
+    if table is None:
+        return protocol
+    rows: list[Message] = []
+    for row in table.messages:
+        if _is_answer(row) and row.unit.to_each:
+            unit = replace(row.unit, group=None)
+            row = replace(row, unit=unit, answers=rows[-1].name, schedule=rows[-1].schedule)
+        rows.append(row)
+    return replace(protocol, messages=(*protocol.messages, *rows))
+
+
+def _is_answer(row: Message) -> bool:
+    return row.name.endswith(", answers")
+
+
+def topics_of(protocol: Protocol) -> tuple[tuple[str, bool], ...]:
+    """Return the topic of each row whose delays are noted, and whether it ends a sample."""
+    names = [_topic(row) for row in protocol.messages if row.phase == DATA and not _is_answer(row)]
+    return tuple((name, name not in names[n + 1 :]) for n, name in enumerate(names))
+
+
+def _topic(row: Message) -> str:
+    return row.name.rpartition(", ")[0]
+
+
+def user_data_of(
+    protocol: Protocol, bursts: Bursts, kinds: Records, lifetime: float, until: float
+) -> tuple[Bursts, UserData | None]:
+    """Return the sets of messages with those of the data, and when these are sent.
+
+    Note in the rows whose delays are to be counted.
+    """
+    own = [(n, row) for n, row in enumerate(protocol.messages) if row.phase == DATA]
+    if not own:
+        return bursts, None
+    sent = [place for place, row in own if not _is_answer(row)]
+    kinds["user"][sent] = np.arange(1, len(sent) + 1)
+    names = [row.name for row in protocol.messages]
+    for place, row in own:
+        if row.answers is not None:
+            kinds["trigger"][place] = _cell.ANSWER
+            kinds["answers"][place] = names.index(row.answers)
+    topics: dict[str, list[int]] = {}
+    for place, row in own:
+        if row.answers is None:
+            topics.setdefault(_topic(row), []).append(place)
+    messages = [tuple(rows) for rows in topics.values()]
+    firsts = [protocol.messages[rows[0]] for rows in messages]
+    periods = tuple(row.schedule.period for row in firsts)
+    before = len(bursts.messages)
+    # Twice a queue's lifetime, and some more, is told apart.
+    longest = min(2 * lifetime + 1.0, until)
+    stamp = ticks(max(_STAMP, longest / _cell.ITEMS))
+    return (
+        replace(
+            bursts,
+            messages=(*bursts.messages, *messages),
+            period=(*bursts.period, *periods),
+        ),
+        UserData(
+            tuple(range(before, before + len(messages))),
+            periods,
+            tuple(row.unit.group or 0 for row in firsts),
+            stamp,
+        ),
+    )
+
+
+def found_of(
+    topics: tuple[tuple[str, bool], ...], cell: Cell, stamp: int
+) -> dict[str, dict[str, float]]:
+    """Return of each topic the frames sent, arrived and lost, and how late samples ended."""
+    found: dict[str, dict[str, float]] = {}
+    for (topic, ends), counts in zip(topics, cell.delays, strict=True):
+        own = found.setdefault(topic, dict.fromkeys(("frames", "arrived", *CAUSES), 0.0))
+        late, lost = counts[: _cell.SENT_FRAMES], counts[_cell.LOSSES :]
+        own["frames"] += float(counts[_cell.SENT_FRAMES])
+        own["arrived"] += float(late.sum())
+        for cause, times in zip(CAUSES, lost, strict=True):
+            own[cause] += float(times)
+        if ends:
+            many = np.cumsum(late)
+            for name, part in QUANTILES.items():
+                place = int(np.searchsorted(many, part * many[-1])) if many[-1] else -1
+                own[name] = place * stamp * TICK if place >= 0 else float("nan")
+    return found

@@ -1,0 +1,67 @@
+"""How TCP and leases recover, rule by rule: the standards' words beside the functions."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import discostorm as ds
+from discostorm_simulation import recovery
+from discostorm_simulation.run import set_up
+
+
+def timers(trips, least, most):
+    """Return the retransmission timeout after each round trip, as RFC 6298, 2.2 to 2.4, says."""
+    smoothed = variation = None
+    for trip in trips:
+        if smoothed is None:
+            smoothed, variation = trip, trip / 2
+        else:
+            variation = 3 / 4 * variation + 1 / 4 * abs(smoothed - trip)
+            smoothed = 7 / 8 * smoothed + 1 / 8 * trip
+        yield min(max(smoothed + 4 * variation, least), most)
+
+
+@pytest.mark.parametrize(
+    ("least", "most"), [(1, 10**9), (90_000, 10**9), (1, 70_000)], ids=["", "least", "most"]
+)
+def test_timer_of_tcp_is_that_of_rfc_6298(least, most):
+    trips = np.random.default_rng(0).integers(10_000, 50_000, 40).tolist()
+    cell = SimpleNamespace(repairs=[SimpleNamespace(rto_least=least, rto_most=most)])
+    pair = SimpleNamespace(round_trip=0, spread=0, rto=0)
+    for trip, expected in zip(trips, timers(trips, least, most), strict=True):
+        recovery.measure.py_func(cell, pair, trip)
+        # Whole ticks: what is cut off adds up to less than 8 of each sum, 4 times for the spread.
+        assert pair.rto == pytest.approx(expected, abs=24)
+
+
+def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
+    arrived, sent = {0, 1, 2, 4}, []
+    monkeypatch.setattr(recovery, "items", lambda *_: 9)
+    monkeypatch.setattr(recovery, "has_item", lambda *given: given[-1] in arrived)
+    monkeypatch.setattr(recovery, "send_item", lambda *given: sent.append(given[-2]))
+    pairs = np.zeros((2, 2), [("missing", int), ("due", int), ("rto", int)])
+    pairs["rto"], pairs["missing"] = 30, 5
+    cell = SimpleNamespace(pairs=pairs.view(np.recarray))
+    recovery.acknowledge_tcp.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
+    assert sent == [3, 5]
+    assert pairs["due"][0, 1] == 130  # and the timer starts anew
+
+
+@pytest.mark.parametrize(("protocol", "both"), [(ds.DDS, False), (ds.ZENOH, True)])
+def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, both, monkeypatch):
+    wifi = ds.Radio("802.11n", streams=2).wifi()
+    fleet, queue = ds.Fleet.swarm(3, 1, 1), (np.inf, np.inf)
+    plan = set_up(fleet, protocol, wifi, queue, 0.0, 0.0, True, 10.0, False)
+    cell, _ = plan.cell(np.random.SeedSequence(0))
+    lease = cell.repairs["lease"] = 1000
+    cell.pairs["known"] = 1 - np.eye(3, dtype=int)
+    cell.pairs["heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
+    cell.pairs["heard"][0, 1] = 5
+    forgotten, looks = [], []
+    monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
+    monkeypatch.setattr(recovery, "later", lambda *given: looks.append(given[1]))
+    rows = {name: getattr(cell, name).view(np.recarray) for name in ("repairs", "pairs")}
+    recovery.expire.py_func(cell._replace(**rows), 0, lease + 5)
+    assert forgotten == [(0, 1), (1, 0)][: 1 + both]
+    assert looks == [2 * lease]

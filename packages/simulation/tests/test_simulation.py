@@ -1,0 +1,1062 @@
+"""The simulator, held against the closed form, Markov chains, Bianchi and itself."""
+
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from itertools import product
+from math import comb
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numba
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from numpy.typing import NDArray
+
+import discostorm as ds
+import discostorm_simulation
+from discostorm.cli import main
+from discostorm.data import data_path
+from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop, Hosts
+from discostorm_simulation import staggered
+from discostorm_simulation._compile import keeps, shown
+from discostorm_simulation._memory import available
+from discostorm_simulation.cell_setup import TICK, hosts_of, ticks
+from discostorm_simulation.engine import advance
+from discostorm_simulation.middleware import spread
+from discostorm_simulation.result import CAUSES
+from discostorm_simulation.run import Setup, finish, one_run, set_up
+from discostorm_simulation.state import SUCCESS, Cell
+
+FLEET = data_path("fleets/nav2_laptop.toml")
+RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
+SPDP, SEDP = ds.DDS.messages[:2]
+UNLIMITED = (np.inf, np.inf)
+
+
+def plan(
+    fleet: ds.Fleet,
+    protocol: ds.Protocol,
+    wifi: ds.Wifi,
+    *,
+    start: Any = 0.0,
+    loss: Any = 0.0,
+    recovery: bool = False,
+    until: float = 1e5,
+) -> Setup:
+    """Return a plan without limits of the queues whose radio the test may change."""
+    return set_up(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
+
+
+def cell_of(what: Setup, seed: int = 0) -> Cell:
+    return what.cell(np.random.SeedSequence(seed))[0]
+
+
+# ---------------------------------------------------------------- the closed form, exactly
+
+
+def drained(what: Setup) -> int:
+    """Return when the last frame is over if each back-off is its mean, also the first [ticks]."""
+    waiting = int(what.radio["cw_min"][0]) * int(what.radio["slot"][0]) // 2
+    what.radio["cw_min"] = what.radio["cw_max"] = 0
+    what.radio["aifs"] += waiting
+    cell = cell_of(what)
+    cell.now["base"] = what.radio["aifs"]
+    cell = finish(cell, ticks(1e6), what.reserve)
+    assert cell.now["collisions"] == 0
+    return int(cell.now["drained"][0])
+
+
+def numbers(message: ds.Message, hop: str, wifi: ds.Wifi) -> float:
+    """Return the closed form's airtime of one frame of a message on a hop [s]."""
+    up, down = message.airtime_up(wifi.model), message.airtime_down(wifi.model)
+    values = ds.Protocol("one", (message,)).values() | wifi.values()
+    return float((up if hop == "up" else down).subs(values))
+
+
+@pytest.mark.parametrize("band", [2.4e9, 5e9])
+@pytest.mark.parametrize("standard", ["802.11a", "802.11g", "802.11n", "802.11ax"])
+def test_access_point_alone_takes_the_time_of_the_closed_form(standard: str, band: float) -> None:
+    if (standard, band) in (("802.11a", 2.4e9), ("802.11g", 5e9)):
+        band = {"802.11a": 5e9, "802.11g": 2.4e9}[standard]
+    wifi = ds.Radio(standard, band=band).wifi()
+    rows = tuple(replace(message, hops=("down",), answers=None) for message in ds.DDS.messages)
+    fleet = ds.Fleet.swarm(4, 2, 3)
+    found = drained(plan(fleet, ds.Protocol("down", rows), wifi))
+    closed = sum(message.load(fleet) * numbers(message, "down", wifi) for message in rows)
+    assert found == round(closed / TICK)
+
+
+@pytest.mark.parametrize("endpoints", [64, 640])
+def test_a_full_aggregate_takes_the_time_of_the_closed_form(endpoints: int) -> None:
+    wifi = replace(RADIO, mpdus=64).wifi()
+    for hop in ("up", "down"):
+        row = replace(SEDP, hops=(hop,), answers=None)
+        fleet = ds.Fleet((ds.HostGroup(1, 1, endpoints), ds.HostGroup(1, 1, 0)))
+        found = drained(plan(fleet, ds.Protocol("one way", (row,)), wifi))
+        closed = row.load(fleet) * numbers(row, hop, wifi)
+        assert found == round(closed / TICK)
+
+
+def sent_down(
+    fleet: ds.Fleet, rows: tuple[ds.Message, ...], loss: list[float], seed: int
+) -> NDArray[np.void]:
+    """Return what the access point sends with aggregation, one of the links being bad."""
+    wifi = replace(RADIO, mpdus=64).wifi()
+    what = plan(fleet, ds.Protocol("in turn", rows), wifi, loss=loss)
+    sent = finish(cell_of(what, seed), ticks(100.0), what.reserve).log
+    return sent[(sent["station"] == len(loss)) & (sent["frames"] > 0)]
+
+
+def test_the_access_point_sends_next_to_whoever_has_waited_longest() -> None:
+    """To A, B, A, B: when the first A has arrived, B's first is older than A's second."""
+    fleet = ds.Fleet((ds.HostGroup(1, 2, 1), ds.HostGroup(2, 1, 0)))
+    row = replace(SEDP, answers=None)
+    seen = set()
+    for seed in range(40):
+        sent = sent_down(fleet, (row,), [0.0, 0.5, 0.0], seed)
+        seen.add(tuple(sent["frames"][sent["outcome"] == SUCCESS].tolist()))
+    # All at once; A's first alone missing; A's second alone missing, which B's frames precede.
+    assert seen >= {(2, 2), (2, 1, 2), (2, 2, 1)}
+
+
+def test_what_comes_after_a_missing_frame_waits_for_it() -> None:
+    """So the first frame of a host is the first that the access point passes on."""
+    fleet = ds.Fleet((ds.HostGroup(1, 1, 1), ds.HostGroup(1, 1, 0)))
+    first = replace(SEDP, answers=None)
+    after = replace(SEDP, answers=None, name="after", per_unit=20)
+    begun = []
+    for seed in range(40):
+        sent = sent_down(fleet, (first, after), [0.5, 0.0], seed)
+        assert sent[0]["kind"] == 0
+        begun.append(sent[0]["frames"])
+    assert len(set(begun)) > 5, "errors differ from run to run"
+
+
+# ---------------------------------------------------------------- conservation
+
+UNLIKE = ds.Fleet(
+    (ds.HostGroup(3, 2, 10), ds.HostGroup(2, 1, 40), ds.HostGroup(1, 3, 0)), matching=0.25
+)
+QUEUES = ((500, 0.5), (20, 0.05), None)
+#: Tables of those who announce themselves to each other: by multicast, or to listed hosts.
+BY_ONESELF = [
+    name
+    for name, table in ds.PROTOCOLS.items()
+    if any(
+        m.phase in ("SPDP", "Scouting", "Sets")
+        and (m.cast == "multicast" or (m.unit.to == "other host" and m.role == "announcement"))
+        and m.hops == HOPS
+        for m in table.messages
+    )
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "mpdus", "queue", "recovery"),
+    [
+        *((name, *rest) for name in ("DDS", "Zenoh") for rest in product((1, 64), QUEUES, (0, 1))),
+        *(
+            (name, *rest)
+            for name in ds.PROTOCOLS
+            for rest in ((1, None, 0), (64, (20, 0.05), int(name in BY_ONESELF)))
+        ),
+    ],
+)
+def test_each_frame_arrives_or_is_lost_for_a_reason(
+    name: str, mpdus: int, queue: tuple[float, float] | None, recovery: int
+) -> None:
+    found = ds.simulate(
+        UNLIKE,
+        ds.PROTOCOLS[name],
+        replace(RADIO, mpdus=mpdus).wifi(),
+        queue=queue,
+        loss=0.1,
+        recovery=bool(recovery),
+        runs=2,
+        until=10,
+    )
+    counts = found.counts
+    gone = sum(counts[cause] for cause in CAUSES)
+    assert (counts["waiting"] >= 0).all()
+    done = np.isfinite(found.drain_time)
+    assert (counts["waiting"][done] == 0).all()
+    assert recovery or done.all()
+    assert (gone / counts["expected"] == found.lost).all()
+    if not recovery and name in ("DDS", "Zenoh"):
+        (several, *single) = ds.PROTOCOLS[name].messages
+        hosts = 6
+        expected = several.load(UNLIKE) * (hosts - 1) + sum(m.load(UNLIKE) for m in single)
+        assert (counts["expected"] == expected).all()
+    # Each frame is sent as often as it is tried: what is counted fits together.
+    assert (counts["mpdus"] >= counts["ppdus"]).all()
+    assert (counts["collided"] >= 2 * counts["collisions"]).all()
+    assert (found.airtime.sum(axis=(1, 2)) >= found.busy_time * 0.99).all()
+
+
+# ---------------------------------------------------------------- tables of any kind
+
+
+FLEETS = [
+    ds.Fleet.swarm(2, 1, 0),
+    ds.Fleet.swarm(4, 3, 7),
+    UNLIKE,
+    ds.Fleet((ds.HostGroup(1, 1, 5), ds.HostGroup(3, 4, 2)), matching=1),
+    ds.Fleet((ds.HostGroup(2, 2, 10, shared=4), ds.HostGroup(2, 1, 3, shared=3)), matching=0.25),
+    ds.Fleet((ds.HostGroup(2, 2, 9), ds.HostGroup(1, 3, 10, shared=2))),
+]
+
+
+@pytest.mark.parametrize("unit", UNITS.values(), ids=list(UNITS))
+def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit) -> None:
+    for fleet in FLEETS:
+        hosts, found = hosts_of(fleet), 0.0
+        sent, received = unit.senders(hosts), unit.receivers(hosts)
+        for sender, here in enumerate(hosts.host_of):
+            if received is None:
+                found += sent[sender]
+                continue
+            for receiver, there in enumerate(hosts.host_of):
+                found += sent[sender] * received[receiver] * (here != there)
+        assert found == pytest.approx(unit.count(fleet), rel=1e-12)
+
+
+def made(what: Setup, seed: int) -> NDArray[np.int64]:
+    """Return how many frames of each row each run hands to the queues, if nothing is lost."""
+    rows = np.zeros(what.kinds.size, np.int64)
+    cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
+    assert cell.now["open"] == 0
+    for row in range(rows.size):
+        rows[row] = round(cell.airtime[row, 0] / 1024 / TIME)
+    return rows
+
+
+#: Of each frame on the air, so that its airtime tells their number [ticks].
+TIME = 1000
+
+
+@pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS, wired", "Zenoh peer, tokens"])
+def test_fractions_are_right_in_the_mean_and_whole_numbers_always(name: str) -> None:
+    once = tuple(
+        replace(m, schedule=ds.Schedule((0.0,)), answers=None, hops=("up",))
+        for m in ds.PROTOCOLS[name].messages
+    )
+    what = plan(UNLIKE, ds.Protocol(name, once), RADIO.wifi())
+    what.radio["cw_min"] = what.radio["cw_max"] = 4095
+    what.radio["attempts"] = 10**6
+    what.radio["ack"], what.radio["sifs"] = 0, 0
+    what.kinds["time_up"] = TIME
+    runs = np.array([made(what, seed) for seed in range(40)])
+    wanted = np.array([float(m.load(UNLIKE)) * m.frames for m in once])
+    senders, whole = 12, what.shares.whole
+    assert (runs[:, whole] == wanted[whole]).all()
+    assert whole.any()
+    assert (np.abs(runs - wanted) < senders).all()  # each sends less than one more or fewer
+    # The error of each sender is alike between -1 and 1 at the most: of the mean 4 sigma.
+    assert (np.abs(runs.mean(axis=0) - wanted) < 4 * np.sqrt(senders / 4 / len(runs))).all()
+    assert (runs[:, ~whole].std(axis=0) > 0).any()
+    assert (made(what, 3) == runs[3]).all()
+
+
+def test_what_is_inside_a_frame_makes_it_longer() -> None:
+    fleet = ds.Fleet.swarm(4, 3, 7)
+    what = plan(fleet, ds.PROTOCOLS["hybrid"], RADIO.wifi())
+    rows = {m.name: m for m in ds.PROTOCOLS["hybrid"].messages}
+    octets = dict(zip(rows, what.kinds["octets"], strict=True))
+    inside = 3 * rows["Process"].payload.nominal + 21 * rows["Endpoint"].payload.nominal
+    assert octets["Announce"] == round(rows["Announce"].frame_bytes + inside)
+    lonely = ds.Protocol("lonely", (replace(rows["Process"], schedule=ds.Schedule((0.0,))),))
+    with pytest.raises(ValueError, match="message 'Process': inside must be the one message"):
+        plan(fleet, lonely, RADIO.wifi())
+
+
+@pytest.mark.parametrize("hops", [("up",), ("down",), ("up", "down")])
+def test_units_of_ones_own_and_single_hops_are_simulated(hops: tuple[Hop, ...]) -> None:
+    fleet = ds.Fleet.swarm(5, 2, 10)
+    to_server = ds.Unit("process", "server")
+    row = replace(SEDP, unit=to_server, per_unit=3, hops=hops, answers=None)
+    found = ds.simulate(fleet, ds.Protocol("own", (row,)), RADIO.wifi(), queue=None, recovery=False)
+    assert found.counts["expected"] == found.counts["arrived"] == 3 * 8
+    assert (found.airtime[0, 0, :2] > 0).tolist() == ["up" in hops, "down" in hops]
+    wired = replace(row, unit=PROCESS, hops=hops)
+    if len(hops) == 1:
+        table = ds.Protocol("own", (wired,))
+        found = ds.simulate(fleet, table, RADIO.wifi(), queue=None, recovery=False)
+        assert found.counts["arrived"] == 3 * 10
+
+
+def test_who_announces_itself_to_servers_or_routers_does_not_recover() -> None:
+    others = [name for name in ds.PROTOCOLS if name not in BY_ONESELF]
+    assert {"Fast DDS Discovery Server", "Zenoh router"} < set(others)
+    for name in others:
+        wanted = f"recovery must be False for the protocol '{name}': its processes announce"
+        with pytest.raises(ValueError, match=wanted):
+            ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi())
+
+
+def test_listed_hosts_are_announced_to_at_every_port() -> None:
+    """As many frames as the table has, shared by the processes of a host, each of whom learns."""
+    table = ds.PROTOCOLS["Cyclone DDS peers"]
+    (row,) = spread(table)
+    spdp = table.messages[row]
+    assert (spdp.name, spdp.per_unit) == ("SPDP", 9)
+    (cell, _), found = (
+        plan(UNLIKE, table, RADIO.wifi(), recovery=True).cell(np.random.SeedSequence(0)),
+        ds.simulate(UNLIKE, table, RADIO.wifi(), queue=None, runs=3, until=7),
+    )
+    hosts = Hosts(np.array([2, 2, 2, 1, 1, 3]), np.array([10, 10, 10, 40, 40, 0]))
+    remote = 11 - hosts.processes[hosts.host_of]
+    assert cell.each[:, row] == pytest.approx(9 * spdp.frames * 5 / remote)
+    assert np.isfinite(found.convergence_time).all()
+    crowded = ds.Fleet.swarm(2, 10, 1)
+    with pytest.raises(ValueError, match=r"at most 9 processes on average, as many .* got 10"):
+        ds.simulate(crowded, table, RADIO.wifi())
+
+
+def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
+    spdp, *others = ds.DDS.messages
+    again = ds.Schedule((0.0, 0.1), 3.0)
+    unicast = replace(spdp, cast="unicast", unit=PAIR, schedule=again)
+    table = replace(ds.DDS, name="peers", messages=(unicast, *others))
+    found = ds.simulate(SWARM, table, RADIO.wifi(), loss=0.05, runs=2)
+    assert np.isfinite(found.convergence_time).all()
+
+
+def renamed(table: ds.Protocol) -> ds.Protocol:
+    """Return a table in which everything has another name, in another alphabetical order."""
+    names: dict[str | None, str | None] = {None: None}
+    names |= {m.name: f"M{len(table.messages) - n}" for n, m in enumerate(table.messages)}
+    rows = (
+        replace(
+            message,
+            name=names[message.name],
+            phase=f"of {message.phase[::-1]}",
+            kind=f"like {message.kind[::-1]}",
+            answers=names[message.answers],
+            inside=names[message.inside],
+        )
+        for message in table.messages
+    )
+    return replace(table, name="mine", messages=tuple(rows))
+
+
+@pytest.mark.parametrize("name", ds.PROTOCOLS)
+def test_names_decide_nothing(name: str) -> None:
+    """Not even whose timers a table has: it says itself what the simulator needs to know."""
+    table, fleet = ds.PROTOCOLS[name], ds.Fleet((ds.HostGroup(2, 2, 5), ds.HostGroup(1, 1, 8)), 0.5)
+    told: Any = {"loss": 0.1, "until": 4.0, "recovery": name in BY_ONESELF}
+    found, again = (
+        ds.simulate(fleet, one, RADIO.wifi(), **told) for one in (table, renamed(table))
+    )
+    assert replace(again, protocol=table) == found
+    assert found.counts["arrived"] > 0
+
+
+PING, PONG = (
+    replace(ds.DDS.message("ACKNACK"), name=one, role="other", answers=other)
+    for one, other in (("ping", "pong"), ("pong", "ping"))
+)
+REFUSED: list[tuple[dict[str, Any], str]] = [
+    (
+        {"messages": (SPDP, replace(SEDP, role=None))},
+        "recovery must be False for the protocol 'mine': its message 'SEDP' has no role; give each",
+    ),
+    ({"timers": None}, "recovery must be False for the protocol 'mine': it has no timers; give it"),
+    (
+        {"messages": (replace(SPDP, role="other"), SEDP)},
+        "recovery must be False for the protocol 'mine': its processes announce themselves to",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, cast="multicast", unit=PROCESS))},
+        "protocol 'mine', message 'SEDP': unit must have receivers",
+    ),
+    ({"messages": ds.DDS.messages[:3]}, "none, or one message each.*; got 'Heartbeat'"),
+    (
+        {"messages": (*ds.DDS.messages[:3], replace(ds.DDS.messages[3], answers="SEDP"))},
+        "the second of which answers the first; got 'Heartbeat'.*, 'ACKNACK'",
+    ),
+    (
+        {"messages": (*ds.DDS.messages, PING, PONG)},
+        "message 'ping': answers must not lead back to itself; got ping answers pong answers ping$",
+    ),
+    (
+        {"messages": (SPDP, replace(SEDP, answers="Z"))},
+        "message 'SEDP': answers must be 'SPDP' or 'SEDP', or None; got 'Z'$",
+    ),
+    (
+        {"lease": 4e-8},
+        "protocol 'mine': lease must be at least 1e-07 s to be simulated; got 4e-08$",
+    ),
+]
+
+
+@pytest.mark.parametrize(("change", "wanted"), REFUSED)
+def test_tables_that_do_not_say_what_recovery_takes_are_refused(
+    change: dict[str, Any], wanted: str
+) -> None:
+    table = replace(ds.DDS, name="mine", **change)
+    with pytest.raises(ValueError, match=wanted):
+        ds.simulate(SWARM, table, RADIO.wifi())
+    found = ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
+    assert found.counts["arrived"] > 0
+
+
+# ---------------------------------------------------------------- saturation
+
+
+def bianchi(stations: int, success: float, collision: float, slot: float) -> float:
+    """Return frames a second: Bianchi, IEEE JSAC 18(3), 2000, with W = 16 and m = 6."""
+    window, stages = 16, 6
+
+    def send(p: float) -> float:
+        growth = sum((2 * p) ** k for k in range(stages))
+        return 2 / (1 + window + p * window * growth)
+
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        p = (low + high) / 2
+        low, high = (p, high) if 1 - (1 - send(p)) ** (stations - 1) > p else (low, p)
+    tau = send((low + high) / 2)
+    busy = 1 - (1 - tau) ** stations
+    good = stations * tau * (1 - tau) ** (stations - 1)
+    return good / ((1 - busy) * slot + good * success + (busy - good) * collision)
+
+
+def saturated(what: Setup, stations: int, seconds: float) -> float:
+    """Return how many frames a second arrive when all but the last host send all the time."""
+    cell = cell_of(what)
+    cell = finish(cell, ticks(seconds), what.reserve)
+    assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
+    return int(cell.now["arrived"][0]) / seconds
+
+
+def frozen(stations: int, success: float, collision: float, slot: float) -> float:
+    """Return frames a second if a busy slot does not count, as without QoS, also W = 16, m = 6.
+
+    Then nobody else sends right after AIFS but who has just sent and draws a zero (Bianchi and
+    Tinnirello, IEEE Communications Letters 9(8), 2005). Such a frame arrives: that several who
+    have collided draw a zero at once is left out.
+    """
+    window, stages = 16, 6
+
+    def of_success(p: float) -> tuple[float, float]:
+        """Return for each frame that arrives how many idle slots and sendings after them."""
+        slots, sendings, drawn = 0.0, 0.0, 1.0
+        for stage in range(200):
+            size = window << min(stage, stages)
+            slots += drawn * (size - 1) / 2
+            drawn *= 1 - 1 / size
+            sendings += drawn
+            drawn *= p
+        return slots, sendings
+
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        p = (low + high) / 2
+        slots, sendings = of_success(p)
+        tau = sendings / slots
+        low, high = (p, high) if 1 - (1 - tau) ** (stations - 1) > p else (low, p)
+    good = stations / slots
+    collides = 1 - (1 - tau) ** stations - stations * tau * (1 - tau) ** (stations - 1)
+    return good / (slot + good * success + collides * collision)
+
+
+def saturation_plan(
+    stations: int, endpoints: int, radio: ds.Radio = RADIO, payload: ds.Payload = SEDP.payload
+) -> Setup:
+    starts = np.zeros(stations + 1)
+    starts[-1] = 1e4  # only there to be sent to
+    row = replace(SEDP, hops=("up",), answers=None, payload=payload)
+    fleet = ds.Fleet.swarm(stations + 1, 1, endpoints)
+    return plan(fleet, ds.Protocol("saturation", (row,)), radio.wifi(), start=starts)
+
+
+#: Short frames, of which the contention takes most.
+SHORT = ds.Payload(50, 50, 50, "short")
+
+
+@pytest.mark.parametrize("stations", [1, 2, 5, 10, 20, 50])
+@pytest.mark.parametrize(("radio", "chain"), [(RADIO, bianchi), (ds.Radio("802.11a"), frozen)])
+def test_saturation_is_that_of_bianchis_chain(
+    stations: int, radio: ds.Radio, chain: Callable[..., float]
+) -> None:
+    what = saturation_plan(stations, min(max(20_000 // stations**2, 200), 16_000), radio, SHORT)
+    # The chains know no timeout of their own and give up no frame.
+    what.radio["timeout"] = 0
+    what.radio["attempts"] = 10**6
+    record = what.radio[0]
+    data = int(what.kinds["time_up"][0])
+    success = data + int(record["sifs"]) + int(record["ack"]) + int(record["aifs"])
+    collision = data + int(record["aifs"])
+    wanted = chain(stations, success * TICK, collision * TICK, radio.slot)
+    assert saturated(what, stations, 2.0) == pytest.approx(wanted, rel=0.015)
+
+
+@pytest.mark.parametrize(("radio", "chain"), [(RADIO, bianchi), (ds.Radio("802.11a"), frozen)])
+def test_two_stations_that_collide_both_wait_for_their_timeout(
+    radio: ds.Radio, chain: Callable[..., float]
+) -> None:
+    """So they send one to two percent less than by the chain, which knows no timeout."""
+    what = saturation_plan(2, 5_000, radio, SHORT)
+    record, data = what.radio[0], int(what.kinds["time_up"][0])
+    short = data + int(record["aifs"])
+    success, long = short + int(record["sifs"]) + int(record["ack"]), short + int(record["timeout"])
+    ideal, wanted = (chain(2, success * TICK, end * TICK, radio.slot) for end in (short, long))
+    assert 0.98 < wanted / ideal < 0.99
+    assert saturated(what, 2, 2.0) == pytest.approx(wanted, rel=0.015)
+
+
+# ---------------------------------------------------------------- repair alone
+
+
+def repair_chain(items: int, good: float, rounds: int) -> NDArray[np.float64]:
+    """Return the chance that a reader has all items after each round of Heartbeat and ACKNACK.
+
+    State: how many are missing. At the begin each item arrives with chance ``good``. A round
+    repeats all that is missing if both its Heartbeat and its ACKNACK arrive.
+    """
+    lose = np.zeros((items + 1, items + 1))
+    for before in range(items + 1):
+        for after in range(before + 1):
+            chance = comb(before, after) * (1 - good) ** after * good ** (before - after)
+            lose[before, after] = chance
+    step = good**2 * lose + (1 - good**2) * np.eye(items + 1)
+    state = lose[items]
+    chances = [state[0]]
+    for _ in range(rounds):
+        state = state @ step
+        chances.append(state[0])
+    return np.array(chances)
+
+
+@pytest.mark.parametrize("loss", [0.2, 0.5])
+def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
+    items, runs, rounds = 4, 400, 12
+    announcement = replace(
+        ds.DDS.message("SPDP"), hops=("down",), schedule=ds.Schedule((0.0, 0.1), 1000.0)
+    )
+    rows = (
+        announcement,
+        replace(SEDP, hops=("down",)),
+        replace(ds.DDS.message("Heartbeat"), hops=("down",), per_unit=1),
+        replace(ds.DDS.message("ACKNACK"), hops=("down",), per_unit=1),
+    )
+    # Only the access point sends, so nothing collides; what is lost Wi-Fi does not repeat.
+    what = plan(
+        ds.Fleet.swarm(2, 1, items),
+        replace(ds.DDS, name="repair", messages=rows),
+        RADIO.wifi(),
+        start=[0.0, 0.01],
+        recovery=True,
+    )
+    what.radio["attempts"] = 1
+    period = int(what.repairs["heartbeat_first"][0])  # type: ignore[index]
+    times = []
+    for seed in range(runs):
+        cell = cell_of(what, seed)
+        cell = finish(cell, ticks(0.0999), what.reserve)
+        # The second host is known to the first; now it learns of the first and sends to it.
+        while not cell.pairs["known"][1, 0]:
+            advance(cell, ticks(1e6), what.reserve, 1)
+        begin = int(cell.pairs["offered"][1, 0])
+        cell.stations["loss"] = loss
+        while not cell.pairs["done"][0, 1]:
+            advance(cell, ticks(1e6), what.reserve, 1)
+        times.append(int(cell.pairs["done"][0, 1]) - begin)
+    taken = np.array(times)
+    # The Heartbeat sent with the items is the first round, the timer gives the others; each
+    # takes some milliseconds.
+    first = np.ceil((taken - ticks(0.02)) / period).clip(0)
+    found = [(first <= round_).mean() for round_ in range(rounds)]
+    chain = repair_chain(items, 1 - loss, rounds)[1 : rounds + 1]
+    # Kolmogorov and Smirnov: at one in a hundred the distance is above 1.63 / sqrt(runs).
+    assert np.abs(found - chain).max() < 1.63 / np.sqrt(runs)
+
+
+# ---------------------------------------------------------------- what users rely on
+
+
+SWARM = ds.Fleet.swarm(5, 2, 10)
+small = partial(ds.simulate, SWARM, ds.DDS, RADIO.wifi(), runs=3)
+
+
+def test_the_same_seed_gives_the_same_bits() -> None:
+    one, same, other = small(), small(), small(seed=1)
+    assert one.to_json() == same.to_json()
+    assert (one.pair_times == same.pair_times).all()
+    assert (one.drain_time != other.drain_time).any()
+    # Each run has its own numbers, whatever the number of runs.
+    assert small(runs=2).drain_time.tolist() == one.drain_time[:2].tolist()
+
+
+def test_runs_side_by_side_are_the_same_as_one_after_the_other(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    one = small()
+    monkeypatch.setattr("discostorm_simulation._ALONE", 0.0)
+    import joblib
+
+    with joblib.parallel_config("threading", n_jobs=2):
+        assert small().to_json() == one.to_json()
+
+
+def test_nothing_is_lost_without_limits_and_collisions() -> None:
+    # Hosts that start far apart do not meet.
+    found = small(queue=None, start=lambda _, hosts: 5.0 * np.arange(hosts), recovery=False)
+    assert (found.counts["host_full"] == 0).all()
+    assert (found.drain_time > 20).all()
+    assert np.isfinite(found.convergence_time[found.lost == 0]).all()
+
+
+def test_everybody_knows_everybody_in_the_end() -> None:
+    assert len(BY_ONESELF) > 10
+    for name in BY_ONESELF:
+        found = ds.simulate(SWARM, ds.PROTOCOLS[name], RADIO.wifi(), loss=0.05, runs=2)
+        assert np.isfinite(found.convergence_time).all(), name
+        assert found.pair_times.shape == (2, 10 * 8)
+        assert (found.pair_times.max(axis=1) == found.convergence_time).all(), name
+
+
+def test_a_lease_that_is_too_short_never_settles() -> None:
+    hasty = replace(ds.PROTOCOLS["DDS, periods of Fast DDS"], lease=0.05)
+    found = ds.simulate(SWARM, hasty, RADIO.wifi(), until=5)
+    assert found.convergence_time[0] == np.inf
+    assert found.counts["expired"][0] > 100
+
+
+def test_losses_make_discovery_longer() -> None:
+    medians = [np.median(small(loss=loss, runs=15).convergence_time) for loss in (0.0, 0.5)]
+    assert medians[0] < medians[1] < np.inf
+
+
+def test_starting_one_after_the_other_loses_less() -> None:
+    big = ds.Fleet.swarm(10, 2, 10)
+
+    def lost(start: Any) -> float:
+        found = ds.simulate(big, ds.DDS, RADIO.wifi(), start=start, recovery=False, runs=5)
+        return float(np.median(found.lost))
+
+    assert lost(lambda rng, hosts: rng.uniform(0, 10, hosts)) < 0.1 < 0.5 < lost(0.0)
+
+
+def test_tables_pictures_and_json_hold_the_same() -> None:
+    found = small()
+    table = found.table()
+    assert table["drain_time_s"].tolist() == found.drain_time.tolist()
+    assert table["collisions"].tolist() == found.counts["collisions"].tolist()
+    answer = json.loads(found.to_json())
+    assert answer["drain_time"] == found.drain_time.tolist()
+    assert answer["counts"]["ppdus"] == found.counts["ppdus"].tolist()
+    airtime = found.airtime_table()
+    up = answer["airtime"]["SEDP"]["up"]
+    assert up == found.airtime[:, list(airtime.index).index("SEDP"), 0].tolist()
+    assert airtime.loc["SEDP", "up_s"] == pytest.approx(np.mean(up))
+    assert min(up) > 0
+    assert answer["lost_by_host"] == found.lost_by_host.tolist()
+    time, hosts, access_point = found.queues[1].T.tolist()
+    assert answer["queues"][1] == {"time_s": time, "hosts": hosts, "access_point": access_point}
+    pairs = answer["pair_times"]
+    assert pairs["pairs"] == found.pair_times.shape[1] == 80
+    for of_run, run in zip(pairs["times"], found.pair_times, strict=True):
+        for share, value in zip(pairs["quantiles"], of_run, strict=True):
+            # That part of the pairs is complete by then, and not before.
+            assert (run <= value).mean() >= share
+            assert (run < value).mean() <= share
+    sent = found.transmission_table()
+    assert (sent["start_s"].diff().dropna() >= 0).all()
+    # At the start all send at once.
+    first = sent[sent["start_s"] == sent["start_s"].min()]
+    assert sorted(first["station"]) == [f"host {number}" for number in range(1, 6)]
+    assert set(first["outcome"]) == {"collision"}
+    labels = [axes.get_xlabel() + axes.get_ylabel() for axes in found.figure().axes]
+    assert len(labels) == 2
+    assert all("[s]" in label and "[1]" in label for label in labels)
+    assert "DDS" in repr(found)
+    never = json.loads(small(loss=0.9, until=0.01, runs=1).to_json())
+    assert never["convergence_time"] == [None]
+    assert never["pair_times"]["times"] == [[None] * 21]
+
+
+class Uniform:
+    """As frozen distributions of SciPy are."""
+
+    dist, args, kwds = SimpleNamespace(name="uniform"), (0.0,), {"scale": 3.0}
+
+    def rvs(self, size: int, random_state: np.random.Generator) -> Any:
+        return random_state.uniform(self.args[0], self.kwds["scale"], size)
+
+
+def one_each_second(_: np.random.Generator, hosts: int) -> Any:
+    return np.arange(hosts)
+
+
+@pytest.mark.parametrize(
+    ("start", "said"),
+    [
+        (1, 1.0),
+        (np.arange(6.0), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]),
+        (staggered.at_random(2.5), "at random within 2.5 s, each time equally likely"),
+        (Uniform(), "scipy.stats.uniform(0.0, scale=3.0)"),
+        (one_each_second, "test_simulation.one_each_second"),
+    ],
+)
+def test_a_run_can_be_repeated_from_its_json(start: Any, said: Any) -> None:
+    wifi = ds.Radio("802.11n", streams=2, aifsn=3, mpdus=8).wifi()
+    fleet = ds.Fleet((ds.HostGroup(2, 2, 7, "robots", shared=3), ds.HostGroup(4, 1, 9)), 0.25)
+    loss = np.linspace(0, 0.2, 6)
+    table = ds.PROTOCOLS["Fast DDS"]
+    found = ds.simulate(
+        fleet, table, wifi, queue=(50, 0.25), start=start, loss=loss, seed=7, until=9.0, eifs=True
+    )
+    told = json.loads(found.to_json())
+    settings = told["settings"]
+    assert settings["start"] == said
+    groups = tuple(ds.HostGroup(**group) for group in told["fleet"])
+    again = ds.simulate(
+        ds.Fleet(groups, told["matching"]),
+        ds.PROTOCOLS[told["protocol"]],
+        ds.Radio(**told["radio"]).wifi(),
+        queue=(settings["queue_frames"], settings["queue_s"]),
+        start=told["starts"][0],
+        loss=settings["loss"],
+        **{name: settings[name] for name in ("recovery", "runs", "seed", "eifs")},
+        until=settings["until_s"],
+    ).to_dict()
+    assert again["settings"]["start"] == told["starts"][0]
+    for answer in (again, told):
+        del answer["settings"]["start"]
+    assert again == told
+
+
+def test_time_grows_with_transmissions_not_with_stations() -> None:
+    from time import process_time
+
+    def cost(hosts: int) -> float:
+        what = plan(ds.Fleet.swarm(hosts, 2, 10), ds.DDS, RADIO.wifi())
+        cell = finish(cell_of(what), ticks(0.01), what.reserve)
+        begin, before = process_time(), int(cell.now["ppdus"][0])
+        cell = finish(cell, ticks(4.0), what.reserve)
+        return (process_time() - begin) / (int(cell.now["ppdus"][0]) - before)
+
+    cost(10)
+    assert min(cost(500) for _ in range(3)) < 5 * min(cost(10) for _ in range(3))
+
+
+BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
+    ({"queue": (0, 0.5)}, ValueError, r"queue\[0\] must be .* at least 1.*; got 0"),
+    ({"queue": (2.5, 0.5)}, ValueError, r"queue\[0\] must be a whole .* 1, or infinity; got 2.5"),
+    (
+        {"queue": ("a", 0.5)},
+        TypeError,
+        r"queue\[0\] must be a whole number of at least 1, or infinity; got 'a'",
+    ),
+    ({"queue": (500, 0)}, ValueError, r"queue\[1\] must be .* above 0, or infinity; got 0"),
+    ({"queue": 500}, TypeError, "queue must be None or a tuple"),
+    ({"start": -1.0}, ValueError, "start must be .* at least 0 and .*; got -1"),
+    ({"start": [0.0, 1.0]}, ValueError, r"start must give one time for each of the 5 hosts"),
+    ({"start": "soon"}, TypeError, "start must be"),
+    (
+        {"start": 1e15},
+        ValueError,
+        r"start must be .* at least 0 and at most 1e\+06; got 1000000000000000.0",
+    ),
+    ({"loss": 1.0}, ValueError, "loss must be .* at least 0 and below 1; got 1.0"),
+    ({"loss": 2.0}, ValueError, "loss must be .* at least 0 and below 1; got 2.0"),
+    ({"loss": -0.1}, ValueError, "loss must be .* at least 0 and below 1; got -0.1"),
+    ({"loss": [0.1, 0.1]}, ValueError, "loss must be one number, or one for each of the 5 hosts"),
+    (
+        {"start": lambda _: 1},
+        TypeError,
+        "^start must be a function of a numpy.random.Generator and a number of hosts; got one",
+    ),
+    ({"recovery": 1}, TypeError, "recovery must be a bool; got 1"),
+    ({"runs": 0}, ValueError, "^runs must be a whole number of at least 1; got 0$"),
+    ({"runs": "a"}, TypeError, "^runs must be a whole number of at least 1; got 'a'$"),
+    ({"runs": [1, 2]}, TypeError, r"^runs must be one number, not an array; got .*\[1, 2\]"),
+    ({"seed": 1.5}, ValueError, "seed must be a whole number of at least 0; got 1.5"),
+    ({"until": 0}, ValueError, "until must be .* above 0 and .*; got 0"),
+    ({"until": 1e15}, ValueError, r"until must be .* at most 1e\+06; got 1000000000000000.0"),
+    ({"until": "a"}, TypeError, r"^until must be a finite number above 0 and at most 1e\+06; got"),
+]
+
+
+@pytest.mark.parametrize(("argument", "error", "message"), BAD)
+def test_bad_input_is_refused_by_name(
+    argument: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        small(**argument)
+
+
+def test_what_cannot_be_simulated_is_refused() -> None:
+    wifi = RADIO.wifi()
+    with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number .*; got 2.5"):
+        ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
+    named = ds.Fleet((ds.HostGroup(2, 2.5, 1, name="robots"),))
+    allowed = "a whole number of at least 1 and at most 1048576"
+    with pytest.raises(ValueError, match=rf"processes of robots must be {allowed}; got 2.5"):
+        ds.simulate(named, ds.DDS, wifi)
+    with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
+        ds.simulate(ds.Fleet.swarm(1, 1, 1), ds.DDS, wifi)
+    with pytest.raises(TypeError, match="must be a number to simulate; got N_H"):
+        ds.simulate(ds.Fleet.symbolic(1), ds.DDS, wifi)
+    with pytest.raises(ValueError, match="wifi must have a radio"):
+        ds.simulate(SWARM, ds.DDS, replace(wifi, radio=None))
+    table = ds.Protocol("own", (replace(SEDP, unit=PROCESS, answers=None),))
+    with pytest.raises(ValueError, match=r"'SEDP': cast must be 'multicast', or hops only one"):
+        ds.simulate(SWARM, table, wifi)
+    twice = replace(ds.DDS, messages=(ds.DDS.message("SPDP"), replace(SEDP, per_unit=2)))
+    with pytest.raises(ValueError, match="a process must send at most 16384 to each other"):
+        ds.simulate(ds.Fleet.swarm(2, 1, 16_000), twice, wifi)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        (
+            {"schedule": ds.Schedule((0.0,), 4e-8)},
+            ValueError,
+            "period must be at least 1e-07 s to be simulated; got 4e-08",
+        ),
+        (
+            {"payload": ds.Payload(65_472, 0, 1e9, "own")},
+            ValueError,
+            "its frames must have at most 65535 B with headers to be simulated; got 65536",
+        ),
+    ],
+)
+def test_rows_that_cannot_be_simulated_are_refused(
+    change: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    table = ds.Protocol("own", (replace(SEDP, name="A", answers=None, **change),))
+    with pytest.raises(error, match=f"^protocol 'own', message 'A': {message}"):
+        ds.simulate(SWARM, table, RADIO.wifi(), recovery=False)
+
+
+def test_a_table_with_too_many_messages_is_refused() -> None:
+    table = ds.Protocol("own", tuple(replace(SPDP, name=f"{n}") for n in range(65)))
+    with pytest.raises(ValueError, match=r"at most 64 messages to simulate; got 65$"):
+        ds.simulate(SWARM, table, RADIO.wifi())
+
+
+def test_a_queue_too_large_to_count_has_no_limit() -> None:
+    yes: Any = np.True_
+    none, large = (small(queue=queue, recovery=yes) for queue in (None, (10**20, 1e300)))
+    assert (none.table() == large.table()).all(axis=None)
+    assert none.settings["recovery"] is True
+
+
+def test_package_does_not_load_what_only_the_simulator_needs() -> None:
+    code = (
+        "import sys, discostorm, discostorm_simulation; "
+        "print([m for m in ('numba', 'joblib', 'tqdm') if m in sys.modules])"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "[]"
+
+
+def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("discostorm_simulation.find_spec", lambda _: None)
+    with pytest.raises(ImportError, match=r"pip install 'discostorm\[simulation\]'"):
+        small()
+
+
+def test_compiling_is_said_and_counted_but_not_what_is_compiled_already(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    inner = numba.njit(lambda x: x + 1)
+    outer = numba.njit(lambda x: inner(x) * 2)
+    said: list[str] = []
+    with shown(said.append, kept=True):
+        assert outer(1) == 4
+    assert len(said) == 1
+    assert "once on a machine: about a minute" in said[0]
+    assert said[0].endswith("kept when all of it is done ...")
+    assert "2 parts" in capsys.readouterr().err
+    with shown(said.append, kept=True):
+        assert outer(2) == 6
+    assert len(said) == 1
+    assert not capsys.readouterr().err
+
+
+def test_what_cannot_be_kept_is_not_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not keeps(numba.njit(lambda x: x))  # numba found no folder for it
+    if keeps(advance):  # as nearly everywhere
+        monkeypatch.setattr("os.access", lambda *_: False)
+        assert not keeps(advance)
+    said: list[str] = []
+    with shown(said.append, kept=False):
+        assert numba.njit(lambda x: x + 2)(1) == 3
+    assert "each time: about a minute" in said[0]
+    assert "not kept" in said[0]
+    assert "NUMBA_CACHE_DIR" in said[0]
+
+
+def test_long_runs_are_announced(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("discostorm_simulation._PATIENCE", 0.0)
+    small()
+    assert "3 runs of about" in capsys.readouterr().err
+    what = plan(ds.Fleet.swarm(1000, 2, 10), ds.DDS, RADIO.wifi())
+    seconds, megabytes = what.estimate()
+    assert 5 < seconds < 200
+    assert 500 < megabytes < 10_000
+
+
+def test_long_runs_are_estimated_by_how_long_they_are() -> None:
+    # Of one the announcements have a period of their own, of the other that of its middleware.
+    for name in ("Fast DDS", "DDS"):
+        table = ds.PROTOCOLS[name]
+
+        def seconds(table: ds.Protocol = table, **given: Any) -> float:
+            return plan(SWARM, table, RADIO.wifi(), recovery=True, **given).estimate()[0]
+
+        short, long, longest = (seconds(until=until) for until in (10.0, 1e5, 1e6))
+        assert short < 1
+        assert longest > 1
+        assert longest - short == pytest.approx(10 * (long - short), rel=1e-3)
+        # Who holds a lease looks whether it has run out.
+        assert seconds(replace(table, lease=1e-6), until=10.0) > 60
+        # Only who has started speaks.
+        late = np.full(5, 1e6)
+        assert seconds(until=10.0, start=late) == short
+        assert seconds(until=10.0, start=late * (np.arange(5) > 0)) == pytest.approx(
+            longest, rel=1e-3
+        )
+
+
+def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("discostorm_simulation.available", lambda: 0.01)
+    with pytest.raises(
+        ValueError, match=r"^fleet must be smaller .* 0 MB are available; got 10 pr"
+    ):
+        small()
+    monkeypatch.undo()
+    assert 100 < available() < 1e8
+
+
+@pytest.mark.parametrize(
+    ("own", "files", "megabytes"),
+    [
+        (None, {}, 4096.0),
+        ("0::/a/b", {}, 4096.0),
+        ("0::/a/b", {"a/b/memory.max": "max", "a/b/memory.current": "5"}, 4096.0),
+        # What is kept of files is given back.
+        ("0::/a/b", {"a/b/memory.max": "900000000", "a/b/memory.current": "200000000"}, 750.0),
+        # The limit of a group holds for those within it.
+        ("0::/a/b", {"a/memory.max": "900000000", "a/memory.current": "200000000"}, 750.0),
+        # In a container.
+        ("0::/", {"memory.max": "900000000", "memory.current": "200000000"}, 750.0),
+        ("0::/", {"memory.max": "900000000", "memory.current": "999000000"}, 0.0),
+        (
+            "5:cpu,cpuacct:/x\n4:memory:/outside\n0::/x",
+            {"memory/memory.limit_in_bytes": "9" * 8, "memory/memory.usage_in_bytes": "9"},
+            99.99999 + 60.0,
+        ),
+    ],
+)
+def test_a_container_has_the_memory_that_it_is_given(
+    own: str | None, files: dict[str, str], megabytes: float, tmp_path: Path
+) -> None:
+    groups, proc = tmp_path / "sys/fs/cgroup", tmp_path / "proc"
+    (proc / "self").mkdir(parents=True)
+    (proc / "meminfo").write_text("MemTotal: 9999999 kB\nMemAvailable: 4000000 kB\n")
+    if own is not None:
+        (proc / "self/cgroup").write_text(own + "\n")
+    for name, text in files.items():
+        (groups / name).parent.mkdir(parents=True, exist_ok=True)
+        (groups / name).write_text(text + "\n")
+        (groups / name).with_name("memory.stat").write_text(
+            "anon 1\ninactive_file 50000000\ntotal_inactive_file 60000000\n"
+        )
+    assert available(tmp_path) == pytest.approx(megabytes)
+
+
+def test_the_same_simulation_is_equal() -> None:
+    one, same, other = small(seed=1), small(seed=1), small(seed=2)
+    assert one == same
+    assert hash(one) == hash(same)
+    assert one != other
+    assert one != "simulation"
+    assert one != replace(one, counts=one.counts | {"arrived": one.counts["arrived"] + 1})
+    assert one != replace(one, fleet=ds.Fleet.swarm(6, 2, 10))
+
+
+def test_one_run_fits_the_others() -> None:
+    what = plan(SWARM, ds.DDS, RADIO.wifi())
+    run = one_run(what, np.random.SeedSequence(0).spawn(1)[0])
+    assert run.drain_time == small(queue=None, recovery=False, runs=1).drain_time[0]
+
+
+# ---------------------------------------------------------------- command line
+
+
+def command(*arguments: str) -> Any:
+    usual = {"--runs": "2", "--protocol": "DDS"}
+    own = [word for name, value in usual.items() if name not in arguments for word in (name, value)]
+    return CliRunner().invoke(main, ["simulate", str(FLEET), *own, *arguments])
+
+
+def test_command_prints_what_the_package_finds() -> None:
+    answer = json.loads(command("--no-recovery", "--json").stdout)
+    found = ds.simulate(
+        ds.Fleet.from_toml(FLEET), ds.DDS, ds.PAPER, recovery=False, runs=2
+    ).to_dict()
+    assert answer == found
+    rows = command("--no-recovery", "--csv").stdout.splitlines()
+    assert rows[0].startswith("run,drain_time_s,lost,convergence_time_s")
+    assert len(rows) == 3
+    table = command("--no-recovery", "--protocol", "Zenoh", "--window", "3")
+    assert "drained [s]" in table.stdout
+    assert "never, as frames were lost" in table.stdout
+    # What was not seen may come later.
+    table = command("--until", "0.01")
+    assert "not within 0.01 s" in table.stdout
+    assert "never" not in table.stdout
+    assert (
+        "not within 0.01 s after the last start"
+        in command("--until", "0.01", "--window", "3").stdout
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--protocol", "CORBA"), "Invalid value for '--protocol': 'CORBA'"),
+        (("--window", "-1"), "--window must be a finite number of at least 0 and at most 1e+06;"),
+        (("--window", "1e15"), "at most 1e+06; got 1000000000000000.0"),
+        (("--runs", "0"), "runs must be"),
+        (("--loss", "1"), "of at least 0 and below 1"),
+        (("--wifi", "tin cans"), "--wifi must be 'paper' or a radio; '--wifi list' lists some"),
+        # A channel of rates and overheads alone has no radio to contend with.
+        (("--unicast-rate", "100"), "No such option '--unicast-rate'"),
+        (("--multicast-rate", "24"), "--multicast-rate goes with a radio here; got --wifi 'paper'"),
+    ],
+)
+def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> None:
+    result = command(*arguments)
+    assert result.exit_code == 2
+    assert message in result.output
+
+
+def test_ctrl_c_reaches_no_process_of_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They would each print a traceback if it came while they start; this one ends them."""
+
+    def handler(_plan: Any, _seed: Any) -> Any:
+        return signal.getsignal(signal.SIGINT)
+
+    monkeypatch.setattr("discostorm_simulation.run.compiled", lambda: None)
+    monkeypatch.setattr("discostorm_simulation.run.one_run", handler)
+    plan: Any = SimpleNamespace(estimate=lambda: (10.0, 1.0))
+    seeds: Any = [0, 1]
+    before = handler(plan, 0)
+    found: Any = discostorm_simulation._all_runs(plan, seeds)
+    assert found == [signal.SIG_IGN, signal.SIG_IGN]
+    assert handler(plan, 0) == before

@@ -1,0 +1,264 @@
+"""Try the built pages in browsers: what they say in Firefox and Chromium, and frames a second.
+
+Pages that move or can be touched are opened from their files. What they say to a screen reader is
+compared: each status line and each slider. Frames are counted on the first page, in Chromium; do
+so on a machine that does nothing else.
+"""
+
+import argparse
+import csv
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+ROOT = Path(__file__).parents[2]
+HTML = ROOT / "_build" / "html"
+#: What the page on checks tells of it.
+SAID = ROOT / "discostorm" / "data" / "simulated" / "pages.csv"
+FRAMES = ROOT / "discostorm" / "data" / "simulated" / "frames.csv"
+
+#: What is in the address of a page, if anything.
+STATES = {"book/index.html": "#robots=5"}
+#: Waits until a page has simulated, and returns what it says.
+PROBE = """async () => {
+    const wait = (time) => new Promise((done) => setTimeout(done, time));
+    document.getElementById("air")?.scrollIntoView();
+    document.getElementById("calc-simulate")?.click();
+    const busy = { "air-sum": /after/, "calc-simulated": /Simulated: / };
+    const waits = ([id, said]) => {
+        const element = document.getElementById(id);
+        return element && !said.test(element.textContent);
+    };
+    for (let i = 0; i < 1200 && Object.entries(busy).some(waits); i++) await wait(100);
+    await wait(1000);
+    const press = { key: "ArrowRight", bubbles: true };
+    for (const track of document.querySelectorAll("div[role=slider]"))
+        track.dispatchEvent(new KeyboardEvent("keydown", press));
+    const texts = (what, text) => [...document.querySelectorAll(what)].map(text);
+    return {
+        said: texts("[role=status], #air-sum", (element) => element.textContent),
+        sliders: texts("[role=slider]", (element) => element.getAttribute("aria-valuetext")),
+        errors: window.errors,
+    };
+}"""
+ERRORS = """
+    window.errors = [];
+    addEventListener("error", ({ message }) => window.errors.push(message));
+    addEventListener("unhandledrejection", ({ reason }) => window.errors.push(String(reason)));
+"""
+#: Keeps when each frame was asked for [ms].
+STOPWATCH = """
+    window.frames_at = [];
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => request((at) => {
+        window.frames_at.push(at);
+        callback(at);
+    });
+"""
+#: Robots; views; how many times slower the processor is made.
+ROBOTS, SECONDS, ROUNDS = 12, 5, 3
+VIEWS = {"desktop": (1440, 900), "phone": (360, 740)}
+SLOWER = (1, 4)
+#: A page that draws a rectangle in each frame.
+LITTLE = """<canvas id=c></canvas><script>(function draw(at) {
+    c.getContext("2d").fillRect(at / 10 - 100, 0, 1, 9);
+    requestAnimationFrame(draw);
+})(0)</script>"""
+
+
+def moving() -> Iterator[str]:
+    """Yield the pages that carry data for scripts of their own."""
+    for path in sorted(HTML.glob("[bn]*/*.html")):
+        text = path.read_text(encoding="utf-8")
+        if 'type="application/json" id="' in text or "calculator/calculator.js" in text:
+            yield path.relative_to(HTML).as_posix()
+
+
+@contextmanager
+def chromium() -> "Iterator[Browser]":
+    """Open headless Chromium."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        yield playwright.chromium.launch(
+            executable_path=shutil.which("chromium"),
+            args=["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking"],
+        )
+
+
+def by_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
+    """Return what pages say in Chromium, with the network off."""
+    found = {}
+    with (
+        chromium() as browser,
+        browser.new_context(offline=True, reduced_motion="reduce") as context,
+    ):
+        for name in pages:
+            page = context.new_page()
+            page.add_init_script(ERRORS)
+            page.goto((HTML / name).as_uri() + STATES.get(name, ""))
+            found[name] = page.evaluate(PROBE)
+            page.close()
+        return f"Chromium {browser.version.split('.')[0]}", found
+
+
+def by_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[str, Any]]:
+    """Return what pages say in Firefox, which nobody drives: a copy of a page posts it here."""
+    posted: list[dict[str, Any]] = []
+
+    class Answering(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            posted.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            self.send_response(204)
+            self.end_headers()
+
+        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+            pass
+
+    found: dict[str, Any] = {}
+    version = ""
+    with tempfile.TemporaryDirectory(dir=HTML.parent, ignore_cleanup_errors=True) as folder:
+        copy = Path(folder, "html")
+        shutil.copytree(HTML, copy, copy_function=os.link)
+        for name in pages:
+            with HTTPServer(("127.0.0.1", 0), Answering) as server:
+                server.timeout = 300
+                post = f"""<script>{ERRORS} addEventListener("load", async () => {{
+                    const body = {{ found: await ({PROBE})(), browser: navigator.userAgent }};
+                    const post = {{ method: "POST", mode: "no-cors", body: JSON.stringify(body) }};
+                    fetch("http://127.0.0.1:{server.server_port}/", post);
+                }})</script>"""
+                text = (copy / name).read_text(encoding="utf-8")
+                (copy / name).unlink()
+                (copy / name).write_text(text.replace("<head>", f"<head>{post}", 1), "utf-8")
+                profile = Path(folder, f"profile {len(found)}")
+                profile.mkdir()
+                (profile / "user.js").write_text('user_pref("ui.prefersReducedMotion", 1);\n')
+                address = (copy / name).as_uri() + STATES.get(name, "")
+                command = [program, "--headless", "--no-remote", "--profile", str(profile)]
+                with subprocess.Popen([*command, address], stderr=subprocess.DEVNULL) as process:
+                    server.handle_request()
+                    process.terminate()
+            if len(posted) == len(found):
+                raise SystemExit(f"discostorm: {program} gave no answer on {name}")
+            found[name] = posted[-1]["found"]
+            version = posted[-1]["browser"].rpartition("/")[2].partition(".")[0]
+    return f"Firefox {version}", found
+
+
+def compared() -> list[dict[str, Any]]:
+    """Return a row a page: how much it says in Chromium, and how much of that in Firefox."""
+    pages = list(moving())
+    (first, here), (second, there) = by_chromium(pages), by_firefox(pages)
+    rows = []
+    for name in pages:
+        said = [*here[name]["said"], *here[name]["sliders"]]
+        again = [*there[name]["said"], *there[name]["sliders"]]
+        for one, other in zip(said, again, strict=False):
+            if one != other:
+                print(f"{name}: {one!r}\n  but in {second}: {other!r}")
+        rows.append(
+            {
+                "page": name.removesuffix(".html"),
+                "texts": len(said),
+                "same": sum(map(str.__eq__, said, again)) if len(said) == len(again) else 0,
+                "errors": len(here[name]["errors"]) + len(there[name]["errors"]),
+                "browsers": f"{first}; {second}",
+                "source": "scripts/book/check_pages.py",
+            }
+        )
+    return rows
+
+
+def counted() -> list[dict[str, Any]]:
+    """Return how many frames a second the first page draws, and how long each takes the processor.
+
+    Beside it a page that draws next to nothing: what this machine can do at the time.
+    """
+    first = (HTML / "book" / "index.html").as_uri()
+    lanes = {"none": f"data:text/html,{LITTLE}", "one": f"{first}#robots={ROBOTS}"}
+    lanes["two"] = lanes["one"] + "&compare=Zenoh+peer"
+    rows = []
+    with chromium() as browser:
+        for view, (width, height) in VIEWS.items():
+            for middlewares, address in lanes.items():
+                size: Any = {"width": width, "height": height}
+                with browser.new_context(viewport=size, offline=True) as context:
+                    page = context.new_page()
+                    page.add_init_script(STOPWATCH)
+                    page.goto(address)
+                    rates, spent = _rates(page)
+                row = {"robots": ROBOTS, "view": view, "middlewares": middlewares}
+                row |= {"ms_per_frame": f"{spent:.2f}"}
+                row |= {f"frames_{slower}": f"{rate:.1f}" for slower, rate in rates.items()}
+                row |= {"browser": f"Chromium {browser.version.split('.')[0]}"}
+                rows.append(row | {"source": "scripts/book/check_pages.py"})
+                print(", ".join(map(str, rows[-1].values())), flush=True)
+    return rows
+
+
+def _rates(page: "Page") -> tuple[dict[int, float], float]:
+    """Return frames a second by how slow the processor is made, and its time a frame [ms]."""
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def spent() -> float:
+        metrics = session.send("Performance.getMetrics")["metrics"]
+        return next(float(one["value"]) for one in metrics if one["name"] == "TaskDuration")
+
+    rates, each = {}, []
+    for slower in SLOWER:
+        session.send("Emulation.setCPUThrottlingRate", {"rate": slower})
+        found = []
+        for _ in range(ROUNDS):
+            if page.locator("#air-again").count():
+                page.locator("#air-again").click()
+                page.locator("#air-canvas").scroll_into_view_if_needed()
+            page.wait_for_timeout(1000)
+            page.evaluate("window.frames_at.length = 0")
+            before = spent()
+            page.wait_for_timeout(SECONDS * 1000)
+            after, at = spent(), page.evaluate("window.frames_at")
+            found.append(1e3 * (len(at) - 1) / (at[-1] - at[0]))
+            if slower == 1:
+                each.append(1e3 * (after - before) / len(at))
+        rates[slower] = statistics.median(found)
+    return rates, statistics.median(each)
+
+
+def write(path: Path, rows: list[dict[str, Any]]) -> None:
+    """Write rows as a table."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main() -> None:
+    """Compare what pages say, or count frames, and write the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("what", choices=["said", "frames"])
+    if parser.parse_args().what == "frames":
+        write(FRAMES, counted())
+        return
+    rows = compared()
+    write(SAID, rows)
+    wrong = [row["page"] for row in rows if row["errors"] or row["same"] != row["texts"]]
+    print(f"{len(rows)} pages, {sum(row['texts'] for row in rows)} texts")
+    if wrong:
+        raise SystemExit(f"discostorm: not as they should be: {', '.join(wrong)}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,72 @@
+"""How well the numbers in the text of the chapters are guarded: change one at random, and see.
+
+Each trial changes one digit of one number of a chapter's Markdown, or one number word, as
+`discostorm_book.facts` reads them: code, formulas, links, numbers of equations, sections and
+references, names and versions apart. The change is caught if text and facts disagree then.
+
+    .venv/bin/python scripts/book/measure_guard.py [--trials N] [--seed S]
+"""
+
+import argparse
+import copy
+import random
+from collections.abc import Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from discostorm_book import facts
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+
+
+def other(text: str, chance: random.Random) -> str:
+    """Return a number with one digit changed; a word becomes another number word."""
+    if not text[0].isdigit():
+        words = [word for word in facts.NUMBER_WORDS if word != text.lower()]
+        return chance.choice(words)
+    places = [place for place, letter in enumerate(text) if letter.isdigit()]
+    place = chance.choice(places)
+    digits = [digit for digit in "0123456789" if digit != text[place]]
+    return text[:place] + chance.choice(digits) + text[place + 1 :]
+
+
+def measure(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
+    """Return each change that was tried: its chapter, what was changed, whether it was caught."""
+    chance = random.Random(seed)
+    chapters = {path.stem: facts.read(path) for path in paths}
+    places = [
+        (name, index, numeral)
+        for name, cells in chapters.items()
+        for index, cell in enumerate(cells)
+        if cell["cell_type"] == "markdown"
+        for numeral in facts.numerals("".join(cell["source"]))
+    ]
+    rows = []
+    for words in (False, True):
+        of_kind = [place for place in places if place[2].optional == words]
+        for name, index, numeral in chance.choices(of_kind, k=trials):
+            cells = copy.deepcopy(chapters[name])
+            text = "".join(cells[index]["source"])
+            changed = other(numeral.text, chance)
+            cells[index]["source"] = text[: numeral.start] + changed + text[numeral.end :]
+            caught = facts.is_guarded(cells) and bool(facts.disagreements(cells))
+            rows.append({"chapter": name, "what": "words" if words else "digits", "caught": caught})
+    return pd.DataFrame(rows)
+
+
+def main() -> None:
+    """Print what share of the changes is caught, by chapter and in all."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--trials", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    asked = parser.parse_args()
+    found = measure(sorted(NOTEBOOKS.glob("*.ipynb")), asked.trials, asked.seed)
+    table = found.groupby(["what", "chapter"])["caught"].agg(["size", "mean"])
+    print(table.to_string(header=["tried", "caught"], float_format="{:.0%}".format))
+    for what, caught in found.groupby("what")["caught"]:
+        print(f"{what}: {caught.mean():.1%} of {len(caught)} changes caught")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+"""Execute notebooks in place; what an unchanged notebook holds comes out the same.
+
+All of notebooks/ if none is named. A notebook that fails is named with its cell and left
+as it was, and the exit status is 1. Whatever a cell writes to standard error is a failure:
+warnings are not for readers, and differ between machines.
+"""
+
+import argparse
+import copy
+import csv
+import os
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from traitlets.config import Config
+from warm_kernels import short_folder, warm_kernels
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+
+
+@dataclass
+class Run:
+    """What came of a notebook."""
+
+    seconds: float
+    changed: list[int]  # the cells, from 1, that have other outputs than before
+
+
+def run(path: Path) -> Run:
+    """Execute one notebook and write it back."""
+    start = time.perf_counter()
+    notebook = nbformat.read(path, as_version=4)
+    before = copy.deepcopy(notebook.cells)
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.update(execution_count=None, outputs=[])
+    begun = [0]
+    try:
+        # Sockets of its own instead of TCP, where another program may take a port meanwhile.
+        with short_folder() as sockets:
+            file = f"{sockets}/kernel.json"
+            NotebookClient(
+                notebook,
+                config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
+                timeout=120,
+                startup_timeout=300,  # a busy machine
+                kernel_name="python3",
+                record_timing=False,
+                on_cell_execute=lambda cell, cell_index: begun.append(cell_index),  # noqa: ARG005
+                # Under load, what one cell prints arrives in pieces: one output however it came.
+                coalesce_streams=True,
+                resources={"metadata": {"path": str(path.parent)}},
+            ).execute()
+    except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
+        raise RuntimeError(f"{path.name}, cell {begun[-1] + 1}:\n{error}") from error
+    for number, cell in enumerate(notebook.cells, 1):
+        for output in cell.get("outputs", []):
+            if output.get("name") == "stderr":
+                raise RuntimeError(
+                    f"{path.name}, cell {number}, wrote to standard error:\n{output['text']}"
+                )
+    # The kernel reports its own Python version, which would differ from reader to reader.
+    notebook.metadata["language_info"] = {"name": "python"}
+    text = nbformat.writes(notebook).rstrip("\n") + "\n"
+    # What comes out the same is left alone, so that nothing made from it looks old.
+    if text != path.read_text(encoding="utf-8"):
+        # Beside it first, as a full disk would leave half of it.
+        beside = path.with_suffix(".tmp")
+        try:
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(path)
+        finally:
+            beside.unlink(missing_ok=True)
+    pairs = enumerate(zip(before, notebook.cells, strict=True), 1)
+    changed = [number for number, (old, new) in pairs if old != new]
+    return Run(time.perf_counter() - start, changed)
+
+
+def report(folder: Path, runs: dict[str, Run]) -> None:
+    """Write how long each notebook took, and which of its cells came out otherwise."""
+    tables: dict[str, list[tuple[str, float | str]]] = {
+        "run_times.csv": [("notebook", "seconds")],
+        "changed_cells.csv": [("notebook", "cells")],
+    }
+    for name, run in runs.items():
+        tables["run_times.csv"].append((name, run.seconds))
+        tables["changed_cells.csv"].append((name, " ".join(map(str, run.changed))))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, rows in tables.items():
+        with (folder / name).open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows(rows)
+
+
+def main(arguments: list[str]) -> int:
+    """Run the named notebooks, or all of them; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
+    parser.add_argument(
+        "--report", type=Path, metavar="FOLDER", help="for run_times.csv and changed_cells.csv"
+    )
+    options = parser.parse_args(arguments)
+    paths = [path.resolve() for path in options.notebooks] or sorted(NOTEBOOKS.glob("*.ipynb"))
+    missing = [path for path in paths if not path.is_file()]
+    if missing or not paths:
+        print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
+        return 2
+    runs: dict[str, Run] = {}
+    with warm_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = {pool.submit(run, path): path for path in paths}
+        for done, job in enumerate(as_completed(jobs), start=1):
+            name = jobs[job].name
+            start = f"[{done}/{len(jobs)}] {name}"
+            error = job.exception()
+            if error is None:
+                runs[name] = job.result()
+                print(f"{start} {runs[name].seconds:.1f} s", flush=True)
+            else:
+                print(f"{start} FAILED", flush=True)
+                kind = "" if type(error) is RuntimeError else f"{name}: {type(error).__name__}: "
+                print(f"{kind}{error}\n", file=sys.stderr, flush=True)
+    if options.report:
+        report(options.report, dict(sorted(runs.items())))
+    failed = len(jobs) - len(runs)
+    if failed:
+        print(f"{failed} of {len(jobs)} notebooks failed", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,350 @@
+"""Compare the simulator of the pages with Python's: `make live-check`.
+
+Random settings (tables, fleets of several groups, matching and shared endpoints, channels with and
+without aggregation, queues, frame errors, starts in turn, ...) run in Python and in headless
+Chromium, from a file, with the network off. All arrays of a run have to be the same, bit for bit,
+at its start and at its end. Before that the inner loop is compiled anew, and its bytes are compared
+where the versions are those of the committed file.
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import platform
+import random
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from write_live import ENGINE, RADIOS, behavior
+
+import discostorm as ds
+from discostorm_simulation import cell_setup, state as _cell
+from discostorm_simulation.run import finish, one_run, set_up
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "tests" / "live.html"
+#: What the page on checks tells of it.
+TABLE = ROOT / "discostorm" / "data" / "simulated" / "live.csv"
+
+#: A setting of a run, as pages write it.
+Setting = dict[str, Any]
+
+#: Of which many runs are compared in `make test` and in `make live-check`.
+FEW, MANY = 50, 1000
+
+#: What is measured: the paper's robots by number, and the limit [ms]; the mean of so many runs.
+TIMED, ROUNDS = {12: 30.0, 25: 250.0}, 20
+
+
+def _group(rng: random.Random, hosts: int) -> Setting:
+    endpoints = rng.choice((0, 1, 3, 7, 10, 12))
+    shared = rng.choice((0, 0, 1, 2.5, endpoints))
+    group = {"hosts": hosts, "processes": rng.randint(1, 3), "endpoints": endpoints}
+    return group | {"shared": min(shared, endpoints)}
+
+
+def settings(count: int, seed: int) -> Iterator[Setting]:
+    """Yield random settings; every table and channel comes in turn."""
+    rng = random.Random(seed)
+    names, channels = list(ds.PROTOCOLS), list(RADIOS)
+    whole = {name for name in names if "refused" not in behavior(ds.PROTOCOLS[name], recovery=True)}
+    for number in range(count):
+        sizes = [rng.randint(1, 4) for _ in range(rng.choice((1, 1, 2, 3)))]
+        if sum(sizes) < 2:
+            sizes = [rng.choice((2, 3, 5, 9))]
+        hosts = sum(sizes)
+        gap = rng.choice((0.003, 0.1, 0.7))
+        setting: Setting = {
+            "table": names[number % len(names)],
+            "radio": channels[number // len(names) % len(channels)],
+            # Seldom where it is refused, too.
+            "recovery": rng.random() < (0.7 if names[number % len(names)] in whole else 0.03),
+            "fleet": {
+                "groups": [_group(rng, size) for size in sizes],
+                "matching": rng.choice((0, 0, 1, rng.random())),
+            },
+            "queue": rng.choice(([500, 0.5], [500, 0.5], None, [40, 0.1], [9, None], [None, 0.02])),
+            "start": rng.choice(
+                (
+                    0,
+                    [host * gap for host in range(hosts)],
+                    [rng.uniform(0, 2) for _ in range(hosts)],
+                )
+            ),
+            "loss": rng.choice((0, 0, 0.03, [rng.uniform(0, 0.3) for _ in range(hosts)])),
+            "until": rng.choice((0.3, 3.0, 12.5)),
+            "eifs": rng.random() < 0.3,
+            "agreements": rng.choice(("cold", "in place")),
+            "seed": rng.choice((0, 7, rng.getrandbits(31), rng.getrandbits(53))),
+            "run": rng.randint(0, 3),
+        }
+        if rng.random() < 0.3:  # pages take factors, and decibels for Python's sake
+            decibels = [[rng.uniform(-90, -40) for _ in range(hosts + 1)] for _ in range(hosts + 1)]
+            setting |= {"decibels": decibels, "power": cell_setup.from_decibels(decibels).tolist()}
+        if rng.random() < 0.01:
+            setting["fleet"]["groups"][0]["wired"] = True
+        yield setting
+
+
+def _setup(setting: Setting) -> Any:
+    """Return what Python simulates for a setting of a page."""
+    queue = setting.get("queue", [500, 0.5]) or [None, None]
+    frames, seconds = (np.inf if limit is None else limit for limit in queue)
+    return set_up(
+        ds.Fleet(
+            tuple(ds.HostGroup(**group) for group in setting["fleet"]["groups"]),
+            setting["fleet"].get("matching", 0.0),
+        ),
+        ds.PROTOCOLS[setting["table"]],
+        RADIOS[setting["radio"]],
+        (frames, seconds),
+        setting.get("start", 0),
+        setting.get("loss", 0),
+        setting.get("recovery", True),
+        setting.get("until", 120.0),
+        setting.get("eifs", False),
+        setting.get("agreements", "cold") == "cold",
+        setting.get("decibels"),
+    )
+
+
+def _digests(cell: Any) -> dict[str, str]:
+    return {
+        name: hashlib.sha256(np.ascontiguousarray(array).tobytes()).hexdigest()[:16]
+        for name, array in zip(cell._fields, cell, strict=True)
+    }
+
+
+def natively(setting: Setting) -> dict[str, Any]:
+    """Return what Python makes of a setting: digests of all arrays at start and end, the result."""
+    try:
+        setup = _setup(setting)
+    except ValueError as error:
+        return {"refused": str(error)}
+
+    def seed() -> np.random.SeedSequence:
+        return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
+
+    cell, starts = setup.cell(seed())
+    until = min(cell_setup.ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
+    found: dict[str, Any] = {"start": _digests(cell)}
+    found["end"] = _digests(finish(cell, until, setup.reserve))
+    run = one_run(setup, seed())
+    found["result"] = {
+        "drained": run.drain_time,
+        "converged": run.convergence_time,
+        "lost": run.lost,
+        "expected": run.counts["expected"],
+        "arrived": run.counts["arrived"],
+        "busy": run.busy,
+    }
+    return found
+
+
+def differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
+    """Return in what two machines differ: names of arrays and results; nothing if in nothing."""
+    if "refused" in here or "refused" in there:
+        return [] if here.keys() == there.keys() else ["refused"]
+    return [
+        f"{part} {name}"
+        for part in ("start", "end", "result")
+        for name, value in here[part].items()
+        if there[part][name] != value
+    ]
+
+
+@contextmanager
+def offline_page(browser: "Browser") -> "Iterator[Page]":
+    """Open the page that simulates, from its file and with the network off."""
+    with browser.new_context(offline=True) as context:
+        page = context.new_page()
+        page.goto(PAGE.as_uri())
+        yield page
+
+
+def in_browser(page: "Page", given: list[Setting], steps: int = 5000) -> list[dict[str, Any]]:
+    """Return what the page makes of settings, in shares of so many steps."""
+    found: list[dict[str, Any]] = page.evaluate(
+        "([settings, steps]) => compare(settings, steps)", [given, steps]
+    )
+    return found
+
+
+def swarm(hosts: int) -> Setting:
+    """Return the setting of the paper's robots."""
+    groups = [{"hosts": hosts, "processes": 2, "endpoints": 10}]
+    return {"table": "DDS", "radio": ds.PAPER.name, "fleet": {"groups": groups}}
+
+
+def times(browser: "Browser", page: "Page") -> dict[int, float]:
+    """Return how long a run of the paper's robots takes, in time of the processor [ms]."""
+    session = browser.new_browser_cdp_session()
+
+    def spent() -> float:
+        every = session.send("SystemInfo.getProcessInfo")["processInfo"]
+        return float(sum(one["cpuTime"] for one in every if one["type"] == "renderer"))
+
+    found = {}
+    for hosts in TIMED:
+        in_browser(page, [swarm(hosts)], 10**7)  # has the browser optimize its code
+        before = spent()
+        in_browser(page, [swarm(hosts)] * ROUNDS, 10**7)
+        found[hosts] = (spent() - before) / ROUNDS * 1e3
+    return found
+
+
+@dataclass(frozen=True)
+class Answers:
+    """What a browser made of settings, and how long runs took where that was measured [ms]."""
+
+    browser: str
+    settings: list[dict[str, Any]]
+    times: dict[int, float]
+
+
+def by_chromium(tried: list[Setting]) -> Answers:
+    """Run settings in headless Chromium, with the network off."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=shutil.which("chromium"),
+            args=["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking"],
+        )
+        with offline_page(browser) as page:
+            found = []
+            for first in range(0, len(tried), 50):
+                found += in_browser(page, tried[first : first + 50])
+            took = times(browser, page)
+        name = f"Chromium {browser.version.split('.')[0]}"
+        browser.close()
+    return Answers(name, found, took)
+
+
+def by_firefox(program: str, tried: list[Setting]) -> Answers:
+    """Run settings in headless Firefox: its page asks this machine for them, and posts answers."""
+    asked = f"const ASKED = {json.dumps(tried)};"
+    posted: list[dict[str, Any]] = []
+
+    class Answering(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/javascript")
+            self.end_headers()
+            self.wfile.write(asked.encode())
+
+        def do_POST(self) -> None:
+            posted.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            self.send_response(204)
+            self.end_headers()
+
+        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+            pass
+
+    with (
+        HTTPServer(("127.0.0.1", 0), Answering) as server,
+        tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+    ):
+        address = f"{PAGE.as_uri()}#{server.server_port}"
+        command = [program, "--headless", "--no-remote", "--profile", profile, address]
+        server.timeout = 300
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
+            for _ in ("settings", "answers"):
+                server.handle_request()
+            process.terminate()
+    if not posted:
+        raise SystemExit(f"discostorm: {program} gave no answer")
+    (answer,) = posted
+    name = re.search(r"Firefox/\d+", answer["browser"])
+    assert name is not None, answer["browser"]
+    for one in answer["settings"]:  # JSON has no infinity
+        found = one.get("result", {})
+        found.update({key: np.inf for key, value in found.items() if value is None})
+    return Answers(name[0].replace("/", " "), answer["settings"], {})
+
+
+def check_bytes() -> str:
+    """Compile the inner loop and compare it; return what was found."""
+    import compile_live
+    from write_live import engine_text
+
+    if compile_live.linker() is None:
+        return "no wasm-ld here: the committed engine is compared by its results alone"
+    kept, made = ENGINE.read_text(encoding="utf-8"), engine_text()
+    if made == kept:
+        return f"engine: the same bytes with {compile_live.made_with()}"
+    (versions, _, sources), (others, _, todays) = (
+        text.splitlines()[1].rpartition("; sources ") for text in (kept, made)
+    )
+    if sources != todays:
+        raise SystemExit("discostorm: the engine is of other sources: make live")
+    if versions == others:
+        raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
+    return f"engine: of other versions than here, {others[3:]}; its results are compared instead"
+
+
+def compared(
+    tried: list[Setting], here: list[dict[str, Any]], there: Answers
+) -> tuple[dict[str, Any], list[str]]:
+    """Return what is told of a comparison, and what is wrong."""
+    pairs = zip(map(differences, here, there.settings), tried, strict=True)
+    wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
+    slow = [hosts for hosts, time in there.times.items() if time > TIMED[hosts]]
+    told = {
+        "browser": there.browser,
+        "machine": platform.machine(),
+        "settings": len(tried),
+        "same": len(tried) - len(wrong),
+        "refused": sum("refused" in one for one in here),
+        "arrays": len(_cell.Cell._fields),
+        **{f"robots_{hosts}_ms": round(time) for hosts, time in there.times.items()},
+    }
+    return told, wrong + [f"{hosts} robots take over {TIMED[hosts]:g} ms" for hosts in slow]
+
+
+def main() -> None:
+    """Compare bytes, results and speed."""
+    parser = argparse.ArgumentParser(prog="make live-check", description=main.__doc__)
+    parser.add_argument("--settings", type=int, default=MANY, help="how many random settings")
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the settings")
+    parser.add_argument("--no-bytes", action="store_true", help="do not compile the engine anew")
+    parser.add_argument("--firefox", help="the program, if it is to be tried, too")
+    parser.add_argument("--write", action="store_true", help=f"write {TABLE.name}")
+    given = parser.parse_args()
+    if not given.no_bytes:
+        print(check_bytes(), flush=True)
+    tried = list(settings(given.settings, given.seed))
+    here = [natively(setting) for setting in tried]
+    answers = [by_chromium(tried)]
+    if given.firefox:
+        answers.append(by_firefox(given.firefox, tried))
+    rows, wrong = [], []
+    for there in answers:
+        told, found = compared(tried, here, there)
+        print(", ".join(f"{name} {value}" for name, value in told.items()), *found[:5], sep="\n")
+        rows.append(told | {"source": f"make live-check, seed {given.seed}"})
+        wrong += found
+    if wrong:
+        raise SystemExit(f"discostorm: {len(wrong)} of these are not as they should be")
+    if given.write:
+        with TABLE.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()

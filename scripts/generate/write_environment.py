@@ -1,0 +1,41 @@
+"""Write environment.yml, for conda and Binder, from requirements.lock.
+
+Conda brings Python and pip; every other version is the one of the lock.
+"""
+
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+HEAD = """\
+# Made by `make lock` from requirements.lock; do not edit.
+# conda env create -f environment.yml
+name: discostorm
+channels:
+  - conda-forge
+dependencies:
+  - python=3.11
+  - pip
+  - pip:
+"""
+
+
+def pins(lock: str) -> list[str]:
+    """Return the pins of a lock file, ``name==version`` with its marker, without hashes."""
+    return [
+        line.removesuffix("\\").strip()
+        for line in lock.splitlines()
+        if line and not line.startswith((" ", "#"))
+    ]
+
+
+def environment(lock: str) -> str:
+    """Return the text of environment.yml for the text of a lock file."""
+    # In quotes, as a marker contains characters that mean something in YAML.
+    lines = [*pins(lock), "-e ."]
+    return HEAD + "".join(f'      - "{line}"\n' for line in lines)
+
+
+if __name__ == "__main__":
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    (ROOT / "environment.yml").write_text(environment(lock), encoding="utf-8")

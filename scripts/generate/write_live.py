@@ -1,0 +1,211 @@
+"""Write what pages simulate with: `make live`.
+
+``book/_static/live/engine.js`` is the simulator's inner loop as WebAssembly, see
+`compile_live`; ``tables.js`` is what a run is set up from: records of the cell, and of each table
+and channel what depends on neither fleet nor seed. With ``--tables`` only the latter.
+"""
+
+import base64
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from calculator_inputs import CHANNELS
+from javascript import Code, Value, said_once, written
+
+import discostorm as ds
+from discostorm.messages import Message, Protocol
+from discostorm.wifi import Padding
+from discostorm.wifi.channel import TICK
+from discostorm.wifi.radio import both_ends
+from discostorm_book import sweeps
+from discostorm_simulation import cell_setup, engine, state as _cell
+from discostorm_simulation.middleware import spread
+from discostorm_simulation.result import CAUSES
+from discostorm_simulation.run import Setup, set_up
+
+LIVE = Path(__file__).parents[2] / "book" / "_static" / "live"
+TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
+
+#: A channel whose frames to all go at a rate of their own, with few frames in an A-MPDU.
+FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
+#: With full A-MPDUs, too: a radio has one entry in the calculator, and two ends here.
+AGGREGATED = [full for wifi in CHANNELS if (full := both_ends(wifi)[0]) != wifi]
+#: The last is that of the chapters' sweeps.
+RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS, sweeps.channel())}
+
+#: Any fleet: what is exported depends on none.
+ANY = ds.Fleet.swarm(4, 2, 3)
+#: What depends on the fleet, so that the page computes it.
+OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
+#: What is not of the radio, but of a run's settings.
+OF_SETTING = ("queue", "lifetime")
+#: What happens first in a run.
+FIRST_EVENTS = ("SEND", "ANNOUNCE", "EXPIRE")
+
+
+def plan(protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER) -> Setup:
+    """Return the set-up of a run of any fleet."""
+    return set_up(ANY, protocol, wifi, (500, 0.5), 0.0, 0.0, recovery, 120.0, eifs)
+
+
+def layouts() -> tuple[dict[str, Value], dict[str, Value]]:
+    """Return the records of a cell, by name, and of which of these, or numbers, its arrays are."""
+    cell, _ = plan(ds.DDS, True).cell(np.random.SeedSequence(0))
+    found: dict[str, Value] = {}
+    types: dict[str, Value] = {}
+    for name, array in zip(cell._fields, cell, strict=True):
+        kind = np.asarray(array).dtype
+        types[name] = name if kind.names else kind.str[1:]
+        if kind.names:
+            fields: Any = kind.fields
+            found[name] = {
+                "size": kind.itemsize,
+                "fields": {
+                    field: [int(fields[field][1]), fields[field][0].str[1:]]
+                    for field in kind.names
+                    if not field.startswith("_")
+                },
+            }
+    return found, types
+
+
+def constants() -> dict[str, Value]:
+    """Return the numbers that set-up and loop share."""
+    events: dict[str, Value] = {name: Code(f"{getattr(_cell, name)}n") for name in FIRST_EVENTS}
+    return events | {
+        "NEVER": int(_cell.NEVER),
+        "TICK": TICK,
+        "KIND_BITS": _cell.KIND_BITS,
+        "PROCESS_BITS": _cell.PROCESS_BITS,
+        "ITEM_BITS": _cell.ITEM_BITS,
+        "OCTETS": cell_setup._MOST_OCTETS,
+        "DATA": _cell.DATA,
+        "SAMPLES": cell_setup._SAMPLES,
+        "LOG": cell_setup._LOG,
+        "POOL": cell_setup._POOL,
+        "OVER": engine.OVER,
+        "MEMORY": engine.MEMORY,
+        "CAUSES": list(CAUSES),
+    }
+
+
+def columns(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+    """Return the columns of records that are not all zero."""
+    return {
+        name: [int(value) for value in records[name]]
+        for name in records.dtype.names
+        if name not in without and records[name].any()
+    }
+
+
+def first_row(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+    """Return a record's numbers that are not zero."""
+    row = {name: records[name][0].item() for name in records.dtype.names if name not in without}
+    return {name: value for name, value in row.items() if value}
+
+
+def message(row: Message) -> Value:
+    """Return what decides who sends how many of a message, and how long its frames are."""
+    unit = row.unit
+    return {
+        "name": row.name,
+        "unit": [unit.what, unit.to, *([unit.factor] if unit.factor else [])],
+        "multicast": int(row.cast == "multicast"),
+        "sent": row.per_unit * row.frames,
+        "alone": row.per_unit,
+        "bytes": row.frame_bytes,
+    }
+
+
+def behavior(protocol: Protocol, recovery: bool) -> dict[str, Value]:
+    """Return when the messages of a table are sent, or why that cannot be simulated."""
+    try:
+        setup = plan(protocol, recovery)
+    except ValueError as error:
+        return {"refused": str(error)}
+    bursts = setup.bursts
+    found: dict[str, Value] = {
+        "kinds": columns(setup.kinds, OF_FLEET),
+        "bursts": {
+            "messages": [list(rows) for rows in bursts.messages],
+            "periods": [cell_setup.ticks(period) if period else 0 for period in bursts.period],
+            "times": [list(time) for time in bursts.times],
+        },
+    }
+    if setup.repairs is not None:
+        found["repairs"] = first_row(setup.repairs)
+        if rows := spread(protocol):
+            found["spread"] = list(rows)
+    return found
+
+
+def table(protocol: Protocol) -> Value:
+    """Return what a page knows of a table of messages."""
+    rows = protocol.messages
+    return {
+        "messages": [message(row) for row in rows],
+        "inside": [
+            [number, cell_setup.carrier_of(protocol, row), row.payload.nominal]
+            for number, row in enumerate(rows)
+            if not row.frames
+        ],
+        "alone": behavior(protocol, recovery=False),
+        "recovering": behavior(protocol, recovery=True),
+    }
+
+
+def length(padding: Padding, preamble: int) -> Value:
+    """Return what decides how long a frame takes."""
+    return {
+        "bits": int(padding.bits),
+        "added": int(padding.added),
+        "symbol": cell_setup.ticks(padding.symbol),
+        "grid": cell_setup.ticks(padding.grid),
+        "preamble": preamble,
+    }
+
+
+def channel(wifi: ds.Wifi) -> Value:
+    """Return what a page knows of a channel: its radio, and how long frames take."""
+    fast, slow = (length(*of_one) for of_one in cell_setup.paddings(wifi))
+    return {
+        "record": first_row(plan(ds.DDS, False, wifi=wifi).radio, OF_SETTING),
+        "aggregates": wifi.aggregation is not None,
+        "fast": fast,
+        "slow": slow,
+    }
+
+
+def tables() -> str:
+    """Return the text of tables.js."""
+    records, arrays = layouts()
+    said, rest = said_once(
+        {
+            "layouts": records,
+            "arrays": arrays,
+            "constants": constants(),
+            "tables": {name: table(protocol) for name, protocol in ds.PROTOCOLS.items()},
+            "radios": {name: channel(wifi) for name, wifi in RADIOS.items()},
+        }
+    )
+    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
+    body = "\n".join([*lines, f"return {written(rest)};"])
+    head = "// What a run is set up from; made from the package by `make live`; do not edit.\n"
+    return f"{head}const LIVE_TABLES = (() => {{\n{body}\n}})();\n"
+
+
+def engine_text() -> str:
+    """Return the text of engine.js: compile the inner loop, which takes a minute."""
+    from compile_live import head, webassembly
+
+    code = base64.b64encode(webassembly()).decode()
+    return f'{head()}const LIVE_ENGINE = "{code}";\n'
+
+
+if __name__ == "__main__":
+    TABLES.write_text(tables(), encoding="utf-8")
+    if "--tables" not in sys.argv:
+        ENGINE.write_text(engine_text(), encoding="utf-8")

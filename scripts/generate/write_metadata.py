@@ -1,0 +1,173 @@
+"""Write what indexes and archives read, from CITATION.cff, pyproject.toml and the addresses.
+
+.zenodo.json and codemeta.json are written whole. In CITATION.cff, pyproject.toml and PYPI.md only
+what stands between two marks changes: addresses, which are left out while `_config.yml` names none,
+and how to install.
+"""
+
+import json
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import yaml  # type: ignore[import-untyped]
+
+ROOT = Path(__file__).parents[2]
+MARKED = re.compile(
+    r"^((?:<!-- |# )(addresses|install)\b[^\n]*\n)(.*?)^((?:<!-- |# )end\b)", re.M | re.S
+)
+
+
+class Sources:
+    """What is said once."""
+
+    def __init__(self, root: Path = ROOT) -> None:
+        config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
+        self.cff: dict[str, Any] = yaml.safe_load(
+            (root / "CITATION.cff").read_text(encoding="utf-8")
+        )
+        self.project: dict[str, Any] = tomllib.loads(
+            (root / "pyproject.toml").read_text(encoding="utf-8")
+        )["project"]
+        base = _address("html.baseurl", config["html"]["baseurl"])
+        self.base = base and base.rstrip("/") + "/"
+        self.source = _address("repository.url", config["repository"]["url"]).rstrip("/")
+        self.index = _address("index.url", config.get("index", {}).get("url", ""))
+        self.doi = str(self.cff.get("doi", ""))
+
+
+def _address(name: str, given: str | None) -> str:
+    parts = urlsplit(given or "")
+    if given and not (parts.scheme in {"http", "https"} and parts.netloc):
+        raise SystemExit(
+            f"write_metadata: {name} in _config.yml must be empty or an address such as "
+            f"https://example.org/storm/; got {given!r}"
+        )
+    return given or ""
+
+
+def _json(value: dict[str, Any]) -> str:
+    kept = {key: content for key, content in value.items() if content not in ("", None, [])}
+    return json.dumps(kept, indent=2, ensure_ascii=False) + "\n"
+
+
+def zenodo(given: Sources) -> str:
+    """Return what Zenodo asks for, which gives the DOI itself."""
+    cff = given.cff
+    related = [
+        {"identifier": address, "relation": relation, "scheme": "url"}
+        for address, relation in ((given.base, "isDocumentedBy"), (given.source, "isSupplementTo"))
+        if address
+    ]
+    return _json(
+        {
+            "upload_type": "software",
+            "title": cff["title"],
+            "description": cff["abstract"],
+            "creators": [{"name": author["name"]} for author in cff["authors"]],
+            "version": cff["version"],
+            "publication_date": str(cff["date-released"]),
+            "license": cff["license"],
+            "notes": f"{cff['message']} License: {given.project['license']}.",
+            "keywords": cff["keywords"],
+            "related_identifiers": related,
+        }
+    )
+
+
+def codemeta(given: Sources) -> str:
+    """Return the metadata of the software in CodeMeta's form."""
+    cff, project = given.cff, given.project
+    licenses = project["license"].split(" AND ")
+    people = [{"@type": "Organization", "name": author["name"]} for author in cff["authors"]]
+    return _json(
+        {
+            "@context": "https://w3id.org/codemeta/3.0",
+            "@type": "SoftwareSourceCode",
+            "name": project["name"],
+            "version": cff["version"],
+            "identifier": f"https://doi.org/{given.doi}" if given.doi else "",
+            "description": project["description"],
+            "author": people,
+            "maintainer": people,
+            "datePublished": str(cff["date-released"]),
+            "dateModified": str(cff["date-released"]),
+            "developmentStatus": "active",
+            "license": [f"https://spdx.org/licenses/{name}" for name in licenses],
+            "url": given.base,
+            "codeRepository": given.source,
+            "programmingLanguage": "Python",
+            "runtimePlatform": f"Python {project['requires-python']}",
+            "operatingSystem": ["Linux", "macOS", "Windows"],
+            "keywords": cff["keywords"],
+            "softwareRequirements": project["dependencies"],
+        }
+    )
+
+
+def _urls(given: Sources) -> dict[str, str]:
+    every = {
+        "Homepage": given.base,
+        "Documentation": given.base and f"{given.base}notebooks/21_command_line.html",
+        "Source": given.source,
+        "DOI": given.doi and f"https://doi.org/{given.doi}",
+    }
+    return {name: address for name, address in every.items() if address}
+
+
+def marked(name: str, given: Sources) -> dict[str, str]:
+    """Return what stands between the marks of a file, by the word of the first mark."""
+    if name == "pyproject.toml":
+        lines = [f'{key} = "{address}"\n' for key, address in _urls(given).items()]
+        return {"addresses": "".join(["[project.urls]\n", *lines, "\n"] if lines else [])}
+    if name == "CITATION.cff":
+        found = {"url": given.base, "repository-code": given.source}
+        return {"addresses": "".join(f"{key}: {url}\n" for key, url in found.items() if url)}
+    wheel = f"discostorm-{given.cff['version']}-py3-none-any.whl"
+    if given.index:
+        install = "With Python 3.11 or newer:\n\n    pip install discostorm\n"
+    else:
+        install = (
+            "The wheel is in the release's archive, in the folder `dist`. With Python 3.11 or "
+            f"newer:\n\n    pip install {wheel}\n"
+        )
+    if not given.base:
+        book = (
+            "The book, with every equation, a calculator and the measurements, comes with the "
+            "release: open `html/index.html`\nin its archive.\n"
+        )
+    else:
+        calculator = f"[a calculator]({given.base}book/calculator.html)"
+        book = (
+            "![Robots around an access point, and a bar of airtime]"
+            f"({given.base}_static/preview.png)\n\n"
+            f"[The book]({given.base}) has every equation, {calculator} and the measurements.\n"
+        )
+    return {"addresses": book, "install": install}
+
+
+def filled(name: str, given: Sources, root: Path = ROOT) -> str:
+    """Return the text of a file with what stands between its marks written anew."""
+    new = marked(name, given)
+    text = (root / name).read_text(encoding="utf-8")
+    return MARKED.sub(lambda found: found[1] + new[found[2]] + found[4], text)
+
+
+def written(root: Path = ROOT) -> dict[str, str]:
+    """Return the text of every file that is written here."""
+    given = Sources(root)
+    files = {name: filled(name, given, root) for name in ("CITATION.cff", "PYPI.md")}
+    files["pyproject.toml"] = filled("pyproject.toml", given, root)
+    return files | {".zenodo.json": zenodo(given), "codemeta.json": codemeta(given)}
+
+
+def main() -> None:
+    """Write them."""
+    for name, text in written().items():
+        (ROOT / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,26 @@
+"""Write the palette as a style sheet: `make palette`.
+
+``book/_static/palette.css`` has each color of ``discostorm/data/palette.csv`` that pages use, as a
+custom property for the light and one for the dark theme.
+"""
+
+from pathlib import Path
+
+from discostorm.palette import PALETTE
+
+SHEET = Path(__file__).parents[2] / "book/_static/palette.css"
+
+
+def style_sheet() -> str:
+    """Return the colors as custom properties of CSS."""
+    colors = [color for color in PALETTE.values() if color.dark]
+    lines = ["/* Written by `make palette` from discostorm/data/palette.csv. */"]
+    for theme in ("light", "dark"):
+        lines += ["", f'html[data-theme="{theme}"] {{']
+        lines += [f"  {one.property}: {getattr(one, theme).lower()};" for one in colors]
+        lines += ["}"]
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    SHEET.write_text(style_sheet(), encoding="utf-8")

@@ -1,0 +1,196 @@
+"""Tables that are no sweep of settings: single bursts, stations, and who hears whom."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from sweep_setting import PAPER, SEED, Setting, rounded, spread
+from sweep_tables import BESIDE, each
+
+import discostorm as ds
+from discostorm.data import data_path
+from discostorm_book import sweeps, trace
+from discostorm_simulation import disc, powers
+from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.propagation import THRESHOLD
+from discostorm_simulation.result import CAUSES
+from discostorm_simulation.run import finish, set_up
+
+
+def events() -> list[dict[str, object]]:
+    """Return every transmission of one small burst: three robots, one process each."""
+    assert trace.SEED == SEED
+    return records(trace.table(trace.SMALL))
+
+
+def records(table: pd.DataFrame) -> list[dict[str, object]]:
+    """Return the rows of a table."""
+    return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
+
+
+#: Of stations that always have something to send: how many, runs, and seconds of each.
+STATIONS, TRIES, LASTING = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
+
+
+def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
+    """Return what arrives when so many stations always have something to send.
+
+    By the rules of the standard, and by those of Bianchi's chain, which knows no timeout for
+    acknowledgements and gives up no frame.
+    """
+    sedp = replace(ds.DDS.message("SEDP"), hops=("up",), answers=None)
+    rows: list[dict[str, object]] = []
+    for count, rules in product(stations, ("standard", "Bianchi")):
+        starts = np.zeros(count + 1)
+        starts[-1] = 1e4  # is there only to be sent to
+        what = set_up(
+            ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
+            ds.Protocol("saturation", (sedp,)),
+            Setting("DDS", 2).wifi,
+            (np.inf, np.inf),
+            starts,
+            0.0,
+            recovery=False,
+            until=1e5,
+            eifs=False,
+        )
+        if rules == "Bianchi":
+            what.radio["timeout"], what.radio["attempts"] = 0, 10**6
+        arrived = []
+        for seed in np.random.SeedSequence(SEED).spawn(TRIES):
+            cell = finish(what.cell(seed)[0], ticks(LASTING), what.reserve)
+            assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
+            arrived.append(int(cell.now["arrived"][0]) / LASTING)
+        row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
+        rows.append(row | {"runs": TRIES} | spread("frames_per_s", np.array(arrived)))
+    return rows
+
+
+def by_host() -> list[dict[str, object]]:
+    """Return what each host loses: of eight robots, and with one that has more to tell."""
+    robots = ds.HostGroup(7, 2, 10, name="robot")
+    fleets = {
+        "alike": ds.Fleet((replace(robots, hosts=8),)),
+        "with a laptop": ds.Fleet((robots, ds.HostGroup(1, 2, 60, name="laptop"))),
+    }
+    rows: list[dict[str, object]] = []
+    for name, fleet in fleets.items():
+        found = ds.simulate(
+            fleet, ds.DDS, Setting("DDS", 8).wifi, recovery=False, runs=40, seed=SEED
+        )
+        hosts = [group for group in fleet.groups for _ in range(int(group.hosts))]
+        for number, group in enumerate(hosts):
+            row = {"fleet": name, "host": number + 1, "kind": group.name}
+            row |= {"processes": int(group.processes), "endpoints": int(group.endpoints)}
+            rows.append(row | spread("lost", found.lost_by_host[:, number]))
+    return rows
+
+
+def waiting(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
+    """Return how many frames wait at all hosts and at the access point over time, in one burst."""
+    rows: list[dict[str, object]] = []
+    for count in hosts:
+        fleet = ds.Fleet.swarm(count, 2, 10)
+        found = ds.simulate(fleet, ds.DDS, Setting("DDS", count).wifi, recovery=False, seed=SEED)
+        for time, at_hosts, at_access_point in found.queues[0]:
+            row: dict[str, object] = {"protocol": "DDS", "hosts": count, "time_s": rounded(time)}
+            rows.append(row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)})
+    return rows
+
+
+def user_data(runs: int = 20) -> list[dict[str, object]]:
+    """Return when discovery is complete alone and beside data, and how late the data are then."""
+    fleet = ds.Fleet.from_toml(data_path("fleets/small_data.toml"))
+    rows: list[dict[str, object]] = []
+    for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
+        alone, beside = (
+            ds.simulate(one, ds.PROTOCOLS[name], ds.PAPER, runs=runs, seed=SEED)
+            for one in (fleet.without_data(), fleet)
+        )
+        for topic, own in beside.data.items():
+            row: dict[str, object] = {"protocol": name, "topic": topic, "runs": runs}
+            row |= spread("convergence_alone_s", alone.convergence_time)
+            row |= spread("convergence_s", beside.convergence_time)
+            row |= {"arrived": rounded(float((own["arrived"] / own["frames"]).mean()))}
+            for column in ("delay_median_s", "delay_95_s", "delay_most_s"):
+                row |= {column: rounded(float(np.median(own[column])))}
+            rows.append(row)
+    return rows
+
+
+def mixed(runs: int = 40) -> list[dict[str, object]]:
+    """Return bursts beside user data, with the settings of ``measured/ns3_mixed.csv``."""
+    rows: list[dict[str, object]] = []
+    for mpdus, hz in product((1, 64), (10.0, 35.0)):
+        found = ds.simulate(
+            sweeps.mixed(hz),
+            ds.DDS,
+            sweeps.channel(mpdus),
+            recovery=False,
+            runs=runs,
+            seed=SEED,
+            until=4.0,
+            agreements="in place",
+        )
+        own = {"lost": found.lost, "drain_time_s": found.drain_time, "busy_s": found.busy_time}
+        of = {"burst": (own, found.counts)} | {
+            name.partition(" of ")[0]: (
+                {"lost": 1 - topic["arrived"] / topic["frames"]}
+                | {delay: topic[delay] for delay in ("delay_median_s", "delay_95_s")},
+                {"expected": topic["frames"], **topic},
+            )
+            for name, topic in found.data.items()
+        }
+        for what, (values, counts) in of.items():
+            row: dict[str, object] = {"protocol": "DDS", "image_hz": hz, "mpdus": mpdus}
+            row |= {"what": what, "runs": runs}
+            for name, times in values.items():
+                row |= spread(name, times)
+            named = ("expected", "arrived", *CAUSES)
+            rows.append(row | {name: int(counts[name].sum()) for name in named})
+    return rows
+
+
+#: How stations are heard: alike, or at the distances of a disc by receivers of which a frame must
+#: exceed what overlaps it by so much [dB]: the standard's, those of ns-3 (lab/ns3/README.md), and
+#: ones that receive whatever is strongest.
+HEARD = {"alike": None, "standard": THRESHOLD, "ns-3": (18.7, 1.0), "strongest": (0.0, 0.0)}
+
+
+def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
+    """Return bursts of hosts that are heard alike, and at the unlike distances of a disc."""
+    queues = ((500, 0.5), (0, 0.0))
+    settings = each(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
+    rows: list[dict[str, object]] = []
+    for one, (frames, seconds), (where, threshold) in product(settings, queues, HEARD.items()):
+        protocol = ds.PROTOCOLS[one.protocol]
+        unlike: dict[str, Any] = {}
+        if threshold:
+            unlike = {"power": powers(disc(one.hosts)), "threshold": threshold}
+        fleet = ds.Fleet.swarm(one.hosts, one.processes, one.endpoints)
+        found = ds.simulate(
+            fleet,
+            protocol,
+            one.wifi,
+            queue=(frames or np.inf, seconds or np.inf),
+            recovery=False,
+            runs=one.runs,
+            seed=SEED,
+            agreements="in place",
+            **unlike,
+        )
+        multicast = sum(
+            float(message.load(fleet))
+            for message in protocol.messages
+            if message.cast == "multicast"
+        )
+        names = ("protocol", "hosts", "processes", "endpoints", "mpdus", "agreements", "runs")
+        row = {name: getattr(one, name) for name in names}
+        row |= {"queue_frames": frames, "queue_s": seconds, "heard": where}
+        row |= spread("drain_time_s", found.drain_time) | spread("lost", found.lost)
+        on_air = found.counts["on_air"].mean() / (multicast * (one.hosts - 1))
+        rows.append(row | {"multicast_lost": rounded(float(on_air))})
+    return rows

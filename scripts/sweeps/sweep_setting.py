@@ -1,0 +1,244 @@
+"""A setting of a sweep: its options, its run, and its result, which is kept on disk."""
+
+import json
+import re
+from dataclasses import asdict, dataclass, replace
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import discostorm as ds
+from discostorm.messages import Protocol, Schedule
+from discostorm.robots import laptop, robots
+from discostorm_book.ladder import MOST_RUNS
+from discostorm_simulation import staggered
+from discostorm_simulation._compile import sources
+from discostorm_simulation.result import CAUSES
+
+ROOT = Path(__file__).parents[2]
+CACHE = ROOT / "build" / "simulate"
+TABLES = ROOT / "discostorm" / "data" / "simulated"
+
+PAPER = ("DDS", "Zenoh")
+#: What the products send.
+BUILT = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
+#: The paper's counts, also with what the products repeat, and theirs.
+ALL = (
+    *PAPER,
+    "DDS, periods of Fast DDS",
+    "DDS, periods of Cyclone DDS",
+    "Zenoh, periods of Zenoh peer",
+    *BUILT,
+)
+SEED = 2026
+#: From so many runs on a row with recovery, or without limits of the queues, has an interval of the
+#: median, too; and how sure that is: so that two of them hold together at 95 % at least, dependent
+#: or not (Bonferroni), and so does their ratio.
+MANY, SURE = 100, Fraction("0.975")
+#: A number of hosts is decided if the interval of the median with so many ends within the limit,
+#: and that with one more begins beyond it: then more runs would not change it. Settings that this
+#: asks for have `MANY` runs, and four times as many until it is decided or they have `MOST`; then
+#: the number has the range of those that may be right.
+MOST = MOST_RUNS
+SOURCE = {"source": f"ds.simulate, seed {SEED}"}
+#: Radios of ready-made robots, by what the column ``radio`` calls them.
+READY_RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
+#: What of the results of ready-made robots is kept.
+READY_COLUMNS = (
+    *("drain_time_s", "lost", "converged", "convergence_time_s"),
+    *("convergence_time_s_q25", "convergence_time_s_q75"),
+)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One row: what is simulated, how often."""
+
+    protocol: str
+    hosts: int
+    processes: int = 2
+    endpoints: int = 10
+    #: "n": 802.11n as in the paper, two streams; "ax": 802.11ax at 80 MHz, two streams.
+    radio: str = "n"
+    mpdus: int = 1
+    #: Frames and seconds of the queues; 0 for no limit.
+    queue_frames: int = 500
+    queue_s: float = 0.5
+    loss: float = 0.0
+    #: How the hosts start: "together", "random" within ``window_s``, "rule": random within the
+    #: window of `staggered.window`, "in turn": `staggered.in_turn`.
+    start: str = "together"
+    window_s: float = 0.0
+    recovery: int = 0
+    until_s: float = 120.0
+    runs: int = 20
+    #: Of block acknowledgements, as `ds.simulate` takes it; matters with aggregation only.
+    agreements: str = "cold"
+
+    @property
+    def wifi(self) -> ds.Wifi:
+        """The channel."""
+        standard, width = {"n": ("802.11n", 20e6), "ax": ("802.11ax", 80e6)}[self.radio]
+        return ds.Radio(standard, streams=2, width=width, aifsn=3, mpdus=self.mpdus).wifi()
+
+    @property
+    def swarm(self) -> tuple[ds.Protocol, int, int, int, ds.Wifi]:
+        """What the rules of `staggered` take."""
+        protocol = ds.PROTOCOLS[self.protocol]
+        return protocol, self.hosts, self.processes, self.endpoints, self.wifi
+
+    @property
+    def delays(self) -> Any:
+        """When the hosts start, as `ds.simulate` takes it."""
+        if self.start == "together":
+            return 0.0
+        if self.start == "in turn":
+            return staggered.in_turn(*self.swarm)
+        return staggered.at_random(self.window)
+
+    @property
+    def window(self) -> float:
+        """By when the last host has begun [s]."""
+        if self.start == "in turn":
+            return float(self.delays[-1])
+        return staggered.window(*self.swarm) if self.start == "rule" else self.window_s
+
+    @property
+    def fleet(self) -> ds.Fleet:
+        """Who is on the channel."""
+        return ds.Fleet.swarm(self.hosts, self.processes, self.endpoints)
+
+    @property
+    def table(self) -> Protocol:
+        """What they send."""
+        return ds.PROTOCOLS[self.protocol]
+
+    def run(self) -> dict[str, object]:
+        """Return the row's results."""
+        queue = (self.queue_frames or np.inf, self.queue_s or np.inf)
+        found = ds.simulate(
+            self.fleet,
+            self.table,
+            self.wifi,
+            queue=queue,
+            start=self.delays,
+            loss=self.loss,
+            recovery=bool(self.recovery),
+            runs=self.runs,
+            seed=SEED,
+            until=self.until_s,
+            agreements=self.agreements,  # type: ignore[arg-type]
+        )
+        expected = found.counts["expected"].sum()
+        row: dict[str, object] = {"begun_s": rounded(self.window)}
+        row |= spread("drain_time_s", found.drain_time)
+        row |= spread("lost", found.lost)
+        row |= spread("convergence_time_s", found.convergence_time)
+        if self.runs >= MANY and self.recovery:
+            row |= interval("convergence_time_s", found.convergence_time)
+        elif self.runs >= MANY and not self.queue_frames:
+            row |= interval("drain_time_s", found.drain_time)
+        row |= {name: rounded(found.counts[name].sum() / expected) for name in CAUSES}
+        row["converged"] = int(np.isfinite(found.convergence_time).sum())
+        row["expired"] = rounded(found.counts["expired"].mean())
+        row["collided"] = rounded(found.counts["collided"].sum() / found.counts["ppdus"].sum())
+        return row
+
+
+@dataclass(frozen=True)
+class Ready(Setting):
+    """Ready-made robots with what ROS 2 shares, on a radio of `discostorm.WIFI`, for plans.
+
+    Without recovery: the burst that `discostorm.model.burst` counts, all of it there at the start.
+    """
+
+    robot: str = ""
+    #: Beside the robots.
+    laptops: int = 0
+
+    @property
+    def wifi(self) -> ds.Wifi:
+        """The channel."""
+        radio = ds.WIFI[READY_RADIOS[self.radio]].radio
+        assert radio is not None
+        return replace(radio, mpdus=self.mpdus).wifi()
+
+    @property
+    def fleet(self) -> ds.Fleet:
+        """Who is on the channel: processes have whole endpoints here."""
+        own = replace(robots()[self.robot], hosts=self.hosts, endpoints=self.endpoints)
+        return ds.Fleet((own, *(replace(laptop(), hosts=n) for n in [self.laptops] if n)))
+
+    @property
+    def table(self) -> Protocol:
+        """What they send."""
+        table = super().table
+        return table if self.recovery else at_once(table)
+
+    def run(self) -> dict[str, object]:
+        """Return the row's results: what plans take of them."""
+        row = super().run()
+        return {name: row[name] for name in READY_COLUMNS}
+
+
+def at_once(table: Protocol) -> Protocol:
+    """Return a table of the same burst as another's, which sends all of it at the start."""
+    messages = (
+        replace(m, schedule=Schedule((0.0,)), answers=None, per_unit=m.per_unit * m.schedule.extra)
+        for m in table.messages
+        if m.schedule.extra > 0
+    )
+    return Protocol(table.name, tuple(messages))
+
+
+def rounded(value: float) -> str:
+    """Return a number with six digits, as it stands in a table."""
+    return f"{value:.6g}"
+
+
+def spread(name: str, values: NDArray[np.float64]) -> dict[str, object]:
+    """Return median and quartiles; of values that are infinite the next whole run's."""
+    quantiles = np.quantile(values, [0.5, 0.25, 0.75], method="higher")
+    names = (name, f"{name}_q25", f"{name}_q75")
+    return {key: rounded(float(value)) for key, value in zip(names, quantiles, strict=True)}
+
+
+def interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
+    """Return an interval of the median that is sure whatever the distribution: two of the values.
+
+    The number of values below the median is binomial, with one half.
+    """
+    runs, skipped = len(values), 0
+    ways = below = 1  # in whole numbers, which for thousands of runs no float can hold
+    while 2 * (below + (ways := ways * (runs - skipped) // (skipped + 1))) <= 2**runs * (1 - SURE):
+        skipped += 1
+        below += ways
+    ascending = np.sort(values)
+    low, high = float(ascending[skipped]), float(ascending[runs - 1 - skipped])
+    return {f"{name}_low": rounded(low), f"{name}_high": rounded(high)}
+
+
+def path_of(setting: Setting) -> Path:
+    """Return where the result of a setting is kept."""
+    of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
+    own = (setting.fleet, setting.table) if isinstance(setting, Ready) else ()
+    text = repr((of_setting, SEED, sources(), *own))
+    table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
+    return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
+
+
+def result(setting: Setting) -> dict[str, object]:
+    """Return the result of a setting, from the cache if it is there."""
+    path = path_of(setting)
+    if not path.exists():
+        row = setting.run()
+        CACHE.mkdir(parents=True, exist_ok=True)
+        # In one step: what is interrupted leaves nothing half-written.
+        path.with_suffix(".part").write_text(json.dumps(row), encoding="utf-8")
+        path.with_suffix(".part").replace(path)
+    loaded: dict[str, object] = json.loads(path.read_text(encoding="utf-8"))
+    return loaded

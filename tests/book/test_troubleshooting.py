@@ -1,0 +1,209 @@
+"""The page "What is wrong with my robots?": no question is lost, and what it says is so."""
+
+import ast
+import json
+import re
+import shlex
+from functools import cache
+from typing import Any
+
+import click
+import pytest
+from IPython.display import Markdown
+from support import ROOT
+
+from discostorm.cli import main
+from discostorm.data import data_path, read_data
+from discostorm.words import RECORD
+
+PAGE = (ROOT / "book" / "what_is_wrong.md").read_text(encoding="utf-8")
+
+#: The questions that the page must answer, as project and number.
+_QUESTIONS = """
+ProjectStarling#164 turtlebot4#17 turtlebot4#18 turtlebot4#406 turtlebot4#574
+rmw_fastrtps#281 rmw_fastrtps#315 rmw_fastrtps#454 rmw_fastrtps#745
+cyclonedds#1421 cyclonedds#1830 ros2_documentation#1453
+Fast-DDS#1719 Fast-DDS#2201 Fast-DDS#2290 Fast-DDS#2624 Fast-DDS#2956 Fast-DDS#3163 Fast-DDS#3286
+Fast-DDS#3472 Fast-DDS#3544 Fast-DDS#4111 Fast-DDS#5103 Fast-DDS#5396
+rmw_cyclonedds#251 rmw_cyclonedds#328 rmw_cyclonedds#376 rmw_cyclonedds#458 rclpy#1212
+navigation2#3560 navigation2#5557
+rmw_zenoh#318 rmw_zenoh#468 rmw_zenoh#516 rmw_zenoh#522 rmw_zenoh#626 rmw_zenoh#914 rmw_zenoh#916
+zenoh-plugin-dds#153 tailscale#11972 husarnet#100
+"""
+QUESTIONS = _QUESTIONS.split()
+
+#: What the entries are at least about, by a word that people search for.
+SYMPTOMS = {
+    "storm": "Discovery fills the Wi-Fi",
+    "slow-start": "20 nodes",
+    "server-worse": "A Discovery Server made it worse",
+    "server-back": "The server came back",
+    "roaming": "roaming",
+    "no-multicast": "turn multicast off",
+    "empty-list": "`ros2 topic list` shows nothing",
+    "participant-index": "Failed to find a free participant index",
+    "nav2": "Nav2 waits, or starves the other robot",
+    "heartbeats": "idle robots use the CPU",
+    "images": "Images and point clouds",
+    "zenoh": "Which Zenoh configuration?",
+    "network": "Corporate Wi-Fi, IGMP, client isolation, wrong interface",
+    "vpn": "VPN",
+    "docker": "Docker: topics are listed, and no data comes",
+}
+#: The parts of an entry, in order.
+PARTS = (
+    "*People write:",
+    "**What to change.**",
+    "**Test.**",
+    "| what you see |",
+)
+#: The entries for which the book has no number.
+NUMBERLESS = {"empty-list", "one-robot", "vpn", "docker", "capture"}
+#: What is not discovery at all.
+NOT_DISCOVERY = {"storm", "images", "docker", "nav2"}
+
+
+def entries() -> dict[str, str]:
+    """Return the text of each entry, by its key."""
+    parts = re.split(r"^\(wrong-([\w-]+)\)=$", PAGE, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def run(code: str, names: dict[str, Any]) -> Any:
+    """Run a cell, and return the value of its last line."""
+    tree = ast.parse(code)
+    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    exec(compile(tree, "cell", "exec"), names)
+    return last and eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+
+
+@cache
+def shown() -> dict[str, str]:
+    """Return what the cells of each entry show, by its key; and run those before the first."""
+    names: dict[str, Any] = {}
+    found = {}
+    for key, text in {"": PAGE.partition("(wrong-")[0], **entries()}.items():
+        cells = re.findall(r"```\{code-cell\} ipython3\n:tags: .*\n\n(.*?)```\n", text, re.DOTALL)
+        values = [run(cell, names) for cell in cells]
+        found[key] = "\n\n".join(value.data for value in values if isinstance(value, Markdown))
+    return found
+
+
+@cache
+def chapter(label: str) -> str:
+    """Return what a chapter says: its text, and what its cells show in words."""
+    for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
+        text = path.read_text(encoding="utf-8")
+        if f'"({label})=' in text:
+            cells = json.loads(text)["cells"]
+            data = (one.get("data", {}) for cell in cells for one in cell.get("outputs", []))
+            said = ["".join(one.get("text/markdown", "")) for one in data]
+            return "\n".join(
+                ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+                + said
+            )
+    raise AssertionError(label)
+
+
+def test_no_question_is_lost() -> None:
+    threads = read_data("field/threads.csv", "discostorm_book")
+    found = [row["thread"].rpartition("/")[2] for row in threads]
+    assert sorted(found) == sorted(QUESTIONS)
+    for row in threads:
+        name, _, number = row["thread"].partition("#")
+        assert row["source"] == f"https://github.com/{name}/issues/{number}"
+        assert f"[{row['thread']}]({row['source']})" in shown()[row["entry"]]
+
+
+@pytest.mark.parametrize("key", SYMPTOMS)
+def test_every_symptom_has_an_entry_with_its_words(key: str) -> None:
+    assert SYMPTOMS[key].lower() in entries()[key].lower()
+
+
+@pytest.mark.parametrize("key", entries())
+def test_an_entry_has_all_its_parts_and_sources(key: str) -> None:
+    text = entries()[key] + shown()[key]
+    places = [text.find(part) for part in PARTS]
+    assert -1 not in places
+    assert places == sorted(places)
+    assert text.count("**The number.**") == (key not in NUMBERLESS)
+    sources = [
+        row for row in read_data("field/sources.csv", "discostorm_book") if row["entry"] == key
+    ]
+    assert sources
+    assert all(row["source"] in shown()[key] for row in sources)
+
+
+def test_tables_know_the_entries_of_the_page_alone() -> None:
+    for table in ("threads", "sources", "findings"):
+        assert {
+            row["entry"] for row in read_data(f"field/{table}.csv", "discostorm_book")
+        } <= entries().keys()
+
+
+@pytest.mark.parametrize("key", sorted(NOT_DISCOVERY))
+def test_what_is_not_discovery_is_said(key: str) -> None:
+    assert re.search(r"not discovery", entries()[key], re.IGNORECASE)
+
+
+@pytest.mark.parametrize("key", sorted(entries().keys() - NUMBERLESS))
+def test_numbers_are_those_of_the_chapter_that_is_linked(key: str) -> None:
+    text = entries()[key] + shown()[key]
+    paragraph = text.split("**The number.**")[1].split("\n\n")[0]
+    labels = re.findall(r"<([\w-]+)>`", paragraph)
+    prose = re.sub(r"\{numref\}`[^`]*`|`[^`]*`|Zenoh 1\.\d+", "", paragraph)
+    numbers = re.findall(r"(?<![\w.-])\d[\d.,]*\d|(?<![\w.-])\d(?![\w-])", prose)
+    if not labels:
+        # Computed on the page, or another's.
+        assert "of 1,500 bytes" in paragraph or "a user reported" in paragraph
+        return
+    known = "".join(map(chapter, labels))
+    for number in numbers:
+        assert re.search(rf"(?<![\d.]){re.escape(number)}(?![\d]|\.\d)", known), number
+
+
+def test_commands_of_the_page_have_these_options() -> None:
+    assert isinstance(main, click.Group)
+    commands = re.findall(r"`(discostorm [^`]+)`|^(discostorm .+)$", PAGE, re.MULTILINE)
+    assert len(commands) > 8
+    for one in commands:
+        name, *words = shlex.split(" ".join("".join(one).split()))[1:]
+        command = main.get_command(click.Context(main), name)
+        assert command is not None, name
+        if words:  # else it is only named
+            command.make_context(name, words)
+
+
+def test_links_of_the_page_lead_somewhere() -> None:
+    labels = {f"wrong-{key}" for key in entries()}
+    assert set(re.findall(r"\]\(#(wrong-[\w-]+)\)", PAGE)) <= labels
+
+
+def test_every_remedy_of_a_capture_has_an_entry() -> None:
+    """Known remedies have one; a table of them that is there has no other."""
+    findings = {
+        row["remedy"]: row["entry"] for row in read_data("field/findings.csv", "discostorm_book")
+    }
+    assert len(findings) > 20
+    if data_path("diagnosis/remedies.csv", "discostorm_capture").exists():
+        assert findings.keys() == {
+            row["remedy"] for row in read_data("diagnosis/remedies.csv", "discostorm_capture")
+        }
+
+
+@pytest.mark.parametrize("page", ["book/index.md", "book/calculator.md"])
+def test_pages_link_to_it_at_their_top(page: str) -> None:
+    text = (ROOT / page).read_text(encoding="utf-8")
+    assert "(what_is_wrong.md)" in text
+    assert text.index("(what_is_wrong.md)") < text.find("\n## ") % len(text)
+
+
+def test_whoever_records_loses_nothing() -> None:
+    (line,) = re.findall(r"^tcpdump .*$", PAGE, re.MULTILINE)
+    assert line == RECORD.format(file="discovery.pcap")
+
+
+def test_help_names_it() -> None:
+    assert "book/what_is_wrong" in (main.help or "")
+    toc = (ROOT / "_toc.yml").read_text(encoding="utf-8")
+    assert toc.index("book/what_is_wrong") < toc.index("Part I:")

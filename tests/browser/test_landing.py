@@ -1,0 +1,388 @@
+"""The first page in a browser that moves: frames on the air, the ladder, and what links show."""
+
+import functools
+import gzip
+import re
+import statistics
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+from test_pages import AXE, BARRIERS, DESKTOP, PHONE
+
+import discostorm as ds
+from discostorm_book import ladder, landing as air
+
+pytestmark = pytest.mark.book
+
+#: Measures how long each frame's script takes [ms].
+STOPWATCH = """
+    window.took = [];
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => request((at) => {
+        const start = performance.now();
+        callback(at);
+        window.took.push(performance.now() - start);
+    });
+"""
+
+
+@pytest.fixture(scope="module")
+def address(book: Path) -> str:
+    return (book / "book" / "index.html").as_uri()
+
+
+@pytest.fixture(scope="module")
+def tab(browser: Browser, address: str) -> Iterator[Page]:
+    errors: list[str] = []
+    with browser.new_context(viewport=PHONE, color_scheme="light") as context:
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.add_init_script(STOPWATCH)
+        page.goto(address)
+        yield page
+    assert errors == []
+
+
+def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) -> None:
+    form = tab.locator("#air-form")
+    form.locator("[name=middleware]").select_option(middleware)
+    form.locator("[name=aggregation]").set_checked(aggregation)
+    form.locator("[name=hosts]").fill(str(hosts))
+
+
+def simulated(middleware: str, hosts: int, aggregation: bool, seed: int = 0) -> ds.Simulation:
+    wifi = air.AGGREGATED if aggregation else air.SINGLE
+    fleet = ds.Fleet.swarm(hosts, air.PROCESSES, air.ENDPOINTS)
+    return ds.simulate(fleet, ds.PROTOCOLS[middleware], wifi, queue=air.QUEUE, seed=seed)
+
+
+@pytest.mark.parametrize("aggregation", [False, True])
+@pytest.mark.parametrize("middleware", ["Fast DDS", "Zenoh peer", "DDS"])
+def test_frames_on_the_air_end_when_pythons_do(
+    tab: Page, middleware: str, aggregation: bool
+) -> None:
+    choose(tab, middleware, 5, aggregation)
+    (converged,) = simulated(middleware, 5, aggregation).convergence_time
+    told = tab.locator("#air-sum")
+    expect(told).to_contain_text(f"Every robot knows every other after {converged:.1f} s.")
+    expect(told).to_contain_text(re.compile(r"lost [\d,]+ deliver(y|ies); the|Nothing was lost"))
+
+
+def test_without_recovery_it_says_what_is_lost_and_why(tab: Page) -> None:
+    choose(tab, "Zenoh router", 4)
+    told = tab.locator("#air-sum")
+    expect(told).to_contain_text("The channel has carried the startup after")
+    expect(told).to_contain_text("nothing recovers them here: its processes announce themselves")
+
+
+def test_a_new_seed_is_another_run(tab: Page) -> None:
+    choose(tab, "Fast DDS", 5)
+    (first,) = simulated("Fast DDS", 5, False).convergence_time
+    expect(tab.locator("#air-sum")).to_contain_text(f"after {first:.1f} s.")
+    tab.locator("#air-seed").click()
+    (second,) = simulated("Fast DDS", 5, False, seed=1).convergence_time
+    assert f"{first:.1f}" != f"{second:.1f}"
+    expect(tab.locator("#air-sum")).to_contain_text(f"after {second:.1f} s.")
+
+
+def compare(tab: Page, other: str | None) -> None:
+    form = tab.locator("#air-form")
+    form.locator("[name=compare]").set_checked(other is not None)
+    if other:
+        form.locator("[name=other]").select_option(other)
+
+
+@pytest.mark.parametrize("aggregation", [False, True])
+def test_two_are_compared_on_one_clock(tab: Page, address: str, aggregation: bool) -> None:
+    tab.goto(f"{address}#robots=4&aggregation={int(aggregation)}&seed=3&compare=Zenoh+router")
+    tab.reload()
+    tab.locator("#air-canvas").scroll_into_view_if_needed()  # out of sight nothing moves
+    expect(tab.locator("#air-canvas-2")).to_be_visible()
+    told = tab.locator("#air-sum p")
+    (converged,) = simulated("Fast DDS", 4, aggregation, seed=3).convergence_time
+    expect(told.nth(0)).to_contain_text(
+        f"Fast DDS. Every robot knows every other after {converged:.1f} s."
+    )
+    router = ds.simulate(
+        ds.Fleet.swarm(4, air.PROCESSES, air.ENDPOINTS),
+        ds.PROTOCOLS["Zenoh router"],
+        air.AGGREGATED if aggregation else air.SINGLE,
+        queue=air.QUEUE,
+        recovery=False,
+        seed=3,
+    )
+    (drained,) = router.drain_time
+    assert drained > 20 > converged
+    expect(told.nth(1)).to_contain_text(
+        f"Zenoh router. The channel has carried the startup after {drained:.0f} s."
+    )
+    # Both are at the same time, until the first is over.
+    clocks = tab.evaluate(
+        """() => new Promise((done, failed) => {
+            setTimeout(failed, 10_000, new Error("not seen"));
+            new MutationObserver(() => {
+                const said = [...document.querySelectorAll(".air-told")];
+                const time = /, ([0-9.]+) s after the start:/;
+                const found = said.map(({ textContent }) => textContent.match(time)?.[1]);
+                if (Number(found[0]) > 0 && found[1]) done(found);
+            }).observe(document.getElementById("air-told-2"), { childList: true });
+        })"""
+    )
+    assert clocks[0] == clocks[1]
+    # The lanes of the one that is over say so while the other goes on.
+    over = f"Fast DDS, discovery complete after {converged:.1f} s: "
+    expect(tab.locator("#air-told")).to_contain_text(over, timeout=30_000)
+    expect(tab.locator("#air-told-2")).to_contain_text("s after the start")
+    compare(tab, None)
+    expect(tab.locator("#air-canvas-2")).to_be_hidden()
+    expect(told).to_have_count(1)
+
+
+def test_the_same_table_twice_gives_the_same_picture_twice(browser: Browser, address: str) -> None:
+    with browser.new_context(reduced_motion="reduce", viewport=DESKTOP) as context:
+        page = context.new_page()
+        page.goto(f"{address}#robots=5&middleware=Zenoh+peer&compare=Zenoh+peer")
+        expect(page.locator("#air-sum")).to_contain_text("The whole startup is shown")
+        pictures = [
+            page.locator(f"#air-canvas{end}").evaluate("canvas => canvas.toDataURL()")
+            for end in ("", "-2")
+        ]
+        assert pictures[0] == pictures[1]
+
+
+def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: str) -> None:
+    tab.goto(address)
+    tab.reload()
+    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    choose(tab, "Zenoh peer", 6, aggregation=True)
+    compare(tab, "Cyclone DDS")
+    for _ in range(2):
+        tab.locator("#air-seed").click()
+    switches = [switch for switch in ladder.SWITCHES if not switch.needs][:2]
+    for switch in switches:
+        tab.get_by_label(switch.name, exact=True).check()
+    on = sorted(
+        box.get_attribute("value") or "" for box in tab.locator("#ladder input:checked").all()
+    )
+    tab.wait_for_function("location.hash.includes('ladder')")
+    tab.wait_for_timeout(300)  # it is written a little later
+    sums = tab.locator("#air-sum p")
+    expect(sums).to_have_count(3)
+    said, ladder_said = sums.all_inner_texts(), tab.locator(".ladder-told").inner_text()
+    with browser.new_context(viewport=DESKTOP) as context:
+        other = context.new_page()
+        other.goto(tab.url)
+        form = other.locator("#air-form")
+        expect(form.locator("[name=other]")).to_have_value("Cyclone DDS")
+        expect(form.locator("[name=middleware]")).to_have_value("Zenoh peer")
+        expect(form.locator("[name=aggregation]")).to_be_checked()
+        expect(other.locator("#air-many")).to_have_text("6")
+        expect(other.locator("#air-sum p")).to_have_text(said)
+        checked = other.locator("#ladder input:checked").all()
+        assert sorted(box.get_attribute("value") or "" for box in checked) == on
+        assert ladder_said.startswith(other.locator(".ladder-told").inner_text()[:30])
+        # A place on the page says nothing of the state; another state does.
+        other.evaluate("location.hash = '#install'")
+        expect(other.locator("#air-many")).to_have_text("6")
+        other.evaluate("location.hash = '#robots=3'")
+        expect(other.locator("#air-many")).to_have_text("3")
+        expect(other.locator("#ladder input:checked")).to_have_count(0)
+    tab.goto(f"{address}#robots=12")
+    tab.reload()
+
+
+def test_nonsense_in_the_address_is_passed_over(browser: Browser, address: str) -> None:
+    nonsense = (
+        "robots=1e9&middleware=Pigeon&compare=%3Cb%3E&aggregation=x&seed=-1&ladder=a,%E0%A4%A"
+    )
+    with browser.new_context(viewport=DESKTOP) as context:
+        page = context.new_page()
+        errors: list[str] = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto(f"{address}#{nonsense}")
+        expect(page.locator("#air-many")).to_have_text(str(air.HOSTS))
+        expect(page.locator("#air-form [name=middleware]")).to_have_value(air.TABLE)
+        expect(page.locator("#air-set-2")).to_be_hidden()
+        expect(page.locator(".ladder-told")).to_contain_text("by the paper model")
+        assert not errors
+
+
+@pytest.mark.parametrize("other", [None, "Zenoh peer"])
+def test_a_frame_leaves_time_to_spare_with_twelve_robots_on_a_phone(
+    tab: Page, other: str | None
+) -> None:
+    choose(tab, "Fast DDS", 12)
+    compare(tab, other)
+    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    expect(tab.locator("#air-many")).to_have_text("12")
+    expect(tab.locator("#air-sum p")).to_have_count(3 if other else 1, timeout=30_000)
+    tab.get_by_role("button", name="From the start").click()
+    tab.locator("#air-canvas").scroll_into_view_if_needed()  # out of sight nothing moves
+    tab.wait_for_function(
+        r"/0\.[2-9]\d* s after/.test(document.getElementById('air-told').textContent)"
+    )
+    tab.evaluate("window.took.length = 0")
+    tab.wait_for_function("window.took.length >= 60")
+    # A sixtieth of a second is 16.7 ms; wall-clock frames depend on what else the machine does.
+    assert statistics.median(tab.evaluate("window.took")) < 8
+    compare(tab, None)
+
+
+def test_what_moves_is_drawn_once_and_then_shifted(tab: Page) -> None:
+    tab.evaluate(
+        """() => {
+            const proto = CanvasRenderingContext2D.prototype;
+            const fill = proto.fillRect;
+            window.filled = 0;
+            proto.fillRect = function (...box) { window.filled++; fill.apply(this, box); };
+        }"""
+    )
+    choose(tab, "Fast DDS", 12)
+    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    expect(tab.locator("#air-sum")).to_contain_text("lost")
+    tab.wait_for_function("window.took.length > 30")
+    tab.evaluate("window.filled = window.took.length = 0")
+    tab.wait_for_function("window.took.length >= 100")
+    # There are about 2600 transmissions in sight.
+    assert 5 < tab.evaluate("window.filled / window.took.length") < 500
+
+
+def test_the_run_can_be_paused_and_played_by_keyboard(tab: Page) -> None:
+    def told() -> str:
+        return tab.locator("#air-told").inner_text()
+
+    choose(tab, "Fast DDS", 7)
+    expect(tab.locator("#air-sum")).to_contain_text("Every robot knows")
+    tab.locator("#air-pause").focus()
+    tab.locator("#air-canvas").scroll_into_view_if_needed()  # out of sight nothing moves
+    tab.keyboard.press("Enter")
+    expect(tab.locator("#air-pause")).to_have_text("Play")
+    tab.wait_for_timeout(100)
+    before = told()
+    tab.wait_for_timeout(400)
+    assert told() == before
+    tab.keyboard.press("Space")
+    expect(tab.locator("#air-pause")).to_have_text("Pause")
+    tab.wait_for_function(
+        "before => document.getElementById('air-told').textContent !== before", arg=before
+    )
+    slider = tab.locator("#air-form [name=hosts]")
+    slider.focus()
+    tab.keyboard.press("ArrowRight")
+    expect(tab.locator("#air-many")).to_have_text("8")
+
+
+def test_without_scripts_and_on_paper_there_is_a_still_picture(
+    browser: Browser, address: str, tab: Page
+) -> None:
+    expect(tab.locator("#air")).to_be_visible()
+    expect(tab.locator("#fig-air")).to_be_hidden()
+    tab.emulate_media(media="print")
+    expect(tab.locator("#air")).to_be_hidden()
+    expect(tab.locator("#fig-air")).to_be_visible()
+    tab.emulate_media(media="screen")
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address)
+        expect(page.locator("#fig-air")).to_be_visible()
+        expect(page.locator("#air")).to_be_hidden()
+
+
+def test_with_reduced_motion_the_whole_run_stands_still(browser: Browser, address: str) -> None:
+    with browser.new_context(reduced_motion="reduce", viewport=DESKTOP) as context:
+        page = context.new_page()
+        page.goto(address)
+        expect(page.locator("#air-sum")).to_contain_text("The whole startup is shown")
+        expect(page.locator("#air-pause")).to_be_hidden()
+        before = page.locator("#air-canvas").screenshot()
+        page.wait_for_timeout(300)
+        assert page.locator("#air-canvas").screenshot() == before
+        assert len(set(before)) > 100  # something is drawn
+
+
+@functools.cache
+def known() -> dict[tuple[frozenset[str], str], ladder.Rung]:
+    return {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
+
+
+def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
+    told = tab.locator(".ladder-told")
+    expect(told).to_contain_text("by the paper model")
+    for switch in ladder.SWITCHES:
+        tab.get_by_label(switch.name, exact=True).check()
+        boxes = tab.locator("#ladder input:checked")
+        on = frozenset(box.get_attribute("value") or "" for box in boxes.all())
+        assert switch.key in on
+        for protocol in ladder.TABLES:
+            expect(told).to_contain_text(f"{known()[on, protocol].shown} with {protocol}")
+        marker = tab.locator(".ladder-marker").first
+        expect(marker).to_have_text(re.compile(rf"^{known()[on, 'DDS'].shown}\s*DDS"))
+    while tab.locator("#ladder input:checked").count():  # one may take others with it
+        tab.locator("#ladder input:checked").first.uncheck()
+    expect(told).to_contain_text("by the paper model")
+
+
+def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:
+    note = tab.locator("#ladder-note")
+    buttons = tab.locator(".tag_ladder-table .ladder-runs")
+    simulated = [one for one in ladder.SWITCHES if one.kind == "simulated"]
+    assert buttons.count() == len(simulated) * len(ladder.TABLES)
+    told = {rung.runs for rung in known().values() if rung.runs}
+    tab.set_viewport_size(PHONE)
+    for button in buttons.all():  # by touch and by keyboard
+        expect(note).to_be_hidden()
+        button.click()
+        expect(note).to_be_visible()
+        assert note.inner_text() in told
+        box = note.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= PHONE["width"]
+        tab.keyboard.press("Escape")
+    buttons.first.focus()
+    tab.keyboard.press("Tab")
+    expect(buttons.nth(1)).to_be_focused()
+    expect(note).to_be_visible()
+    tab.keyboard.press("Escape")
+    expect(note).to_be_hidden()
+
+
+def test_nothing_serious_keeps_anyone_out_of_what_moves(tab: Page) -> None:
+    tab.locator("#air-pause").click()
+    compare(tab, "Zenoh peer")
+    expect(tab.locator("#air-canvas-2")).to_be_visible()
+    tab.evaluate(AXE)
+    found = {}
+    for scheme, size in (("light", PHONE), ("dark", DESKTOP)):
+        tab.emulate_media(color_scheme=scheme)
+        tab.set_viewport_size(size)
+        tab.wait_for_function(f"document.documentElement.dataset.theme === '{scheme}'")
+        tab.wait_for_timeout(300)  # colors fade over
+        found[scheme] = tab.evaluate(BARRIERS, {})
+        assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
+    assert found == {"light": [], "dark": []}
+
+
+def test_the_live_parts_weigh_little(book: Path) -> None:
+    landing = sum(path.stat().st_size for path in (book / "_static" / "landing").iterdir())
+    page = (book / "book" / "index.html").read_text(encoding="utf-8")
+    data = re.findall(r'<script type="application/json".*?</script>', page, re.S)
+    assert len(data) == 2
+    assert landing + sum(map(len, data)) <= 50_000
+    # The simulator comes when the picture is seen.
+    live = (book / "_static" / "live").glob("*.js")
+    assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in live) <= 60_000
+
+
+@pytest.mark.parametrize("page", ["book/index", "book/calculator", "notebooks/01_who_tells_whom"])
+def test_a_shared_link_shows_what_it_is(book: Path, page: str) -> None:
+    text = (book / f"{page}.html").read_text(encoding="utf-8")
+    told = dict(re.findall(r'<meta (?:property|name)="([\w:]+)" content="([^"]*)"', text))
+    assert told["twitter:card"] == "summary_large_image"
+    assert told["og:title"]
+    assert 40 < len(told["og:description"]) <= 202
+    picture = (book / page).parent / told["og:image"]
+    assert picture.resolve().is_file()
+    assert picture.read_bytes().startswith(b"\x89PNG")

@@ -1,0 +1,211 @@
+"""The simulator of the pages: made from today's sources, and the same as Python's, bit for bit."""
+
+import gzip
+import importlib
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+from playwright.sync_api import Browser, Page
+from support import ROOT
+
+import discostorm as ds
+from discostorm.data import data_path
+from discostorm_simulation import cell_setup
+from discostorm_simulation._compile import sources
+from discostorm_simulation.run import finish, set_up
+
+pytestmark = pytest.mark.book
+
+LIVE = ROOT / "book" / "_static" / "live"
+
+check_live = importlib.import_module("check_live")
+compile_live = importlib.import_module("compile_live")
+write_live = importlib.import_module("write_live")
+
+#: Runs a setting in the worker and returns what came of it.
+IN_WORKER = """async ([setting, options]) => {
+    const shares = [];
+    const each = (share) => shares.push({ ...share, rows: [...share.rows] });
+    const { found } = Live.run(setting, { ...options, each });
+    return { shares, result: await found.catch((error) => ({ error: error.message })), shares };
+}"""
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser) -> Iterator[Page]:
+    with check_live.offline_page(browser) as page:
+        errors: list[str] = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        yield page
+    assert not errors
+
+
+def test_tables_are_fresh() -> None:
+    assert write_live.TABLES.read_text(encoding="utf-8") == write_live.tables(), "make live"
+
+
+def test_the_engine_was_compiled_from_these_sources() -> None:
+    head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
+    assert head.endswith(f"sources {sources()}"), "make live"
+
+
+def test_the_engine_was_compiled_with_the_locked_versions() -> None:
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    numba, llvmlite = (
+        re.search(rf"^{name}==(\S+)", lock, re.M)[1]  # type: ignore[index]
+        for name in ("numba", "llvmlite")
+    )
+    head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
+    assert f"numba {numba}, llvmlite {llvmlite}, lld {compile_live.LLD};" in head, "make live"
+
+
+@pytest.mark.parametrize("steps", [5000, 137])
+def test_random_settings_are_the_same_in_a_browser(page: Page, steps: int) -> None:
+    """Half of them each; how many steps a share has must not matter."""
+    every = list(check_live.settings(check_live.FEW, seed=20))
+    given = every[::2] if steps == 137 else every[1::2]
+    here = [check_live.natively(setting) for setting in given]
+    there = check_live.in_browser(page, given, steps)
+    for setting, *both in zip(given, here, there, strict=True):
+        assert check_live.differences(*both) == [], setting
+    assert sum("refused" not in one for one in here) > len(given) / 2
+
+
+def test_another_seed_is_seen(page: Page) -> None:
+    setting = check_live.swarm(3)
+    (there,) = check_live.in_browser(page, [setting | {"seed": 1}])
+    differing = check_live.differences(check_live.natively(setting), there)
+    assert {"start now", "start part", "end log"} <= set(differing)
+
+
+def test_memory_grows_as_pythons_does(page: Page) -> None:
+    setting = check_live.swarm(9) | {"queue": None, "recovery": False, "table": "Zenoh router"}
+    setup = check_live._setup(setting)
+    cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
+    grown = finish(cell, cell_setup.ticks(1e9), setup.reserve)
+    assert grown.pool.size > cell_setup._POOL
+    (there,) = check_live.in_browser(page, [setting])
+    assert check_live.differences(check_live.natively(setting), there) == []
+
+
+def test_every_table_and_channel_is_tried() -> None:
+    many = list(check_live.settings(check_live.MANY, seed=1))
+    tried = {(setting["table"], setting["radio"]) for setting in many}
+    assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_live.RADIOS}
+
+
+def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
+    rows = pd.read_csv(data_path("simulated/pages.csv", "discostorm_book"))
+    assert len(rows) >= 8
+    assert rows["browsers"].str.fullmatch(r"Chromium \d+; Firefox \d+").all()
+    assert (rows["same"] == rows["texts"]).all()
+    assert (rows["texts"] > 0).all()
+    assert (rows["errors"] == 0).all()
+    for page in rows["page"]:
+        assert any((ROOT / f"{page}{suffix}").exists() for suffix in (".md", ".ipynb"))
+
+
+# ---- in the worker ----
+
+
+def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
+    setting = check_live.swarm(4)
+    told = page.evaluate(IN_WORKER, [setting, {"steps": 100, "looks": 3, "log": True}])
+    fleet = ds.Fleet.swarm(4, 2, 10)
+    setup = set_up(fleet, ds.DDS, ds.PAPER, (500, 0.5), 0.0, 0.0, True, 120.0, False, True)
+    cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
+    cell = cell._replace(log=np.zeros(100_000, cell.log.dtype))
+    cell = finish(cell, cell_setup.ticks(120.0), setup.reserve)
+    sent = cell.log[: cell.now["logged"][0]]
+    rows = np.concatenate([share["rows"] for share in told["shares"]]).reshape(-1, 6)
+    np.testing.assert_array_equal(rows, np.array(sent.tolist(), dtype=float))
+    assert len(told["shares"]) > 3
+    for share in told["shares"][:-1]:
+        assert len(share["states"]) == 3
+        assert share["states"][-1]["rows"] == len(share["rows"]) / 6
+        assert share["states"][-1]["time"] == share["time"]
+    *parts, last = told["shares"]
+    assert not any(part["over"] for part in parts)
+    assert last["done"] == 1
+    assert last["complete"]
+    (first,) = ds.simulate(fleet, ds.DDS, ds.PAPER).convergence_time
+    assert told["result"]["converged"] == first
+
+
+def test_a_run_ends_with_discovery_if_no_more_is_wanted(page: Page) -> None:
+    setting = check_live.swarm(4) | {"table": "DDS, periods of Fast DDS"}
+    told = page.evaluate(IN_WORKER, [setting, {"steps": 300, "until": "complete"}])
+    last = told["shares"][-1]
+    assert last["complete"]
+    # The last exchange ends a little after the time at which it began.
+    assert last["time"] <= told["result"]["converged"] < last["time"] + 0.01
+    assert not told["shares"][-2]["complete"]
+
+
+def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
+    found = page.evaluate(
+        """async (settings) => {
+            let first;
+            const shares = await new Promise((done) => {
+                const seen = [];
+                const each = (share) => done(seen.push(share));
+                first = Live.run(settings[0], { steps: 100, each });
+            });
+            first.stop();
+            const stopped = await first.found;
+            const second = Live.run(settings[1]); // stops itself the one before
+            const third = Live.run(settings[1]);
+            return [stopped, await second.found, (await third.found).converged > 0];
+        }""",
+        [check_live.swarm(60), check_live.swarm(3)],
+    )
+    assert found == [None, None, True]
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (
+            {"fleet": {"groups": [{"hosts": 9000, "processes": 2, "endpoints": 10}]}},
+            "needs more than 1000 MB of memory. Choose fewer robots",
+        ),
+        ({"table": "Zenoh router"}, "recovery must be False for the protocol 'Zenoh router'"),
+        (
+            {"fleet": {"groups": [{"hosts": 1, "processes": 2, "endpoints": 10}]}},
+            "fleet must have at least 2 hosts to simulate; got 1",
+        ),
+    ],
+)
+def test_what_cannot_be_simulated_is_refused_and_the_next_run_works(
+    page: Page, changed: dict[str, Any], said: str
+) -> None:
+    told = page.evaluate(IN_WORKER, [check_live.swarm(3) | changed, {}])
+    assert said in told["result"]["error"]
+    assert page.evaluate(IN_WORKER, [check_live.swarm(3), {}])["result"]["converged"] > 0
+
+
+# ---- size ----
+
+
+def test_engine_and_tables_weigh_little() -> None:
+    weights = {path.name: len(gzip.compress(path.read_bytes(), 9)) for path in LIVE.glob("*.js")}
+    assert {"engine.js", "tables.js", "live.js"} <= weights.keys()
+    assert sum(weights.values()) <= 60_000
+
+
+def test_all_that_lives_on_pages_weighs_little() -> None:
+    static = LIVE.parent
+    files = [path for name in ("live", "landing", "chapters") for path in (static / name).iterdir()]
+    files += [static / "guess.js", static / "calculator" / "simulate.js"]
+    assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in files) <= 150_000
+
+
+@pytest.mark.parametrize("path", sorted(LIVE.glob("*.js")), ids=lambda path: path.name)
+def test_scripts_are_short(path: Path) -> None:
+    lines = path.read_text(encoding="utf-8").splitlines()
+    assert len(lines) <= 300 or lines[0].endswith("do not edit.")

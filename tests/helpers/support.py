@@ -1,0 +1,58 @@
+"""What tests of all packages share: where things are, and what to do where one is missing."""
+
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+HELPERS = ROOT / "tests" / "helpers"
+REFERENCE = ROOT / "tests" / "reference"
+BUILD = ROOT / "_build"
+TOC = ROOT / "_toc.yml"
+
+
+def newest(paths: Iterator[Path]) -> float:
+    """Return when the last of the files was changed."""
+    return max(path.stat().st_mtime for path in paths if path.is_file())
+
+
+def sources() -> Iterator[Path]:
+    """Yield all that the book is made from."""
+    yield from (ROOT / name for name in ("_config.yml", "_toc.yml", "CITATION.cff", "Makefile"))
+    yield from (ROOT / "notebooks").glob("*.ipynb")
+    for folder in ("book", "discostorm", "packages"):
+        yield from (p for p in (ROOT / folder).rglob("*.*") if "__pycache__" not in p.parts)
+
+
+def missing(message: str) -> NoReturn:
+    """Skip a test; fail where nothing may be skipped."""
+    if os.environ.get("DISCOSTORM_SKIP_NOTHING") == "1":
+        pytest.fail(message)
+    pytest.skip(message)
+
+
+def unshare(*namespaces: str) -> list[str]:
+    """Return the start of a command that runs the rest in namespaces of its own."""
+    start = ["unshare", *namespaces, *([] if os.geteuid() == 0 else ["--map-root-user"])]
+    if shutil.which("unshare") is None or subprocess.run([*start, "true"], check=False).returncode:
+        missing(f"this needs leave for {' '.join(start)}")
+    return start
+
+
+@contextmanager
+def left_alone(folder: Path) -> Iterator[None]:
+    """Give notebooks of a folder back what they held, and when they were written, afterwards."""
+    before = {path: (path.read_bytes(), path.stat()) for path in folder.glob("*.ipynb")}
+    try:
+        yield
+    finally:
+        for path, (content, status) in before.items():
+            if path.read_bytes() != content:
+                path.write_bytes(content)
+                os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))

@@ -1,0 +1,229 @@
+"""How far measured tables are off, what a reboot takes, and what was not measured."""
+
+import csv
+import json
+import re
+from collections import Counter
+
+import bands as lab
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from support import ROOT
+
+import discostorm as ds
+from discostorm import measured
+from discostorm.cli import main
+from discostorm.data import read_data
+from discostorm.messages import header_bytes
+from discostorm.wifi import Cast, downlink_airtime, uplink_airtime
+from discostorm_book import comparison
+
+ROWS = read_data("measured/bands.csv")
+PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, tokens")
+
+
+def test_the_tables_are_what_the_counts_say() -> None:
+    for name, rows in (("bands", lab.bands()), ("restarts", lab.restarts())):
+        made = [{key: str(value) for key, value in row.items()} for row in rows]
+        assert made == read_data(f"measured/{name}.csv", "discostorm_book"), (
+            f"run lab/bands.py: {name}.csv"
+        )
+
+
+@pytest.mark.parametrize("kind", ["beyond_", "restart_"])
+def test_only_runs_count_in_which_the_machine_kept_up(kind: str) -> None:
+    runs = read_data(f"measured/{kind}runs.csv", "discostorm_book")
+    assert max(float(row["late_s"]) for row in runs) < 0.2
+    assert min(float(row["idle"]) for row in runs) >= 0.2
+    points = Counter(
+        tuple(row[name] for name in ("product", "hosts", "processes", "endpoints", "names"))
+        for row in runs
+    )
+    assert set(points.values()) == {2 if kind == "beyond_" else 3}
+    assert len({row["product"] for row in runs}) == len(PRODUCTS)
+
+
+#: Of each two swarms that differ in their names alone, the one that was fitted.
+FITTED = {("3", "3", "unique"), ("5", "3", "matching"), ("4", "5", "unique")}
+
+
+def test_one_of_each_pair_beyond_the_grid_was_held_out() -> None:
+    """And both swarms of many endpoints, which are no pair; of Zenoh, whose refit is worse, all."""
+    columns = ("product", "hosts", "processes", "endpoints", "names", "use")
+    planned = {
+        (row["arrangement"].rsplit("-", 1)[0], *(row[name] for name in columns[1:]))
+        for row in csv.DictReader(
+            (ROOT / "lab" / "beyond.csv").read_text(encoding="utf-8").splitlines()
+        )
+    }
+    runs = read_data("measured/beyond_runs.csv", "discostorm_book")
+    assert {tuple(row[name] for name in columns) for row in runs} == planned
+    for product, hosts, processes, _, names, use in planned:
+        fitted = (hosts, processes, names) in FITTED and product != "zenoh_peer"
+        assert use == ("fit" if fitted else "test")
+    assert {row["use"] for row in read_data("measured/restart_runs.csv", "discostorm_book")} == {
+        "test"
+    }
+
+
+def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None:
+    rows = read_data("measured/refits.csv", "discostorm_book")
+    assert {row["protocol"] for row in rows} == set(PRODUCTS)
+    for name in PRODUCTS:
+        table, zenoh = ds.PROTOCOLS[name], "Zenoh" in name
+        points = {p.name: p for p in measured.points(name) + measured.beyond(name)}
+        mine = {row["point"]: row for row in rows if row["protocol"] == name}
+        assert list(mine) == list(points)
+        off: dict[str, list[float]] = {"before_s": [], "after_s": []}
+        for key, row in mine.items():
+            taken = np.median(comparison.airtime_counted(points[key], "startup", zenoh))
+            told = comparison.airtime_expected(table, points[key].fleet, "startup")
+            assert float(row["measured_s"]) == pytest.approx(taken, rel=1e-5)
+            # Zenoh's table is as it was: the refit was further off.
+            assert float(row["before_s" if zenoh else "after_s"]) == pytest.approx(told, rel=1e-5)
+            for column, far in off.items():
+                if row["use"] == "test":
+                    far.append(abs(taken / float(row[column]) - 1))
+        assert (np.mean(off["after_s"]) < np.mean(off["before_s"])) == (not zenoh)
+
+
+def test_airtime_of_counts_is_that_of_the_frames() -> None:
+    """On the paper's channel, of a multicast and a unicast message by hand."""
+    point = measured.Point(
+        *("2x1x0u", "test", ds.Fleet.swarm(2, 1, 0)),
+        {
+            ("startup", "SPDP", "", "multicast", ""): np.array([[3.0, 2.0, 900.0]]),
+            ("startup", "Declare", "", "unicast", "up"): np.array([[5.0, 1.0, 100.0]]),
+        },
+        np.zeros(1),
+    )
+    (taken,) = comparison.airtime_counted(point, "startup", zenoh=True)
+
+    def frames(protocol: str, payload: float, cast: Cast, hops: tuple[str, ...]) -> float:
+        length = payload + header_bytes()[protocol]
+        up = float(uplink_airtime(length, "linear").subs(ds.PAPER.values()))
+        down = float(downlink_airtime(length, cast, "linear").subs(ds.PAPER.values()))
+        return up * ("up" in hops) + down * ("down" in hops)
+
+    by_hand = 2 * frames("TCP", 450, "multicast", ("up", "down"))
+    by_hand += frames("TCP", 100, "unicast", ("up",))
+    assert taken == pytest.approx(by_hand)
+
+
+@pytest.mark.parametrize("name", PRODUCTS)
+def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
+    table = ds.PROTOCOLS[name]
+    assert table.captured is not None
+    inside, wider, beyond = (
+        measured.band(name, ds.Fleet.swarm(hosts, 1, 10), table.captured) for hosts in (4, 12, 40)
+    )
+    assert inside
+    assert wider
+    assert beyond
+    assert (inside.up_to, wider.up_to, beyond.up_to) == (1, 2, 2)
+    assert (inside.beyond, wider.beyond, beyond.beyond) == (False, False, True)
+    (row,) = (
+        row
+        for row in ROWS
+        if (row["protocol"], row["window"], row["up_to"]) == (name, "startup", "2")
+    )
+    assert (wider.low, wider.high) == (float(row["low"]), float(row["high"]))
+    plan = ds.plan(ds.Fleet.swarm(12, 1, 10), table)
+    told = " ".join(plan.advice().split())
+    assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime of the model" in told
+    assert plan.to_dict()["band"]["high"] == wider.high
+    many = measured.band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
+    assert many
+    assert not many.beyond
+    assert many.up_to == np.inf
+    assert json.loads(json.dumps(many.to_dict()))["up_to"] is None
+
+
+def test_the_papers_tables_have_no_band_and_no_reboot() -> None:
+    plan = ds.plan(ds.Fleet.swarm(3, 2, 10), ds.DDS)
+    assert plan.to_dict()["band"] is plan.to_dict()["reboot"] is None
+    assert "reboots" not in plan.advice()
+
+
+@pytest.mark.parametrize("name", PRODUCTS)
+def test_one_robot_reboots(name: str) -> None:
+    """Of n hosts alike it takes part in 2 / n of all pairs, as often as restarts were measured."""
+    fleet, table = ds.Fleet.swarm(5, 3, 10), ds.PROTOCOLS[name]
+    found = ds.plan(fleet, table).reboot
+    assert found is not None
+    rows = [
+        row
+        for row in read_data("measured/restarts.csv", "discostorm_planner")
+        if row["protocol"] == name
+    ]
+    start = ds.burst(table, fleet)
+    assert found.share == pytest.approx(2 / 5)
+    assert found.low == pytest.approx(start * 0.4 * min(float(row["low"]) for row in rows))
+    assert found.high == pytest.approx(start * 0.4 * max(float(row["high"]) for row in rows))
+    assert {row["event"] for row in rows} == {"restart", "join"}
+    told = " ".join(ds.plan(fleet, table).advice().split())
+    needs = r"When one robot reboots, discovery needs [\d.]+ "
+    assert re.search(needs + r"(to [\d.]+ )?m?s of airtime\.", told) or re.search(
+        needs + r"m?s to [\d.]+ s of airtime\.", told
+    )
+
+
+def test_of_two_groups_the_one_that_takes_most_reboots() -> None:
+    groups = (ds.HostGroup(4, 2, 10, name="robot"), ds.HostGroup(1, 5, 10, name="laptop"))
+    plan = ds.plan(ds.Fleet(groups), ds.PROTOCOLS["Fast DDS"])
+    assert plan.reboot is not None
+    assert plan.reboot.group == "laptop"
+    assert "When one robot (laptop) reboots" in " ".join(plan.advice().split())
+
+
+def test_a_restart_costs_more_than_its_share_of_a_start() -> None:
+    """But of Zenoh, whose peers tell only each other."""
+    low = {
+        row["protocol"]: float(row["low"])
+        for row in read_data("measured/restarts.csv", "discostorm_planner")
+        if row["event"] == "restart"
+    }
+    assert low.pop("Zenoh peer, tokens") < 1.1
+    assert min(low.values()) > 1.2
+
+
+def test_no_number_of_hosts_beyond_twice_the_measured_range() -> None:
+    asked = ["saturation", "--processes", "1", "--endpoints", "10", "--protocol"]
+    asked.append("Fast DDS Discovery Server")
+    most = 2 * ds.PROTOCOLS[asked[-1]].captured[0]  # type: ignore[index]
+    told = CliRunner().invoke(main, asked).output
+    assert f"more than {most} (not measured)" in told
+    assert not re.search(r"\b\d{3,}\.\d\d\b", told)
+    (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"]).output)
+    assert row["more_than"] == most < row["hosts"]
+    assert row["band_beyond"] is True
+    few = ["saturation", "--processes", "2", "--endpoints", "10", "--protocol", "Cyclone DDS"]
+    (row,) = json.loads(CliRunner().invoke(main, [*few, "--json"]).output)
+    assert row["more_than"] is None
+    assert row["band_high"] > 1
+
+
+def test_utilization_says_the_band() -> None:
+    asked = ["utilization", "--hosts", "5", "--processes", "2", "--endpoints", "10"]
+    asked += ["--protocol", "Cyclone DDS"]
+    told = " ".join(CliRunner().invoke(main, asked).output.split())
+    band = measured.band("Cyclone DDS", ds.Fleet.swarm(5, 2, 10), (8, 12, 60))
+    assert band
+    assert band.sentence() in told
+    (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"]).output)
+    assert (row["band_low"], row["band_high"]) == (band.low, band.high)
+
+
+def test_the_limits_page_says_the_largest_errors() -> None:
+    """Of the tables of products with all of their points."""
+    text = (ROOT / "book" / "limits.md").read_text(encoding="utf-8")
+    mine = [row for row in ROWS if row["protocol"] in PRODUCTS and row["window"] == "startup"]
+    within = [row for row in mine if row["up_to"] == "1"]
+    low, high = min(float(row["low"]) for row in within), max(float(row["high"]) for row in within)
+    most = max(float(row["high"]) for row in mine)
+    assert f"{low:.2f} to {high:.2f} times the airtime" in text
+    assert f"up to {most:.1f} times the airtime" in text
+    wider = [row for row in mine if row["up_to"] == "2"]
+    low, high = min(float(row["low"]) for row in wider), max(float(row["high"]) for row in wider)
+    assert f"{low:.2f} to {high:.2f} times the airtime" in text
