@@ -17,18 +17,10 @@ from typing import Any
 import numpy as np
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import (
-    CLASSES,
-    WINDOWS,
-    arrangements,
-    beyond,
-    points,
-    points_of,
-    products,
-    size_of,
-)
+from discostorm.measured import CLASSES, arrangements, products, size_of
 from discostorm.protocols.as_built import as_built
 from discostorm_book.comparison import airtime_counted, airtime_expected
+from discostorm_book.lab_counts import WINDOWS, beyond, points, points_of
 
 DIGITS = 3
 RESTARTS = ("restart", "join")

@@ -404,7 +404,7 @@ def main() -> int:
     if not given.short:
         # What is not all of it does not belong into the package.
         whole = given.runs is None and not given.only
-        folder = data_path("measured") if whole else out
+        folder = data_path("measured", "discostorm_book") if whole else out
         table = "outages" if given.outages else "deaths"
         write_runs(out, todo, folder / f"{table}.csv", given.outages)
         if not given.outages:

@@ -20,11 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import WINDOWS, Point, arrangements, beyond, points, products
+from discostorm.measured import arrangements, products
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule
 from discostorm_book.comparison import misses, times
+from discostorm_book.lab_counts import WINDOWS, Point, beyond, points
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),

@@ -209,7 +209,9 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--captures", type=Path, default=BUILD / "published")
-    parser.add_argument("--out", type=Path, default=data_path("measured") / "published.csv")
+    parser.add_argument(
+        "--out", type=Path, default=data_path("measured/published.csv", "discostorm_book")
+    )
     parser.add_argument("--only", default="", help="pattern of stagings, in whole")
     given = parser.parse_args()
     given.captures.mkdir(parents=True, exist_ok=True)

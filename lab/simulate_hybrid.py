@@ -21,10 +21,11 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 import discostorm as ds
+from discostorm.data import data_path
 from hybrid.simulation import Choice, Death, hybrid_run
 from hybrid.speaker import Speakers
 
-SIMULATED = Path(ds.__file__).parent / "data" / "simulated"
+SIMULATED = data_path("simulated", "discostorm_book")
 TABLE, LAB_TABLE = SIMULATED / "hybrid.csv", SIMULATED / "hybrid_lab.csv"
 COLUMNS = (
     *("scenario", "seed", "converged_s", "airtime_s", "airtime_converged_s", "busiest_second_s"),

@@ -95,8 +95,6 @@ from discostorm.wifi import Cast
 #: The files that say which tables there are, and by the basis of a table that of its messages.
 KNOWN = ("products", "arrangements")
 ROWS = {"measured": "as_built", "arranged": "mitigations"}
-#: By the basis, the file of all runs.
-RUNS = {"measured": "runs", "arranged": "mitigation_runs"}
 #: Of a row that is not fitted yet.
 _NOTHING = {"per_unit": "0"}
 
@@ -152,14 +150,7 @@ def as_built(name: str) -> Protocol:
 
 def _captured(told: Mapping[str, str]) -> tuple[int, int, int]:
     """Return the most hosts, processes of all and endpoints of one that was measured [1]."""
-    sizes = []
-    for run in read_data(f"measured/{RUNS[told['basis']]}.csv"):
-        hosts, each, endpoints = (int(run[name]) for name in ("hosts", "processes", "endpoints"))
-        of_it = (run["product"], run["variant"]) == (told["product"], told["variant"])
-        if of_it and hosts * each >= int(told["least_processes"]):
-            sizes.append((hosts, hosts * each, endpoints))
-    hosts, processes, endpoints = map(max, zip(*sizes, strict=True))
-    return hosts, processes, endpoints
+    return int(told["max_hosts"]), int(told["max_processes"]), int(told["max_endpoints"])
 
 
 def _on_a_robot(message: Message) -> Message:

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[2]
 HTML = ROOT / "_build" / "html"
 #: What the page on checks tells of it.
-SAID = ROOT / "discostorm" / "data" / "simulated" / "pages.csv"
-FRAMES = ROOT / "discostorm" / "data" / "simulated" / "frames.csv"
+SAID = ROOT / "packages/book/discostorm_book/data/simulated" / "pages.csv"
+FRAMES = ROOT / "packages/book/discostorm_book/data/simulated" / "frames.csv"
 
 #: What is in the address of a page, if anything.
 STATES = {"book/index.html": "#robots=5"}

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "tests" / "live.html"
 #: What the page on checks tells of it.
-TABLE = ROOT / "discostorm" / "data" / "simulated" / "live.csv"
+TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv"
 
 #: A setting of a run, as pages write it.
 Setting = dict[str, Any]

@@ -21,7 +21,7 @@ from sweep_others import (
     user_data,
     waiting,
 )
-from sweep_setting import ROOT, SOURCE, TABLES, Setting, path_of, result
+from sweep_setting import ROOT, SOURCE, Setting, path_of, result, table_path
 from sweep_tables import SWEEPS, settings_of
 
 from discostorm_book import landing
@@ -29,8 +29,7 @@ from discostorm_book import landing
 
 def write(name: str, rows: list[dict[str, object]]) -> None:
     """Write one table."""
-    TABLES.mkdir(parents=True, exist_ok=True)
-    path = TABLES / f"{name}.csv"
+    path = table_path(name)
     columns: list[str] = []
     for row in rows:  # those of many runs have more columns
         for before, column in zip(["", *row], row, strict=False):

@@ -21,7 +21,16 @@ from discostorm_simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[2]
 CACHE = ROOT / "build" / "simulate"
-TABLES = ROOT / "discostorm" / "data" / "simulated"
+
+#: Sweeps that the planner reads; the others are the book's.
+_PLANNER = ("ready", "staggered")
+
+
+def table_path(name: str) -> Path:
+    """Return where the table of a sweep is kept."""
+    package = "planner" if name in _PLANNER else "book"
+    return ROOT / f"packages/{package}/discostorm_{package}/data/simulated/{name}.csv"
+
 
 PAPER = ("DDS", "Zenoh")
 #: What the products send.

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, replace
 from typing import Any
 
-from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, TABLES, Ready, Setting
+from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, Ready, Setting, table_path
 
 import discostorm as ds
 from discostorm.robots import robots
@@ -31,7 +31,7 @@ SPREAD = replace(HEALED, until_s=600.0, runs=100)
 def with_runs(settings: list[Setting]) -> list[Setting]:
     """Return settings with as many runs as their stored table has, if it has them."""
     names = ["protocol", "hosts", "mpdus", "recovery", "start"]
-    path = TABLES / "fits.csv"
+    path = table_path("fits")
     with path.open(encoding="utf-8") as file:
         runs = {tuple(row[name] for name in names): row["runs"] for row in csv.DictReader(file)}
     keys = [tuple(str(getattr(one, name)) for name in names) for one in settings]

@@ -154,7 +154,7 @@ def test_a_downloaded_notebook_runs_and_keeps_its_figures(
     assert before.keys() == {"fig-paper-2"}
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     ran = subprocess.run(
-        [sys.executable, ROOT / "scripts" / "run_notebooks.py", copy],
+        [sys.executable, ROOT / "scripts/book/run_notebooks.py", copy],
         cwd=tmp_path,
         env=environment,
         text=True,

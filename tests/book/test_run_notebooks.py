@@ -12,7 +12,7 @@ from support import ROOT, left_alone, unshare
 
 pytestmark = pytest.mark.book
 
-SCRIPT = ROOT / "scripts" / "run_notebooks.py"
+SCRIPT = ROOT / "scripts/book/run_notebooks.py"
 
 
 def write(path: Path, *sources: str) -> None:

@@ -17,7 +17,7 @@ pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="elsewhere kernels start cold"),
 ]
 
-SCRIPTS = ROOT / "scripts"
+SCRIPTS = ROOT / "scripts/book"
 SCRIPT = SCRIPTS / "run_notebooks.py"
 
 

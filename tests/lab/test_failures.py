@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 from test_lab_programs import LAB, marked, ready, wait_until
 
-from discostorm import measured
 from discostorm.data import read_data
 from discostorm.snippets import snippets
+from discostorm_book import lab_counts
 
 # test_lab has put the lab on the path
 import death_log  # isort: skip
@@ -193,7 +193,7 @@ def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
 def test_every_outage_is_in_its_table_five_times() -> None:
     runs = {(row["arrangement"], row["event"], row["run"]) for row in OUTAGES}
     assert Counter(run[:2] for run in runs) == dict.fromkeys(lab.staged(outages=True), lab.RUNS)
-    table = measured.deaths("outages").set_index(["phase", "who", "quantity"])
+    table = lab_counts.deaths("outages").set_index(["phase", "who", "quantity"])
     assert int(table["runs"].sum()) == len(OUTAGES)
     back = table.loc[("return", "newcomer", "found")]
     # Each is away for as long as its name says, and is watched for longer than a lease after it.
@@ -208,7 +208,7 @@ def test_every_outage_is_in_its_table_five_times() -> None:
 
 def outages(arrangement: str) -> dict[str, tuple[int, int]]:
     """Return in how many of how many runs a process was found once the server was back."""
-    table = measured.deaths("outages")
+    table = lab_counts.deaths("outages")
     table = table[(table["phase"] == "return") & (table["who"] == "newcomer")]
     rows = table[table["arrangement"] == arrangement].itertuples()
     return {row.event: (row.happened, row.runs) for row in rows}
@@ -237,7 +237,7 @@ def test_what_is_watched_is_watched_for_longer_than_the_lease() -> None:
 
 
 def test_the_table_is_what_the_file_says() -> None:
-    table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
+    table = lab_counts.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
     key = ("Zenoh router", "robot cut off", "death", "dead", "noticed")
     by_hand = sorted(
         float(row["seconds"])
@@ -255,16 +255,16 @@ def test_the_table_is_what_the_file_says() -> None:
 
 def test_what_was_not_measured_is_refused() -> None:
     with pytest.raises(ValueError, match=r"event must be .*'robot killed'.*; got 'sunset'"):
-        measured.death_times("Fast DDS", "sunset", "death", "dead", "noticed")
+        lab_counts.death_times("Fast DDS", "sunset", "death", "dead", "noticed")
     with pytest.raises(ValueError, match="quantity must be 'noticed'; got 'found'"):
-        measured.death_times("Fast DDS", "robot killed", "death", "dead", "found")
+        lab_counts.death_times("Fast DDS", "robot killed", "death", "dead", "found")
 
 
 def test_nobody_who_lives_loses_another_one_where_there_is_no_server() -> None:
     for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
         for event in ("robot killed", "robot cut off"):
             assert (
-                measured.death_times(name, event, "death", "survivors", "unmatched") == inf
+                lab_counts.death_times(name, event, "death", "survivors", "unmatched") == inf
             ).all()
 
 
@@ -305,7 +305,7 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
 
 def test_what_remedies_say_of_deaths_was_measured() -> None:
     fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
-    table = measured.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
+    table = lab_counts.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
     again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
     assert table.loc[again, "happened"] < table.loc[again, "runs"]
     assert "and after short outages without -b" in fails["discovery server"]

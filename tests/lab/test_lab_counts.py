@@ -8,7 +8,7 @@ from support import ROOT
 
 from discostorm.data import read_data
 
-RUNS = {row["run"]: row for row in read_data("measured/runs.csv")}
+RUNS = {row["run"]: row for row in read_data("measured/runs.csv", "discostorm_book")}
 Key = tuple[str, str, str, bool]
 COUNTS: Counter[Key] = Counter()
 for _row in read_data("measured/counts.csv", "discostorm_book"):
@@ -68,7 +68,7 @@ def test_every_arrangement_was_run_as_often_as_its_grid_says() -> None:
             (row["arrangement"], *(row[name] for name in shape)): int(row["runs"])
             for row in csv.DictReader(file)
         }
-    rows = read_data("measured/mitigation_runs.csv")
+    rows = read_data("measured/mitigation_runs.csv", "discostorm_book")
     assert grid == Counter(
         (f"{row['product']}-{row['variant']}", *(row[name] for name in shape)) for row in rows
     )

@@ -10,7 +10,7 @@ from discostorm.data import read_data
 from discostorm.messages import HOPS
 from discostorm.model import burst
 from discostorm.protocols import ARRANGED
-from discostorm_book import comparison
+from discostorm_book import comparison, lab_counts
 
 TABLES = {name: ds.PROTOCOLS[name] for name in measured.arrangements()}
 SERVERS = [name for name in TABLES if "Discovery Server" in name]
@@ -39,8 +39,8 @@ def parts(name: str) -> list[Sums]:
     found = []
     for message in TABLES[name].messages:
         sums: Sums = {}
-        for point in measured.points(name):
-            for window in measured.WINDOWS:
+        for point in lab_counts.points(name):
+            for window in lab_counts.WINDOWS:
                 number = comparison.expected(message, point.fleet, window)
                 both = np.array([number * (message.frames > 0), number * message.payload.nominal])
                 for kind in ["all"] + [f"all, {hop}" for hop in message.hops]:
@@ -94,7 +94,7 @@ def test_what_is_off_has_a_reason() -> None:
 @each_table
 def test_all_that_was_counted_has_a_row(name: str) -> None:
     ways = {(m.kind, m.cast, *m.hops) for m in TABLES[name].messages}
-    for point in measured.points(name):
+    for point in lab_counts.points(name):
         for _, kind, about, cast, hop in point.runs:
             if not about and kind != "TCP retransmission":
                 assert (kind, cast, *([hop] if hop else ["up", "down"])) in ways
@@ -176,10 +176,10 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
     """Of hosts that run all of their endpoints in one process: no table, but fewer processes."""
     table = ds.PROTOCOLS["Fast DDS"]
     within = []
-    for point in measured.points_of("fast_dds", "composed"):
+    for point in lab_counts.points_of("fast_dds", "composed"):
         (group,) = point.fleet.groups
         assert group.processes == 1
-        for window in measured.WINDOWS:
+        for window in lab_counts.WINDOWS:
             seen = sum(
                 point.median((window, kind, "", cast, ""))[0]
                 for kind in dict.fromkeys(m.kind for m in table.messages)
@@ -197,7 +197,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
     tokens = ds.PROTOCOLS["Zenoh peer, tokens"]
     plan = ds.plan(ds.Fleet.swarm(4, 2, 6), tokens)
     (table,) = (found.protocol for found in plan.remedies if found.steps == ("peers",))
-    points = measured.points_of("zenoh_peer", "peers")
+    points = lab_counts.points_of("zenoh_peer", "peers")
     assert {point.fleet.groups[0].processes for point in points} == {1, 2, 3}
     phases = {
         "KeepAlive": {"KeepAlive"},

@@ -17,7 +17,7 @@ from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.messages import header_bytes
 from discostorm.wifi import Cast, downlink_airtime, uplink_airtime
-from discostorm_book import comparison
+from discostorm_book import comparison, lab_counts
 
 ROWS = read_data("measured/bands.csv")
 PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, tokens")
@@ -72,7 +72,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
     assert {row["protocol"] for row in rows} == set(PRODUCTS)
     for name in PRODUCTS:
         table, zenoh = ds.PROTOCOLS[name], "Zenoh" in name
-        points = {p.name: p for p in measured.points(name) + measured.beyond(name)}
+        points = {p.name: p for p in lab_counts.points(name) + lab_counts.beyond(name)}
         mine = {row["point"]: row for row in rows if row["protocol"] == name}
         assert list(mine) == list(points)
         off: dict[str, list[float]] = {"before_s": [], "after_s": []}
@@ -90,7 +90,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
 
 def test_airtime_of_counts_is_that_of_the_frames() -> None:
     """On the paper's channel, of a multicast and a unicast message by hand."""
-    point = measured.Point(
+    point = lab_counts.Point(
         *("2x1x0u", "test", ds.Fleet.swarm(2, 1, 0)),
         {
             ("startup", "SPDP", "", "multicast", ""): np.array([[3.0, 2.0, 900.0]]),

@@ -15,7 +15,7 @@ from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
 from discostorm.protocols.as_built import as_built
-from discostorm_book import comparison
+from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh
 from discostorm_capture.zenoh_reader import TCP_KINDS
 
@@ -113,7 +113,7 @@ def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
 @each_table
 def test_all_that_was_counted_has_a_row(name: str) -> None:
     kinds = {message.kind for message in TABLES[name].messages}
-    seen = {key[1] for point in measured.points(name) for key in point.runs}
+    seen = {key[1] for point in lab_counts.points(name) for key in point.runs}
     assert seen - kinds <= {"TCP retransmission"}
 
 

@@ -15,8 +15,8 @@ from support import ROOT
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm.measured import points_of
 from discostorm_book.comparison import airtime_counted
+from discostorm_book.lab_counts import points_of
 from discostorm_capture import Capture
 
 STORED = ROOT / "tests" / "captures" / "security"

@@ -10,10 +10,11 @@ import sympy as sp
 
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
-from discostorm.measured import WINDOWS, Point, arrangements, points, products
+from discostorm.measured import arrangements, products
 from discostorm.messages import HOPS, Message, Protocol, Schedule, Transport, header_bytes
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
+from discostorm_book.lab_counts import WINDOWS, Point, points
 
 
 def times(schedule: Schedule, window: str) -> float:

@@ -8,8 +8,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from discostorm import measured
-from discostorm.measured import death_times
+from discostorm_book import lab_counts
+from discostorm_book.lab_counts import death_times
 
 #: What failed in each: what it is called, what is killed, and who has a server or router.
 ARRANGEMENTS = {
@@ -44,7 +44,7 @@ _LATE = {
 
 def relations(name: str) -> list[tuple[str, str, str]]:
     """Return which two groups, or one with itself, were looked at, and what they are called."""
-    rows = measured.deaths()
+    rows = lab_counts.deaths()
     there = set(rows[rows["arrangement"] == name]["who"])
     others = "robots 2 to 4" if "orphans" in there else "robots 1 to 4"
     named = [groups for who, groups in (_KNOWN | _LATE).items() if who in there]
@@ -71,7 +71,7 @@ def stagings(name: str) -> list[dict[str, Any]]:
         when to when not all of them heard each other [s], None for to the end, or None if they
         did throughout. Once a router is back, all late joiners are timed together.
     """
-    every = pd.concat([measured.deaths("deaths"), measured.deaths("outages")])
+    every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
     of_name = every[every["arrangement"] == name]
     return [
         _staging(name, str(event), rows)

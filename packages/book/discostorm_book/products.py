@@ -15,7 +15,7 @@ from discostorm.messages import Message, Protocol
 from discostorm.model import breakdown, utilization
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.saturation import saturation_hosts
-from discostorm_book import comparison
+from discostorm_book import comparison, lab_counts
 
 #: The measured model of each product as shipped, on Wi-Fi; the others are variants of these.
 SHIPPED = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
@@ -45,7 +45,7 @@ def paper_of(name: str) -> Protocol:
 
 def runs() -> pd.DataFrame:
     """Return the measured models: table, version, what was run, and how many runs there are."""
-    every = pd.DataFrame(read_data("measured/runs.csv"))
+    every = pd.DataFrame(read_data("measured/runs.csv", "discostorm_book"))
     return pd.DataFrame(
         {
             "model": name,
@@ -100,7 +100,7 @@ def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 def _sent(name: str, message: Message) -> dict[str, float]:
     each = []
-    for point in measured.points(name):
+    for point in lab_counts.points(name):
         keys = [("startup", message.kind, "", cast, "") for cast in ("unicast", "multicast")]
         count = sum(point.median(key)[0] for key in keys)
         if units := float(message.load(point.fleet)):
@@ -111,7 +111,7 @@ def _sent(name: str, message: Message) -> dict[str, float]:
 
 
 def _sizes(name: str, message: Message) -> dict[str, float]:
-    low, middle, high = np.quantile(measured.payloads(name, message.name), (0, 0.5, 1))
+    low, middle, high = np.quantile(lab_counts.payloads(name, message.name), (0, 0.5, 1))
     said = message.payload
     return {
         "paper_B": said.nominal,
@@ -126,7 +126,7 @@ def _sizes(name: str, message: Message) -> dict[str, float]:
 def unicast_share(name: str, kind: str) -> float:
     """Return which part of a kind of message goes to one process: the median startup [1]."""
     shares = []
-    for point in measured.points(name):
+    for point in lab_counts.points(name):
         one, group = (
             point.median(("startup", kind, "", cast, ""))[0] for cast in ("unicast", "multicast")
         )
@@ -278,7 +278,7 @@ def within() -> pd.DataFrame:
         and of those that are within, in messages and in bytes.
     """
     missed, rows = misses(), []
-    for window in measured.WINDOWS:
+    for window in lab_counts.WINDOWS:
         for name in MODELS:
             row: dict[str, Any] = {"model": name, "window": window}
             for what, whole in (("phases", True), ("kinds", False)):
@@ -330,7 +330,7 @@ def refits() -> pd.DataFrame:
     }
     for row in rows:
         model = row["protocol"]
-        every = measured.points(model) + measured.beyond(model)
+        every = lab_counts.points(model) + lab_counts.beyond(model)
         fleet = next(point.fleet for point in every if point.name == row["point"])
         size = max(measured.size_of(fleet, PROTOCOLS[model].captured or (1, 1, 1)))
         of = next(name for most, name in names.items() if size <= most)

@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 
 from discostorm.data import read_data
-from discostorm.measured import Point, points_of
 from discostorm_book.comparison import airtime_counted
+from discostorm_book.lab_counts import Point, points_of
 
 #: Each product: what was run without security, beside it.
 PRODUCTS = {

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm import measured
 from discostorm.data import data_path
-from discostorm_book import comparison, literature, products
+from discostorm_book import comparison, lab_counts, literature, products
 from discostorm_book.figures import captures as lanes, products as drawn
 from discostorm_book.ledger.quantities import captured
 
@@ -101,6 +100,6 @@ def test_titles_say_what_is_drawn() -> None:
     small, large = drawn.airtime({"small": (7, 2, 10), "large": (3, 1, 678)}).axes
     assert small.get_title(loc="left").endswith(": more than the paper counts")
     assert large.get_title(loc="left").endswith(": less than the paper counts")
-    points = [p for p in measured.points("Fast DDS") if p.name == products.POINT]
+    points = [p for p in lab_counts.points("Fast DDS") if p.name == products.POINT]
     assert [point.use for point in points] == ["test"]
     assert np.isclose(float(products.THREE.hosts()), 3)

@@ -135,7 +135,7 @@ def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
 @pytest.mark.parametrize("hosts", [3, 6, 10, 14])
 @pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
 def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
-    from test_simulated import sweep_setting  # the sweep's own settings
+    from test_stored_sweeps import sweep_setting  # the sweep's own settings
 
     for robot in ("Nav2 in one process", "The paper's swarm"):
         own = robots()[robot]

@@ -14,11 +14,12 @@ from hypothesis import given, settings, strategies as st
 from matplotlib.figure import Figure
 
 import discostorm as ds
-from discostorm import measured, words
+from discostorm import words
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import parameter_service_endpoints, robots as robots_by_name
+from discostorm_book import lab_counts
 from discostorm_planner import protocol_changes, remedy_rules
 from discostorm_planner.fleet_changes import split
 from discostorm_planner.radio_changes import MPDUS, MULTICAST_RATE
@@ -1181,12 +1182,12 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
     for kind, cases in MEASURED_DEATHS.items():
         for case in cases.strip().splitlines():
             *key, happens = case.strip().split(", ")
-            times = measured.death_times(rows[kind]["table"], *key)
+            times = lab_counts.death_times(rows[kind]["table"], *key)
             assert (times < np.inf).all() == (happens == "yes"), case
     for backup in ("", ", backup"):
         short = np.concatenate(
             [
-                measured.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
+                lab_counts.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
                 for event in ("outage of 3 s", "outage of 10 s", "outage of 10 s, robot restarts")
                 for found in [("return", "newcomer", "found")]
             ]
@@ -1195,7 +1196,7 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
     assert "and after short outages without -b" in rows["discovery server"]["fails"]
     for kind in ("router", "router on each host"):
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
-        back = np.median(measured.death_times(rows[kind]["table"], *key))
+        back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
         assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
 
 

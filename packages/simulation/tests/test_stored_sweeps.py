@@ -20,6 +20,11 @@ sweep_setting = importlib.import_module("sweep_setting")
 sweep_tables = importlib.import_module("sweep_tables")
 
 
+def stored_rows(name: str) -> list[dict[str, str]]:
+    with sweep_setting.table_path(name).open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
 #: What tells a setting of ns-3's table, besides whether it aggregates.
 BESIDE = ("protocol", "hosts", "queue_frames", "loss")
 
@@ -36,7 +41,7 @@ def text(row: dict[str, object]) -> dict[str, str]:
 
 @pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_every_setting_has_its_row_in_order(name: str) -> None:
-    rows = read_data(f"simulated/{name}.csv", "discostorm_book")
+    rows = stored_rows(name)
     settings = sweep_tables.settings_of(name)
     assert len(rows) == len(settings)
     for row, setting in zip(rows, settings, strict=True):
@@ -45,7 +50,7 @@ def test_every_setting_has_its_row_in_order(name: str) -> None:
 
 @pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_a_part_comes_out_the_same_again(name: str) -> None:
-    rows = read_data(f"simulated/{name}.csv", "discostorm_book")
+    rows = stored_rows(name)
     settings = sweep_tables.settings_of(name)
     # The small ones, of every protocol and kind of start.
     again = {(one.protocol, one.start, one.mpdus): n for n, one in enumerate(settings)}
@@ -64,9 +69,7 @@ def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
         ("hosts", sweep_others.by_host()),
         ("waiting", sweep_others.waiting()),
     ):
-        assert [text(row | sweep_setting.SOURCE) for row in rows] == read_data(
-            f"simulated/{name}.csv"
-        )
+        assert [text(row | sweep_setting.SOURCE) for row in rows] == stored_rows(name)
 
 
 def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
@@ -162,7 +165,7 @@ def test_losses_are_those_of_ns3_in_the_mean_of_all_settings() -> None:
 
 @pytest.mark.parametrize("name", ["drain", "queues"])
 def test_causes_of_losses_are_parts_of_what_was_sent(name: str) -> None:
-    for row in read_data(f"simulated/{name}.csv", "discostorm_book"):
+    for row in stored_rows(name):
         parts = [float(row[cause]) for cause in CAUSES]
         assert min(parts) >= 0
         low, high = float(row["lost_q25"]), float(row["lost_q75"])

@@ -16,11 +16,11 @@ from discostorm import measured
 from discostorm.data import read_data
 from discostorm.figures import WIDTH, headline, style
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.measured import death_times
 from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
+from discostorm_book.lab_counts import death_times
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
 NAMES = {"own": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "same": (0, 1.0)}

@@ -7,12 +7,12 @@ last three numbers of most arguments are hosts, processes and endpoints.
 
 from collections.abc import Callable
 
-from discostorm import measured
 from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm.notation import N_E, N_H, N_P
 from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
+from discostorm_book import lab_counts
 from discostorm_book.ledger.criteria import Test
 from discostorm_book.ledger.quantities import captured, evidence, frames, model
 
@@ -25,7 +25,7 @@ ROUTER = "Zenoh router"
 ROUTERS = "Zenoh router per host"
 ONE_HUB = "Zenoh router per host, one hub"
 #: How long the steady state was captured [s].
-STEADY = measured.WINDOWS["steady"][1] - measured.WINDOWS["steady"][0]
+STEADY = lab_counts.WINDOWS["steady"][1] - lab_counts.WINDOWS["steady"][0]
 #: How far a count of captures may be off, as chapter 10 has it.
 WITHIN = 0.1
 

@@ -7,7 +7,6 @@ from statistics import median
 
 import numpy as np
 
-from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
@@ -16,7 +15,7 @@ from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
-from discostorm_book import enumeration
+from discostorm_book import enumeration, lab_counts
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}
@@ -36,7 +35,7 @@ def payloads_measured(protocol: Protocol) -> float:
     for name, table in PROTOCOLS.items():
         if name in MEASURED and table.messages[0].kind == protocol.messages[0].name:
             for message in protocol.messages:
-                sizes = measured.payloads(name, message.name)
+                sizes = lab_counts.payloads(name, message.name)
                 if sizes and message.payload.low <= median(sizes) <= message.payload.high:
                     within.add(message.name)
     return len(within) / len(protocol.messages)
@@ -69,13 +68,13 @@ def remedies_by_configuration() -> float:
 
 def runs_found(arrangement: str, event: str) -> float:
     """Return the part of the runs in which a newcomer found the living before the dead was back."""
-    times = measured.death_times(arrangement, event, "newcomer", "newcomer", "found")
+    times = lab_counts.death_times(arrangement, event, "newcomer", "newcomer", "found")
     return float(np.isfinite(times).mean())
 
 
 def runs_undisturbed(arrangement: str, event: str, who: str) -> float:
     """Return the part of the runs in which these lost no match and heard each other all along."""
-    times = measured.death_times(arrangement, event, "death", who, "settled")
+    times = lab_counts.death_times(arrangement, event, "death", who, "settled")
     return float((times == 0).mean())
 
 
