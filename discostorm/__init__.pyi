@@ -38,7 +38,7 @@ from discostorm.wifi import (
     WIFI as WIFI,
     Aggregation as Aggregation,
     Link as Link,
-    Padding as Padding,
+    OfdmSymbols as OfdmSymbols,
     Radio as Radio,
     Wifi as Wifi,
 )

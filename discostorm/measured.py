@@ -22,9 +22,9 @@ def products() -> dict[str, dict[str, str]]:
 
 
 @cache
-def arrangements() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/arrangements.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/arrangements.csv")}
+def configurations() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
 
 
 #: How many times the measured range a fleet is at most [1]: within it, up to twice, and beyond. No

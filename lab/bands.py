@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import CLASSES, arrangements, products, size_of
+from discostorm.measured import CLASSES, configurations, products, size_of
 from discostorm.protocols.as_built import as_built
 from discostorm_book.comparison import airtime_counted, airtime_expected
 from discostorm_book.lab_counts import WINDOWS, beyond, points, points_of
@@ -28,7 +28,7 @@ RESTARTS = ("restart", "join")
 
 def bands() -> Iterator[dict[str, Any]]:
     """Yield a row for each table, window and class of sizes: what was measured beside the table."""
-    for name in products() | arrangements():
+    for name in products() | configurations():
         table = as_built(name)
         assert table.captured is not None
         held = [point for point in points(name) + beyond(name) if point.use == "test"]

@@ -1,7 +1,7 @@
 """From the lab's captures to tables of `discostorm/data/measured/`.
 
 Two tables: what was run, and what was counted in each run, by window and kind of message. Of
-arrangements with something that serves the others, which hops a message would take if the hosts
+configurations with something that serves the others, which hops a message would take if the hosts
 were on the air and what is behind them were wired to the access point.
 """
 
@@ -35,7 +35,7 @@ RUNS = (
 #: other its keys.
 STRANGERS = "strangers"
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
-#: Of a grid of arrangements, whose tables are merged: a run is known by its capture.
+#: Of a grid of configurations, whose tables are merged: a run is known by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
 ICMP = 1
@@ -147,7 +147,7 @@ def main() -> int:
     if not captures:
         parser.error(f"captures {given.captures}: no *.pcap.gz in it")
     first = (given.captures / f"{captures[0].name[:-8]}.json").read_text()
-    arranged = bool(json.loads(first).get("arranged"))
+    arranged = bool(json.loads(first).get("mitigated"))
     runs, counts = [], []
     notes: Counter[str] = Counter()
     for number, capture in enumerate(captures, 1):

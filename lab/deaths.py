@@ -22,7 +22,7 @@ from discostorm.data import data_path
 from discostorm.protocols.defaults import defaults
 
 STAGE = [*ALONE, str(LAB / "death_stage.py")]
-COLUMNS = ["arrangement", "event", "run", "phase", "who", "quantity"]
+COLUMNS = ["configuration", "event", "run", "phase", "who", "quantity"]
 COLUMNS += ["since_s", "watched_s", "seconds"]
 RUNS = 5
 # Where runs end in different ways.
@@ -102,7 +102,7 @@ def rmw_router(*others: int) -> Program:
 
 
 @dataclass(frozen=True)
-class Arrangement:
+class Configuration:
     """Who finds whom through what.
 
     `client` gives the program of a process by its number, `servers` those of the hosts that have
@@ -126,28 +126,28 @@ AGAIN = ", robot restarts"
 OF_OUTAGE = (*(f"outage of {seconds} s" for seconds in OUTAGES), f"outage of 10 s{AGAIN}")
 AFTER_OUTAGE = 60.0  # s for which all is watched once the server is back: three leases
 ARRANGEMENTS = {
-    "Fast DDS": Arrangement(
+    "Fast DDS": Configuration(
         *("fast_dds", fast_dds(), {}, defaults("Fast DDS")["lease"]),
         "no server, as shipped",
         OF_ROBOT,
     ),
-    "Cyclone DDS": Arrangement(
+    "Cyclone DDS": Configuration(
         *("cyclone_dds_0.10", cyclone_dds, {}, defaults("Cyclone DDS")["lease"]),
         "no server, as shipped",
         OF_ROBOT,
     ),
-    "Zenoh peer": Arrangement(
+    "Zenoh peer": Configuration(
         *("zenoh_peer", zenoh(), {}, defaults("Zenoh")["lease"]),
         "no router, as shipped",
         OF_ROBOT,
     ),
-    "Fast DDS Discovery Server": Arrangement(
+    "Fast DDS Discovery Server": Configuration(
         *("fast_dds", fast_dds(FIRST), {FIRST: fast_server(0, FIRST)}),
         defaults("Fast DDS")["lease"],
         "a server on a host of its own",
         (*OF_SERVER, "server and robot killed", *OF_ROBOT),
     ),
-    "Fast DDS Discovery Server, two": Arrangement(
+    "Fast DDS Discovery Server, two": Configuration(
         "fast_dds",
         fast_dds(FIRST, SECOND),
         {FIRST: fast_server(0, FIRST), SECOND: fast_server(1, SECOND)},
@@ -155,7 +155,7 @@ ARRANGEMENTS = {
         "two servers on hosts of their own, both known to all clients",
         (*OF_SERVER, "both servers killed", *OF_ROBOT),
     ),
-    "Zenoh router": Arrangement(
+    "Zenoh router": Configuration(
         "zenoh_peer",
         zenoh(mode="client", connect__endpoints=[f"tcp/{address(FIRST)}:7447"]),
         {FIRST: zenoh_router()},
@@ -163,14 +163,14 @@ ARRANGEMENTS = {
         "clients of a router on a host of its own",
         (*OF_SERVER, *OF_ROBOT),
     ),
-    "Zenoh router per host": Arrangement(
+    "Zenoh router per host": Configuration(
         *("zenoh_peer", RMW_SESSION),
         {host: rmw_router(*(other for other in ROBOTS if other != host)) for host in ROBOTS},
         RMW["lease"],
         "a router on each robot with the settings of rmw_zenoh, each told of all others",
         ("server killed", "server restarts", *OF_ROBOT),
     ),
-    "Zenoh router per host, one hub": Arrangement(
+    "Zenoh router per host, one hub": Configuration(
         *("zenoh_peer", RMW_SESSION),
         {host: rmw_router(*[1] * (host != 1)) for host in ROBOTS},
         RMW["lease"],
@@ -183,7 +183,7 @@ ARRANGEMENTS = {
 #: What is away for a while: the same server without a file of its own and with it.
 OUTAGES_OF = {
     "Fast DDS Discovery Server": ARRANGEMENTS["Fast DDS Discovery Server"],
-    "Fast DDS Discovery Server, backup": Arrangement(
+    "Fast DDS Discovery Server, backup": Configuration(
         *("fast_dds", fast_dds(FIRST), {FIRST: fast_server_with_backup(0, FIRST)}),
         defaults("Fast DDS")["lease"],
         "a server on a host of its own that keeps what it knows in a file (-b)",
@@ -260,7 +260,7 @@ def script(name: str, event: str) -> dict[str, Any]:
             programs[str(number)] = (place, it.client(number))
     places = sorted({place for place, _ in programs.values()})
     return {
-        "arrangement": name,
+        "configuration": name,
         "event": event,
         "places": places,
         "programs": {
@@ -277,7 +277,7 @@ def runs_of(name: str, event: str) -> int:
 
 
 def staged(outages: bool) -> list[tuple[str, str]]:
-    """Return the arrangements with what happens to each: of the deaths, or of the outages."""
+    """Return the configurations with what happens to each: of the deaths, or of the outages."""
     if outages:
         return [(name, event) for name in OUTAGES_OF for event in OF_OUTAGE]
     return [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
@@ -289,9 +289,9 @@ def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[d
     stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
     for number in range(1, (runs or max(RUNS, *MORE_RUNS.values())) + 1):
         for job in stagings:
-            if number > (runs or runs_of(job["arrangement"], job["event"])):
+            if number > (runs or runs_of(job["configuration"], job["event"])):
                 continue
-            name = f"{job['arrangement']}-{job['event']}-r{number}".lower()
+            name = f"{job['configuration']}-{job['event']}-r{number}".lower()
             name = name.replace(", ", "-").replace(" ", "-")
             # What run.py counts its crowd by.
             size = {"hosts": len(job["places"]), "processes": 1}
@@ -326,7 +326,7 @@ def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: b
     order = staged(outages)
     rows = []
     for job in sorted(
-        todo, key=lambda job: (order.index((job["arrangement"], job["event"])), job["run"])
+        todo, key=lambda job: (order.index((job["configuration"], job["event"])), job["run"])
     ):
         for row in evaluate(folder / job["name"], job):
             times = {"since_s": f"{row['since_s']:.0f}", "watched_s": f"{row['watched_s']:.0f}"}
@@ -335,7 +335,7 @@ def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: b
     write(table, rows)
 
 
-def write_arrangements(table: Path) -> None:
+def write_configurations(table: Path) -> None:
     """Write what was run: versions, commands and settings."""
     rows = []
     for name, it in ARRANGEMENTS.items():
@@ -344,7 +344,7 @@ def write_arrangements(table: Path) -> None:
         server = it.servers.get(2, it.servers.get(place, ([], {})))
         rows.append(
             {
-                "arrangement": name,
+                "configuration": name,
                 "product": it.product,
                 "version": version(it.product),
                 "what": it.what,
@@ -408,7 +408,7 @@ def main() -> int:
         table = "outages" if given.outages else "deaths"
         write_runs(out, todo, folder / f"{table}.csv", given.outages)
         if not given.outages:
-            write_arrangements(folder / "arrangements.csv")
+            write_configurations(folder / "configurations.csv")
     return 0
 
 

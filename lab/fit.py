@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.data import data_path, read_data
-from discostorm.measured import arrangements, products
+from discostorm.measured import configurations, products
 from discostorm.messages import UNITS
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule
@@ -33,7 +33,7 @@ COLUMNS = (
 )
 MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
 #: The names of the tables of a family.
-NAMES = {"as_built": products, "mitigations": arrangements}
+NAMES = {"as_built": products, "mitigations": configurations}
 #: Digits that are kept: the fits are no better than this.
 DIGITS = 4
 #: What is left of a kind without what is repeated must be this part of it to tell its size.

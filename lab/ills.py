@@ -58,11 +58,11 @@ def lost(percent: int) -> str:
 
 def program(job: Job, host: int, number: int) -> dict[str, Any]:
     """Return the program of a process: one that watches, or one with endpoints."""
-    product, _, arrangement = job["product"].partition("-")
+    product, _, configuration = job["product"].partition("-")
     env: dict[str, str] = {}
     endpoints, seconds = int(job["endpoints"]), float(job["seconds"])
     fast = product == "fast_dds"
-    if fast and arrangement == "server":
+    if fast and configuration == "server":
         env["ROS_DISCOVERY_SERVER"] = f"{address(SERVER)}:11811"
     if product.startswith("cyclone") and job["ill"] != "healthy":
         # As on Wi-Fi, where Cyclone DDS multicasts nothing but announcements.

@@ -46,7 +46,7 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("zenoh_peer", "default"): (ZENOH, {}),
     ("zenoh_peer", "tokens"): (ZENOH, {}),
 }
-# Of a grid with a column for the arrangement: program, environment, and what serves the others,
+# Of a grid with a column for the configuration: program, environment, and what serves the others,
 # each on the host of a number, or on every host if that is 0; HOST is then its number. Host 101
 # and 102 are behind the others, wired to the access point.
 ZENOH_ROUTER = [str(PYTHON), str(LAB / "zenoh_router.py"), "HOST"]
@@ -114,9 +114,9 @@ def version(product: str) -> str:
 def staged(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     """Return what is run at a point: every product as shipped, or the one that it names."""
     shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
-    if "arrangement" not in point:
+    if "configuration" not in point:
         return shipped
-    product, _, variant = point["arrangement"].partition("-")
+    product, _, variant = point["configuration"].partition("-")
     return {(product, variant): (shipped | ARRANGEMENTS | SECURED)[product, variant]}
 
 
@@ -158,7 +158,7 @@ def jobs(
                             for number, words in servers
                             for host in ([number] if number else range(1, hosts + 1))
                         ],
-                        "arranged": "arrangement" in point,
+                        "mitigated": "configuration" in point,
                         "hosts": hosts,
                         "processes": processes,
                         "endpoints": endpoints,

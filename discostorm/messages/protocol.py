@@ -20,7 +20,7 @@ Family = Literal["DDS", "Zenoh"]
 
 #: Where the counts of a table are from: the paper; the paper, with the times of a product; a
 #: product, measured as shipped; a product, measured as arranged against the storm; a proposal.
-Basis = Literal["paper", "timed", "measured", "arranged", "proposal"]
+Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 
 
 @dataclass(frozen=True)
@@ -29,10 +29,10 @@ class Timers:
 
     Parameters
     ----------
-    announce_first, announce_most : float, optional
+    announce_interval_initial, announce_interval_max : float, optional
         Time from an announcement to the next [s], doubled each time up to the most, if the table
         has announcements at the start alone. 0, as if left out: they are not repeated.
-    heartbeat_first, heartbeat_most : float, optional
+    heartbeat_period_initial, heartbeat_period_max : float, optional
         Time from a heartbeat to the next [s] while data are not acknowledged, doubled each time up
         to the most; 1 if left out.
 
@@ -46,19 +46,19 @@ class Timers:
     Examples
     --------
     >>> import discostorm as ds
-    >>> ds.ZENOH.timers.announce_most
+    >>> ds.ZENOH.timers.announce_interval_max
     8.0
     """
 
-    announce_first: float = 0.0
-    announce_most: float = 0.0
-    heartbeat_first: float = 1.0
-    heartbeat_most: float = 1.0
+    announce_interval_initial: float = 0.0
+    announce_interval_max: float = 0.0
+    heartbeat_period_initial: float = 1.0
+    heartbeat_period_max: float = 1.0
 
     def __post_init__(self) -> None:
         _checks.plain_numbers(self)
-        for what, above in (("announce", False), ("heartbeat", True)):
-            first, most = f"{what}_first", f"{what}_most"
+        for interval, above in (("announce_interval", False), ("heartbeat_period", True)):
+            first, most = f"{interval}_initial", f"{interval}_max"
             _checks.number(most, getattr(self, most), 0, _checks.MOST_SECONDS, above=above)
             _checks.number(first, getattr(self, first), 0, getattr(self, most), above=above)
 
@@ -82,7 +82,7 @@ class Protocol:
         The kin of the protocol, which decides on remedies; None if it is of neither.
     product : str, optional
         The product whose defaults it has, such as "Fast DDS"; None if it is no product's.
-    basis : {"paper", "timed", "measured", "arranged", "proposal"}, optional
+    basis : {"paper", "timed", "measured", "mitigated", "proposal"}, optional
         Where its counts are from: the paper; the paper, with the times of a product; a product,
         measured as shipped; the same, arranged against the storm; a proposal. None of your own.
     timers : Timers, optional

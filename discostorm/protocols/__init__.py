@@ -19,7 +19,7 @@ from discostorm.protocols.paper import DDS, ZENOH
 BASES: Mapping[Basis, str] = MappingProxyType(
     {
         "measured": "Products as built",
-        "arranged": "Products arranged against the storm",
+        "mitigated": "Products with mitigations",
         "paper": "As the paper counts",
         "timed": "The paper's messages, a product's periods",
         "proposal": "Proposals and other tables",
@@ -90,7 +90,7 @@ def _of_basis(basis: Basis) -> frozenset[str]:
 MEASURED = _of_basis("measured")
 
 #: The names of those that say what products send when they are arranged against the storm.
-ARRANGED = _of_basis("arranged")
+ARRANGED = _of_basis("mitigated")
 
 __all__ = [
     "ARRANGED",

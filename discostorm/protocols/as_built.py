@@ -4,7 +4,7 @@
 stands in the source; `data/measured/as_built.csv` how many, and how large, where only measuring
 tells. `lab/fit.py` writes it. What they send when they are arranged otherwise than as shipped,
 against the storm, is in files of the same columns, `mitigations.csv`. Which tables there are, and
-whose they are, say `products.csv` and `arrangements.csv`: a row there and rows of messages are all
+whose they are, say `products.csv` and `configurations.csv`: a row there and its messages are all
 that another product takes.
 
 Discovery Server of Fast DDS
@@ -93,8 +93,8 @@ from discostorm.protocols.defaults import defaults, timers
 from discostorm.wifi import Cast
 
 #: The files that say which tables there are, and by the basis of a table that of its messages.
-KNOWN = ("products", "arrangements")
-ROWS = {"measured": "as_built", "arranged": "mitigations"}
+KNOWN = ("products", "configurations")
+ROWS = {"measured": "as_built", "mitigated": "mitigations"}
 #: Of a row that is not fitted yet.
 _NOTHING = {"per_unit": "0"}
 
@@ -113,7 +113,7 @@ def described() -> dict[str, dict[str, str]]:
 
 
 def as_built(name: str) -> Protocol:
-    """Return the table of a name in ``data/vendors/products.csv`` or ``arrangements.csv``.
+    """Return the table of a name in ``data/vendors/products.csv`` or ``configurations.csv``.
 
     A row of which nothing was measured is left out.
     """

@@ -40,7 +40,8 @@ def timers(product: str) -> Timers:
     Examples
     --------
     >>> timers("Fast DDS")
-    Timers(announce_first=3.0, announce_most=3.0, heartbeat_first=1.0, heartbeat_most=1.0)
+    Timers(announce_interval_initial=3.0, announce_interval_max=3.0,
+           heartbeat_period_initial=1.0, heartbeat_period_max=1.0)
     """
     values = defaults(product)
     rows = read_data("vendors/middleware_defaults.csv")

@@ -23,7 +23,7 @@ TICK = 1e-7
 
 
 @dataclass(frozen=True)
-class Padding:
+class OfdmSymbols:
     """How a frame fills whole symbols.
 
     Parameters
@@ -88,7 +88,7 @@ class Link:
     overhead : float
         Airtime that each frame costs whatever its length [s], from 0 to 1e6: waiting,
         preamble, acknowledgement.
-    padding : Padding, optional
+    padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper.
 
@@ -97,19 +97,19 @@ class Link:
     ValueError
         If a number is out of range, or the rate is not that of the padding's symbols.
     TypeError
-        If one is not a number, or the padding is not a Padding.
+        If one is not a number, or the padding is not a OfdmSymbols.
     """
 
     rate: float
     overhead: float
-    padding: Padding | None = None
+    padding: OfdmSymbols | None = None
 
     def __post_init__(self) -> None:
         _checks.plain_numbers(self)
         _checks.number("rate", self.rate, _checks.LEAST_RATE, _checks.MOST_RATE)
         _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
         if self.padding is not None:
-            _checks.instance("padding", self.padding, Padding)
+            _checks.instance("padding", self.padding, OfdmSymbols)
             bits = self.rate * self.padding.symbol
             if abs(bits - self.padding.bits) >= 1:  # the standard rounds bits down
                 raise ValueError(
@@ -162,7 +162,7 @@ def data_time(
     octets : sympy.Expr
         Length of the frame or of the A-MPDU [B].
     bits, added, per_grid, grid : sympy.Expr
-        As `Padding` has them. The bits per symbol stay a symbol: sympy would split the
+        As `OfdmSymbols` has them. The bits per symbol stay a symbol: sympy would split the
         fraction of a number, and floating point then gets some lengths wrong.
 
     References

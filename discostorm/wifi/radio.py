@@ -12,7 +12,7 @@ import sympy as sp
 from discostorm import _checks, _names, notation as nt
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, Padding
+from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, OfdmSymbols
 from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_of, response
 
 #: What every channel is, whatever its radio.
@@ -250,10 +250,10 @@ class Radio:
         return float(self._parts.basic["rate_Mbit_s"]) * MEGA
 
     @property
-    def padding(self) -> Padding:
+    def padding(self) -> OfdmSymbols:
         """How a unicast frame fills symbols."""
         parts = self._parts
-        return Padding(
+        return OfdmSymbols(
             int(parts.bits_exact),
             float(parts.symbol / MICRO),
             float(parts.grid / MICRO),
@@ -261,11 +261,11 @@ class Radio:
         )
 
     @property
-    def multicast_padding(self) -> Padding:
+    def multicast_padding(self) -> OfdmSymbols:
         """How a multicast frame fills symbols."""
         basic = self._parts.basic
         symbol = float(Fraction(basic["symbol_us"]) / MICRO)
-        return Padding(int(basic["bits_per_symbol"]), symbol, symbol, int(basic["added_bits"]))
+        return OfdmSymbols(int(basic["bits_per_symbol"]), symbol, symbol, int(basic["added_bits"]))
 
     @property
     def ack(self) -> float:

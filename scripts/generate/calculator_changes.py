@@ -106,7 +106,7 @@ def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
     efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
     def told(steps: tuple[str, ...], family: str | None) -> Value:
-        # What a family counts of switching to it is of its peers, not of an arrangement.
+        # What a family counts of switching to it is of its peers, not of an configuration.
         switch = len(steps) > 1
         rows = [row_of(kind, None if switch and kind == "middleware" else family) for kind in steps]
         found = [row for row in rows if row is not None and row["effort"]]

@@ -48,7 +48,7 @@ LENGTH = sp.Symbol("L", positive=True)
 #: What products' tables were fitted to.
 ABOUT = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
-    for table in ("products", "arrangements")
+    for table in ("products", "configurations")
     for row in read_data(f"vendors/{table}.csv")
 } | {
     "hybrid": "this book's proposal, for hosts with unlike software",

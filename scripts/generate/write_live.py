@@ -17,7 +17,7 @@ from javascript import Code, Value, said_once, written
 
 import discostorm as ds
 from discostorm.messages import Message, Protocol
-from discostorm.wifi import Padding
+from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
 from discostorm.wifi.radio import both_ends
 from discostorm_book import sweeps
@@ -157,7 +157,7 @@ def table(protocol: Protocol) -> Value:
     }
 
 
-def length(padding: Padding, preamble: int) -> Value:
+def length(padding: OfdmSymbols, preamble: int) -> Value:
     """Return what decides how long a frame takes."""
     return {
         "bits": int(padding.bits),

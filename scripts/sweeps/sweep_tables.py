@@ -46,7 +46,7 @@ def with_runs(settings: list[Setting]) -> list[Setting]:
 READY_TABLES = tuple(
     name
     for name, table in ds.PROTOCOLS.items()
-    if table.basis in ("measured", "arranged")
+    if table.basis in ("measured", "mitigated")
     and table not in [other.wired for other in ds.PROTOCOLS.values()]
     and name != "static endpoints"
 )

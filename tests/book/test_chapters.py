@@ -171,8 +171,8 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert re.sub(r"[*]", "", markdown).split() == plan.advice().split()
     assert "**Best single changes:**\n\n1. " in markdown
-    # The table of arrangements keeps its columns.
-    for found in plan.arrangements:
+    # The table of configurations keeps its columns.
+    for found in plan.configurations:
         assert f"\n    {found.name} " in markdown
         assert f"  {escape(found.name)} " in html
     remedies = [remedy for found in plan.told().values() for remedy in found]

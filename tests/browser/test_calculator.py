@@ -879,7 +879,7 @@ def test_the_fleet_is_simulated_as_in_python(tab: Page, changed: dict[str, str])
     put(tab, entries)
     told = simulate(tab)
     protocol, wifi = PROTOCOLS[entries["middleware"]], CHANNELS[entries["wifi"]]
-    recovery = protocol.basis != "arranged"
+    recovery = protocol.basis != "mitigated"
     there = ds.simulate(
         fleet_of(entries),
         protocol,

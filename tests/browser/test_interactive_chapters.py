@@ -90,7 +90,7 @@ def rows_of(name: str, event: str) -> list[dict[str, str]]:
         *read_data("measured/deaths.csv", "discostorm_book"),
         *read_data("measured/outages.csv", "discostorm_book"),
     ]
-    return [row for row in every if (row["arrangement"], row["event"]) == (name, event)]
+    return [row for row in every if (row["configuration"], row["event"]) == (name, event)]
 
 
 def apart(name: str, event: str, run: int, time: float) -> set[tuple[str, str]]:
@@ -174,7 +174,7 @@ def test_some_late_joiners_are_never_found() -> None:
 
 
 def test_the_medians_of_the_runs_are_those_of_the_stored_figure() -> None:
-    lanes = servers.failures_data().set_index(["arrangement", "event", "who"])["connected_from_s"]
+    lanes = servers.failures_data().set_index(["configuration", "event", "who"])["connected_from_s"]
     who = {
         ("survivors", "survivors"): "robots that knew each other",
         ("newcomer", "survivors"): "late joiner",

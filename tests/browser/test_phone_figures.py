@@ -55,7 +55,7 @@ WORDY: dict[str, Callable[[], Figure]] = {
     "fig3": figures.fig3,
     "fig4": figures.fig4,
     "ladder": hybrid.ladder,
-    "servers": servers.arrangements,
+    "servers": servers.configurations,
 }
 
 

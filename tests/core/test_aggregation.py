@@ -11,7 +11,7 @@ from discostorm import _numeric, notation as nt, wifi as wf
 from discostorm.wifi import aggregation
 
 
-def parts(channel: ds.Wifi) -> tuple[ds.Padding, ds.Aggregation]:
+def parts(channel: ds.Wifi) -> tuple[ds.OfdmSymbols, ds.Aggregation]:
     assert channel.unicast.padding is not None
     assert channel.aggregation is not None
     return channel.unicast.padding, channel.aggregation

@@ -193,8 +193,6 @@ def test_saturation_beside_a_fleet_broadcasts_and_names_what_is_wrong() -> None:
         ds.saturation_hosts(ds.DDS, fleet=fleet, limit=np.ones((3, 3)))
     with pytest.raises(TypeError, match=r"endpoints must be a number here, not an"):
         ds.saturation_hosts(ds.DDS, fleet=fleet_of([(1, 1, 10), (1, 1, N_E)]))
-    with pytest.raises(TypeError, match=r"no parameter 'beside' since 0\.3\.0; use fleet="):
-        ds.saturation_hosts(ds.DDS, 1, 10, beside=fleet)
 
 
 def test_repr_reads_well_and_makes_the_same_group() -> None:

@@ -188,8 +188,10 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
     for call in (timeline.drain_time, timeline.outlook, timeline.first_idle):
         fails(TypeError, text, call, protocol="x", **SWARM)
     fails(TypeError, text, timeline.demand, protocol="x", time=1, **SWARM)
-    fails(TypeError, "padding must be a Padding; got 3", ds.Link, rate=1e6, overhead=0, padding=3)
-    link = ds.Link(6e6, 0, ds.Padding(24, 4e-6, 4e-6))
+    fails(
+        TypeError, "padding must be a OfdmSymbols; got 3", ds.Link, rate=1e6, overhead=0, padding=3
+    )
+    link = ds.Link(6e6, 0, ds.OfdmSymbols(24, 4e-6, 4e-6))
     text = "aggregation must be an Aggregation; got 3"
     fails(TypeError, text, ds.Wifi, name="x", unicast=link, multicast=link, aggregation=3)
 

@@ -117,7 +117,7 @@ def test_a_plan_fits_the_terminal() -> None:
     for columns in (40, 60, 80, 200):
         lines = run("plan", FLEET, columns=columns).stdout.splitlines()
         assert max(map(len, lines)) <= min(columns, 79)
-    # The table of arrangements, which needs more room, comes as a list.
+    # The table of configurations, which needs more room, comes as a list.
     wide, narrow = (
         run("plan", FLEET, columns=columns).stdout.partition("The same fleet")
         for columns in (80, 40)

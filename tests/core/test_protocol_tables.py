@@ -169,9 +169,12 @@ def test_what_is_said_of_a_table_is_checked() -> None:
         with pytest.raises((ValueError, TypeError), match=error):
             Protocol(**table, **wrong)
     for wrong, error in (
-        ({"heartbeat_most": 0.0}, "heartbeat_most must be .* above 0"),
-        ({"heartbeat_first": 2.0}, "heartbeat_first must be .* at most 1; got 2.0"),
-        ({"announce_first": -1.0}, "announce_first must be .* at least 0"),
+        ({"heartbeat_period_max": 0.0}, "heartbeat_period_max must be .* above 0"),
+        (
+            {"heartbeat_period_initial": 2.0},
+            "heartbeat_period_initial must be .* at most 1; got 2.0",
+        ),
+        ({"announce_interval_initial": -1.0}, "announce_interval_initial must be .* at least 0"),
     ):
         with pytest.raises(ValueError, match=error):
             Timers(**wrong)

@@ -166,7 +166,7 @@ def test_the_rates_of_the_paper() -> None:
     assert ds.WIFI["802.11n 20 MHz 2x2"].multicast.rate == 6e6
 
 
-def padding_of(link: ds.Link) -> ds.Padding:
+def padding_of(link: ds.Link) -> ds.OfdmSymbols:
     assert link.padding is not None
     return link.padding
 
@@ -308,27 +308,27 @@ def test_text_is_refused() -> None:
 
 
 def test_padding_adds_service_field_and_tail() -> None:
-    assert ds.Padding(24, 4e-6, 4e-6).added == 16 + 6
+    assert ds.OfdmSymbols(24, 4e-6, 4e-6).added == 16 + 6
 
 
 def test_a_rate_that_is_not_that_of_its_symbols_is_refused() -> None:
     link = ds.WIFI["802.11n 20 MHz 2x2"].unicast
     with pytest.raises(ValueError, match=r"rate must be that of 520 bits in 3\.6e-06 s .* 1000000"):
         replace(link, rate=1e6)
-    padding = ds.Padding(24, 4e-6, 4e-6)
+    padding = ds.OfdmSymbols(24, 4e-6, 4e-6)
     assert ds.Link(6.2e6, 0, padding).rate == 6.2e6  # 24.8 bits, rounded down
     with pytest.raises(ValueError, match="rate must be that of 24 bits"):
         ds.Link(6.25e6, 0, padding)
 
 
 def test_symbols_of_a_short_guard_interval_fill_the_grid_exactly() -> None:
-    padding = ds.Padding(520, 3.6e-6, 4e-6)
+    padding = ds.OfdmSymbols(520, 3.6e-6, 4e-6)
     for tens in range(1, 5000):
         assert padding.per_grid * 10 * tens == 9 * tens
 
 
 def test_a_channel_that_pads_only_one_link_is_refused() -> None:
-    plain, full = ds.Link(6e6, 1e-4), ds.Link(6e6, 1e-4, ds.Padding(24, 4e-6, 4e-6))
+    plain, full = ds.Link(6e6, 1e-4), ds.Link(6e6, 1e-4, ds.OfdmSymbols(24, 4e-6, 4e-6))
     for pair in ((plain, full), (full, plain)):
         with pytest.raises(ValueError, match="unicast and multicast must both have padding"):
             ds.Wifi("mixed", *pair)
@@ -349,7 +349,7 @@ def test_a_channel_that_pads_only_one_link_is_refused() -> None:
 )
 def test_padding_refuses(args: tuple[Any, ...], text: str) -> None:
     with pytest.raises(ValueError, match=text):
-        ds.Padding(*args)
+        ds.OfdmSymbols(*args)
 
 
 def test_the_paper_is_as_it_was() -> None:

@@ -183,7 +183,7 @@ def test_a_run_in_which_not_all_was_well_is_known(tmp_path: Path) -> None:
 
 def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
     staged = {(name, event) for name, it in lab.ARRANGEMENTS.items() for event in it.events}
-    runs = {(row["arrangement"], row["event"], row["run"]) for row in ROWS}
+    runs = {(row["configuration"], row["event"], row["run"]) for row in ROWS}
     assert Counter(run[:2] for run in runs) == {one: lab.runs_of(*one) for one in staged}
     assert len(staged) == 30
     keys = Counter(tuple(row[name] for name in lab.COLUMNS[:6]) for row in ROWS)
@@ -191,7 +191,7 @@ def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
 
 
 def test_every_outage_is_in_its_table_five_times() -> None:
-    runs = {(row["arrangement"], row["event"], row["run"]) for row in OUTAGES}
+    runs = {(row["configuration"], row["event"], row["run"]) for row in OUTAGES}
     assert Counter(run[:2] for run in runs) == dict.fromkeys(lab.staged(outages=True), lab.RUNS)
     table = lab_counts.deaths("outages").set_index(["phase", "who", "quantity"])
     assert int(table["runs"].sum()) == len(OUTAGES)
@@ -206,11 +206,11 @@ def test_every_outage_is_in_its_table_five_times() -> None:
     assert (table.loc[("death", "survivors", "settled"), "most_s"] == 0).all()
 
 
-def outages(arrangement: str) -> dict[str, tuple[int, int]]:
+def outages(configuration: str) -> dict[str, tuple[int, int]]:
     """Return in how many of how many runs a process was found once the server was back."""
     table = lab_counts.deaths("outages")
     table = table[(table["phase"] == "return") & (table["who"] == "newcomer")]
-    rows = table[table["arrangement"] == arrangement].itertuples()
+    rows = table[table["configuration"] == configuration].itertuples()
     return {row.event: (row.happened, row.runs) for row in rows}
 
 
@@ -225,19 +225,19 @@ def test_a_short_outage_is_worse_than_a_long_one_and_a_backup_cures_it() -> None
 
 def test_what_is_watched_is_watched_for_longer_than_the_lease() -> None:
     leases = {
-        row["arrangement"]: float(row["lease_s"])
-        for row in read_data("measured/arrangements.csv", "discostorm_book")
+        row["configuration"]: float(row["lease_s"])
+        for row in read_data("measured/configurations.csv", "discostorm_book")
     }
     assert leases == {name: it.lease for name, it in lab.ARRANGEMENTS.items()}
     for row in ROWS:
         if row["phase"] == "death":
-            assert float(row["watched_s"]) > leases[row["arrangement"]]
+            assert float(row["watched_s"]) > leases[row["configuration"]]
         seconds = float(row["seconds"])
         assert 0 <= seconds < float(row["watched_s"]) + 1 or seconds == inf
 
 
 def test_the_table_is_what_the_file_says() -> None:
-    table = lab_counts.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
+    table = lab_counts.deaths().set_index(["configuration", "event", "phase", "who", "quantity"])
     key = ("Zenoh router", "robot cut off", "death", "dead", "noticed")
     by_hand = sorted(
         float(row["seconds"])
@@ -270,7 +270,8 @@ def test_nobody_who_lives_loses_another_one_where_there_is_no_server() -> None:
 
 def test_what_ran_is_said_with_its_settings() -> None:
     rows = {
-        row["arrangement"]: row for row in read_data("measured/arrangements.csv", "discostorm_book")
+        row["configuration"]: row
+        for row in read_data("measured/configurations.csv", "discostorm_book")
     }
     assert (
         "ROS_DISCOVERY_SERVER=10.77.0.8:11811;10.77.0.9:11811"
@@ -305,7 +306,7 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
 
 def test_what_remedies_say_of_deaths_was_measured() -> None:
     fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
-    table = lab_counts.deaths().set_index(["arrangement", "event", "phase", "who", "quantity"])
+    table = lab_counts.deaths().set_index(["configuration", "event", "phase", "who", "quantity"])
     again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
     assert table.loc[again, "happened"] < table.loc[again, "runs"]
     assert "and after short outages without -b" in fails["discovery server"]

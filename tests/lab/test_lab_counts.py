@@ -61,11 +61,11 @@ def test_every_point_was_run_as_often_as_the_grid_says() -> None:
         assert Counter(tuple(row[name] for name in shape) for row in mine) == grid
 
 
-def test_every_arrangement_was_run_as_often_as_its_grid_says() -> None:
+def test_every_configuration_was_run_as_often_as_its_grid_says() -> None:
     shape = ("hosts", "processes", "endpoints", "names", "use")
     with (ROOT / "lab" / "mitigations.csv").open(newline="") as file:
         grid = {
-            (row["arrangement"], *(row[name] for name in shape)): int(row["runs"])
+            (row["configuration"], *(row[name] for name in shape)): int(row["runs"])
             for row in csv.DictReader(file)
         }
     rows = read_data("measured/mitigation_runs.csv", "discostorm_book")

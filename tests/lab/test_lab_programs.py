@@ -64,7 +64,7 @@ def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
     assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)  # with_suffix needs no dot
 
 
-def test_every_arrangement_has_six_points_and_three_runs_of_each() -> None:
+def test_every_configuration_has_six_points_and_three_runs_of_each() -> None:
     versions = dict.fromkeys(lab.PACKAGES, "1")
     jobs = lab.jobs(LAB / "mitigations.csv", [], False, versions)
     names = [job["name"] for job in jobs]

@@ -12,7 +12,7 @@ from discostorm.model import burst
 from discostorm.protocols import ARRANGED
 from discostorm_book import comparison, lab_counts
 
-TABLES = {name: ds.PROTOCOLS[name] for name in measured.arrangements()}
+TABLES = {name: ds.PROTOCOLS[name] for name in measured.configurations()}
 SERVERS = [name for name in TABLES if "Discovery Server" in name]
 each_table = pytest.mark.parametrize("name", TABLES)
 each_server = pytest.mark.parametrize("name", SERVERS)
@@ -295,7 +295,7 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         if row["use"] == "test"
     ]
     product, variant = (
-        {**measured.products(), **measured.arrangements()}[name][column]
+        {**measured.products(), **measured.configurations()}[name][column]
         for column in ("product", "variant")
     )
     mine = [

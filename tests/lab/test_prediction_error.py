@@ -24,11 +24,12 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, t
 
 
 def test_the_tables_are_what_the_counts_say() -> None:
-    for name, rows in (("bands", lab.bands()), ("restarts", lab.restarts())):
+    for name, rows, package in (
+        ("bands", lab.bands(), "discostorm"),
+        ("restarts", lab.restarts(), "discostorm_planner"),
+    ):
         made = [{key: str(value) for key, value in row.items()} for row in rows]
-        assert made == read_data(f"measured/{name}.csv", "discostorm_book"), (
-            f"run lab/bands.py: {name}.csv"
-        )
+        assert made == read_data(f"measured/{name}.csv", package), f"run lab/bands.py: {name}.csv"
 
 
 @pytest.mark.parametrize("kind", ["beyond_", "restart_"])
@@ -52,7 +53,7 @@ def test_one_of_each_pair_beyond_the_grid_was_held_out() -> None:
     """And both swarms of many endpoints, which are no pair; of Zenoh, whose refit is worse, all."""
     columns = ("product", "hosts", "processes", "endpoints", "names", "use")
     planned = {
-        (row["arrangement"].rsplit("-", 1)[0], *(row[name] for name in columns[1:]))
+        (row["configuration"].rsplit("-", 1)[0], *(row[name] for name in columns[1:]))
         for row in csv.DictReader(
             (ROOT / "lab" / "beyond.csv").read_text(encoding="utf-8").splitlines()
         )

@@ -32,17 +32,15 @@ def test_the_fit_is_that_of_the_measurements(
     monkeypatch.syspath_prepend(str(ROOT / "lab"))
     import fit
 
-    for arguments, names in (
-        ([], ("as_built.csv", "mitigations.csv")),
-        (["--misses"], ("misses.csv", "mitigation_misses.csv")),
+    for arguments, names, package in (
+        ([], ("as_built.csv", "mitigations.csv"), "discostorm"),
+        (["--misses"], ("misses.csv", "mitigation_misses.csv"), "discostorm_book"),
     ):
         monkeypatch.setattr("sys.argv", ["fit.py", "--out", str(tmp_path), *arguments])
         fit.main()
         for name in names:
             now = (tmp_path / name).read_text(encoding="utf-8")
-            assert now == data_path(f"measured/{name}", "discostorm_book").read_text(
-                encoding="utf-8"
-            )
+            assert now == data_path(f"measured/{name}", package).read_text(encoding="utf-8")
 
 
 def test_no_factor_of_the_fit_is_negative(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -105,7 +103,7 @@ def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
     assert {
         row["reason"] for row in (*read_data("measured/misses.csv", "discostorm_book"), *causes)
     } <= reasons
-    known = {**measured.products(), **measured.arrangements()}.values()
+    known = {**measured.products(), **measured.configurations()}.values()
     tables = {(row["product"], variant) for row in known for variant in ("", row["variant"])}
     assert {(row["product"], row["variant"]) for row in causes} <= tables
 

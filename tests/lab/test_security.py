@@ -19,7 +19,7 @@ from discostorm_book.comparison import airtime_counted
 from discostorm_book.lab_counts import points_of
 from discostorm_capture import Capture
 
-STORED = ROOT / "tests" / "captures" / "security"
+STORED = ROOT / "tests/reference/captures/security"
 RUNS = {row["run"]: row for row in read_data("measured/security_runs.csv", "discostorm_book")}
 #: What is beside which product with security.
 PLAIN = {"fast_dds": "default", "cyclone_dds_0.10": "spdp"}
@@ -53,7 +53,7 @@ def test_every_point_was_run_as_often_as_the_grid_says() -> None:
     shape = ("hosts", "processes", "endpoints", "names", "use")
     with (ROOT / "lab" / "security.csv").open(newline="") as file:
         grid = {
-            (row["arrangement"], *(row[name] for name in shape)): int(row["runs"])
+            (row["configuration"], *(row[name] for name in shape)): int(row["runs"])
             for row in csv.DictReader(file)
         }
     assert grid == Counter(

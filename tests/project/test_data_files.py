@@ -31,7 +31,7 @@ SOURCES = {
 #: Tables without such a column, by the README that says where all their rows are from.
 DESCRIBED = {
     "measured/README.md": (
-        *("arrangements", "as_built", "causes", "counts", "deaths", "hybrid", "ills"),
+        *("configurations", "as_built", "causes", "counts", "deaths", "hybrid", "ills"),
         *(
             "ill_times",
             "misses",
@@ -55,7 +55,7 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities"),
-        *("vendors/products", "vendors/arrangements", "palette"),
+        *("vendors/products", "vendors/configurations", "palette"),
     ),
 }
 WITHOUT = {
@@ -84,7 +84,7 @@ def test_a_readme_tells_of_the_tables_whose_rows_have_no_source(readme: str) -> 
 
 
 @pytest.mark.parametrize(
-    ("table", "runs"), [("products", "runs"), ("arrangements", "mitigation_runs")]
+    ("table", "runs"), [("products", "runs"), ("configurations", "mitigation_runs")]
 )
 def test_what_is_named_was_run(table: str, runs: str) -> None:
     # Debian's and PyPI's versions have more behind that of the product.

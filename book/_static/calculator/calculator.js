@@ -459,7 +459,7 @@
   /** What to paste is for any, for a middleware, its product or family, or for a radio. */
   function pasted({ steps, name, air }) {
     const { family, product } = MODEL.protocols[name];
-    // What is switched to together with an arrangement are no peers.
+    // What is switched to together with an configuration are no peers.
     const peers = steps.length === 1 && `${family} peers`;
     const named = (key) => [name, product, family, peers, "any"].includes(key) || air.name.startsWith(key);
     return steps.map((kind) => MODEL.pastes[kind]).flatMap((paste) => Object.keys(paste).filter(named).flatMap((key) => paste[key]));

@@ -2,7 +2,7 @@
 const DISCOSTORM = (() => {
 const s1 = "Nav2 in one process";
 const s2 = "Products as built";
-const s3 = "Products arranged against the storm";
+const s3 = "Products with mitigations";
 const s4 = "As the paper counts";
 const s5 = "The paper's messages, a product's periods";
 const s6 = "Proposals and other tables";

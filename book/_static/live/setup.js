@@ -127,7 +127,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       bursts.times.map(([time, number]) => [ticks(start + time), constants.SEND | BigInt(host) | (BigInt(number) << BigInt(PROCESS_BITS))]),
     );
     if (repairs) {
-      const { announce_first: first = 0, lease } = repairs;
+      const { announce_interval_initial: first = 0, lease } = repairs;
       processes.forEach(({ host }, i) => {
         if (first) due.push([ticks(starts[host]) + first, constants.ANNOUNCE | BigInt(i)]);
         if (lease < NEVER) due.push([ticks(starts[host]) + lease, constants.EXPIRE | BigInt(i)]);
@@ -221,7 +221,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     processes.forEach(({ host }, i) => {
       members.put(i, "host", host);
       members.put(i, "start", ticks(starts[host]));
-      members.put(i, "announce", repairs?.announce_first ?? 0);
+      members.put(i, "announce", repairs?.announce_interval_initial ?? 0);
     });
     const plain = (name, values, ...shape) => {
       const found = array(name, ...shape);

@@ -56,7 +56,7 @@ const s53 = [0, 0, 0, 0, 0, 80000000, 80000000];
 const s54 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [8, 4], [8.1, 5], [16, 6]];
 const s55 = {"kinds": {"multicast": s50, "to_all": s50, "up": s51, "down": s51}, "bursts": {"messages": [[0, 2], s52, [0, 1, 20, 21, 22, 23], [2], [9, 12, 14], [0, 1], [9, 12, 14]], "periods": s53, "times": s54}};
 const s56 = [0, 0, 0, 80000000, 80000000];
-const s57 = {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s57 = {"heartbeat_period_initial": 1000000, "heartbeat_period_max": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 7, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
 const s58 = {
 "kinds": {
 "multicast": s50,
@@ -106,7 +106,7 @@ const s72 = {
 "gap_number": [0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0], [8, 11], [0], [8, 11]], "periods": s70, "times": s71},
-"repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 6, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"heartbeat_period_initial": 1000000, "heartbeat_period_max": 80000000, "lease": 100000000, "topics": 1, "heartbeat": 5, "acknack": 6, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 };
 const s73 = 726.2444541104828;
 const s74 = 153.93607305936075;
@@ -194,7 +194,7 @@ const s148 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone"
 const s149 = [1, 1, 1, 1, 1, 1, 1];
 const s150 = [[0, 0], [3, 1], [6, 2]];
 const s151 = [1, 0, 0, 0, 0, 0, 0];
-const s152 = {"announce_first": 30000000, "announce_most": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s152 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
 const s153 = [1, 1, 1, 1, 1, 1, 1, 1];
 const s154 = [0, 1, 2, 3, 4, 5];
 const s155 = 0.30000000000000004;
@@ -474,7 +474,7 @@ return {
 "processes": {"size": 40, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "beating": [32, "i8"]}},
 "repairs": {
 "size": 88,
-"fields": {"announce_first": [0, "i8"], "announce_most": [8, "i8"], "heartbeat_first": [16, "i8"], "heartbeat_most": [24, "i8"], "lease": [32, "i8"], "topics": [40, "i8"], "heartbeat": [48, "i8"], "acknack": [56, "i8"], "rto_first": [64, "i8"], "rto_least": [72, "i8"], "rto_most": [80, "i8"]},
+"fields": {"announce_interval_initial": [0, "i8"], "announce_interval_max": [8, "i8"], "heartbeat_period_initial": [16, "i8"], "heartbeat_period_max": [24, "i8"], "lease": [32, "i8"], "topics": [40, "i8"], "heartbeat": [48, "i8"], "acknack": [56, "i8"], "rto_first": [64, "i8"], "rto_least": [72, "i8"], "rto_most": [80, "i8"]},
 },
 "pairs": {"size": 88, "fields": {"known": [0, "i8"], "heard": [8, "i8"], "missing": [16, "i8"], "done": [24, "i8"], "offered": [32, "i8"], "acknowledged": [40, "i8"], "rto": [48, "i8"], "due": [56, "i8"], "round_trip": [64, "i8"], "spread": [72, "i8"], "armed": [80, "i8"]}},
 "samples": {"size": 24, "fields": {"time": [0, "i8"], "hosts": [8, "i8"], "access_point": [16, "i8"]}},
@@ -536,7 +536,7 @@ return {
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 1, 2, 3], "informs": [1, 0, 0, 0], "trigger": [0, 2, 2, 1], "answers": [-1, 0, 0, 2], "since": s12, "to_unknown": [1, 0, 0, 0]},
 "bursts": s13,
-"repairs": {"announce_first": 30000000, "announce_most": 30000000, "heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": s1, "topics": 2, "heartbeat": 2, "acknack": 3, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": s1, "topics": 2, "heartbeat": 2, "acknack": 3, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Zenoh": {
@@ -546,7 +546,7 @@ return {
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 2], "answers": [-1, 0, 1, 1], "since": s12, "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
 "bursts": s13,
-"repairs": {"announce_first": 10000000, "announce_most": 80000000, "lease": s1, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"announce_interval_initial": 10000000, "announce_interval_max": 80000000, "lease": s1, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Cyclone DDS": {
@@ -863,7 +863,7 @@ s128,
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": s141, "times": [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]]},
-"repairs": {"heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "hybrid": {
@@ -893,7 +893,7 @@ s128,
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1], "role": [0, 0, 1, 2, 3], "informs": [1, 1, 0, 0, 0], "trigger": [0, 0, 2, 2, 1], "answers": [-1, -1, 0, 0, 3], "since": [0, 0, 500000, 500000, s1], "to_unknown": [1, 0, 0, 0, 0]},
 "bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [s155, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
-"repairs": {"heartbeat_first": 10000000, "heartbeat_most": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "DDS, periods of Cyclone DDS": {
@@ -917,7 +917,7 @@ s128,
 "gap_number": [0, 3, 0, 0, 0, 0, 0],
 },
 "bursts": {"messages": [[0, 5], [0], [5], [0]], "periods": s70, "times": [[0, 0], [0.1, 1], [8, 2], [8.1, 3]]},
-"repairs": {"heartbeat_first": 1000000, "heartbeat_most": 80000000, "lease": 100000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
+"repairs": {"heartbeat_period_initial": 1000000, "heartbeat_period_max": 80000000, "lease": 100000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "Zenoh, periods of Zenoh peer": {

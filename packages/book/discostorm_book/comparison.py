@@ -10,7 +10,7 @@ import sympy as sp
 
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
-from discostorm.measured import arrangements, products
+from discostorm.measured import configurations, products
 from discostorm.messages import HOPS, Message, Protocol, Schedule, Transport, header_bytes
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
@@ -77,7 +77,7 @@ def held(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
     Parameters
     ----------
     protocol : Protocol
-        Of a name in ``data/vendors/products.csv`` or ``arrangements.csv``.
+        Of a name in ``data/vendors/products.csv`` or ``configurations.csv``.
     shared : bool, optional
         Against those with one shared topic beside unique ones; see `points`.
 
@@ -151,7 +151,7 @@ def _row(
 #: How far a table may be from the median of the runs [1]: of a phase, and of a kind of message. Of
 #: what is arranged otherwise than as shipped, with fewer runs a point: of a phase alone.
 WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
-WITHIN_ARRANGED = 0.10
+WITHIN_MITIGATED = 0.10
 
 
 def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
@@ -164,7 +164,7 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
         (messages or bytes), ``error`` [1], and ``reason``, one of ``data/measured/reasons.csv``.
     """
     table = held(protocol)
-    arranged = protocol.name in arrangements()
+    arranged = protocol.name in configurations()
     found = []
     for row in table[table["use"] == use].to_dict("records"):
         for quantity, end in (("messages", ""), ("bytes", "_bytes")):
@@ -172,7 +172,7 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
             of_phase = row["kind"].startswith("all")
             if arranged and not of_phase:
                 continue
-            limit = WITHIN_ARRANGED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
+            limit = WITHIN_MITIGATED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}
@@ -200,7 +200,7 @@ def _reason(
 
 def _cause(protocol: str, phase: str) -> dict[str, str] | None:
     """Return what decides a phase of a product, where its source says so."""
-    run = (products() | arrangements())[protocol]
+    run = (products() | configurations())[protocol]
     for row in read_data("measured/causes.csv", "discostorm_book"):
         of_run = row["product"] == run["product"] and row["variant"] in ("", run["variant"])
         if of_run and row["phase"] == phase:

@@ -45,7 +45,7 @@ _LATE = {
 def relations(name: str) -> list[tuple[str, str, str]]:
     """Return which two groups, or one with itself, were looked at, and what they are called."""
     rows = lab_counts.deaths()
-    there = set(rows[rows["arrangement"] == name]["who"])
+    there = set(rows[rows["configuration"] == name]["who"])
     others = "robots 2 to 4" if "orphans" in there else "robots 1 to 4"
     named = [groups for who, groups in (_KNOWN | _LATE).items() if who in there]
     texts = [text.format(others=others) for *_, text in named]
@@ -55,7 +55,7 @@ def relations(name: str) -> list[tuple[str, str, str]]:
 
 
 def stagings(name: str) -> list[dict[str, Any]]:
-    """Return what was staged with an arrangement: a server or router is killed and comes back.
+    """Return what was staged with an configuration: a server or router is killed and comes back.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def stagings(name: str) -> list[dict[str, Any]]:
         did throughout. Once a router is back, all late joiners are timed together.
     """
     every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
-    of_name = every[every["arrangement"] == name]
+    of_name = every[every["configuration"] == name]
     return [
         _staging(name, str(event), rows)
         for event, rows in of_name.groupby("event", sort=False)

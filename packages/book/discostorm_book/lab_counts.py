@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.measured import arrangements, products
+from discostorm.measured import configurations, products
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -83,7 +83,7 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     Parameters
     ----------
     name : str
-        Of a table of ``data/vendors/products.csv`` or ``arrangements.csv``.
+        Of a table of ``data/vendors/products.csv`` or ``configurations.csv``.
     shared : bool, optional
         Instead of these, the points of ``lab/shared.csv``, where the first writer and the first
         reader of each process are on one topic of all, and the others on topics of their own.
@@ -99,9 +99,9 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     ValueError
         If there is no such table.
     """
-    known = products() | arrangements()
+    known = products() | configurations()
     _checks.choice("name", name, list(known))
-    row, kind = known[name], "mitigation_" if name in arrangements() else ""
+    row, kind = known[name], "mitigation_" if name in configurations() else ""
     kind = "shared_" if shared else kind
     return points_of(row["product"], row["variant"], int(row["least_processes"]), kind)
 
@@ -111,7 +111,7 @@ def points_of(
 ) -> tuple[Point, ...]:
     """Return the points of a product and variant that have at least so many processes [1].
 
-    With the kind left out: of an arrangement of ``lab/mitigations.csv``, with a table or without.
+    With the kind left out: of an configuration of ``lab/mitigations.csv``, with a table or without.
     """
     of_point: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
     for run in read_data(f"measured/{kind}runs.csv", "discostorm_book"):
@@ -160,7 +160,7 @@ def payloads(name: str, kind: str) -> list[float]:
 
 
 #: What tells the rows of ``data/measured/deaths.csv`` and ``outages.csv`` apart, but for the runs.
-_OF_DEATHS = ("arrangement", "event", "phase", "who", "quantity")
+_OF_DEATHS = ("configuration", "event", "phase", "who", "quantity")
 
 
 @cache
@@ -172,14 +172,14 @@ def _seconds(table: str = "deaths") -> dict[tuple[str, ...], list[dict[str, str]
 
 
 def death_times(
-    arrangement: str, event: str, phase: str, who: str, quantity: str
+    configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
     """Return how long something took in each run after a server, router or robot had died [s].
 
     Parameters
     ----------
-    arrangement : str
-        Of ``data/measured/arrangements.csv``, such as "Zenoh router"; of an outage, "Fast DDS
+    configuration : str
+        Of ``data/measured/configurations.csv``, such as "Zenoh router"; of an outage, "Fast DDS
         Discovery Server" or "Fast DDS Discovery Server, backup".
     event, phase, who, quantity : str
         What died, when it was looked at, whom it is about and what was measured, as
@@ -195,7 +195,7 @@ def death_times(
     ValueError
         If that was not measured.
     """
-    key = (arrangement, event, phase, who, quantity)
+    key = (configuration, event, phase, who, quantity)
     every = _seconds() | _seconds("outages")
     if key not in every:
         for position, name in enumerate(_OF_DEATHS):
@@ -216,7 +216,7 @@ def deaths(table: Literal["deaths", "outages"] = "deaths") -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        A row for each ``arrangement``, ``event``, ``phase``, ``who`` and ``quantity``: how long
+        A row for each ``configuration``, ``event``, ``phase``, ``who`` and ``quantity``: how long
         after the death the phase begins, ``since_s``, and how long it was watched, ``watched_s``
         [s]; the number of ``runs`` and of those in which it ``happened`` [1]; ``median_s``,
         ``least_s`` and ``most_s`` of all runs [s], infinite where it did not happen.

@@ -37,7 +37,7 @@ QUEUE = (500, 0.5)
 SHOWN, THIN = 0.25, 0.35e-3
 
 #: What the tables to choose stand on, in order.
-_BASES = ("measured", "arranged", "paper")
+_BASES = ("measured", "mitigated", "paper")
 
 
 def choices() -> list[Protocol]:

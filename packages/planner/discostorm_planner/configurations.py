@@ -1,4 +1,4 @@
-"""Every arrangement of every product that was measured, for the same fleet and channel."""
+"""Every configuration of every product that was measured, for the same fleet and channel."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from discostorm_planner.remedy_rules import is_built
 
 
 @dataclass(frozen=True)
-class Arrangement:
-    """What a measured arrangement of a product would take.
+class Configuration:
+    """What a measured configuration of a product would take.
 
     Parameters
     ----------
@@ -51,8 +51,8 @@ class Arrangement:
         }
 
 
-def compared(base: Setting, window: float) -> tuple[Arrangement, ...]:
-    """Return what every measured arrangement would take, that of the shortest start first.
+def compared(base: Setting, window: float) -> tuple[Configuration, ...]:
+    """Return what every measured configuration would take, that of the shortest start first.
 
     Without what a product sends on a network that it takes for wired: on Wi-Fi it does not.
     """
@@ -63,11 +63,11 @@ def compared(base: Setting, window: float) -> tuple[Arrangement, ...]:
             setting = replace(base, protocol=table)
             start, later = startup(setting), repeated(setting)
             taken = float(utilization(table, base.fleet, wifi=base.wifi, window=window))
-            found.append(Arrangement(name, taken, start.single, later.single, start, later))
+            found.append(Configuration(name, taken, start.single, later.single, start, later))
     return tuple(sorted(found, key=lambda one: (one.start, one.startup.full, one.steady)))
 
 
-def table_in_words(all_of_them: tuple[Arrangement, ...], width: int) -> list[str]:
+def table_in_words(all_of_them: tuple[Configuration, ...], width: int) -> list[str]:
     """Return a row each, in columns of equal width; a sentence each where these are too wide."""
     rows = [("", "startup", "steady state")]
     rows += [

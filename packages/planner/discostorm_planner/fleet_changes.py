@@ -9,7 +9,7 @@ from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.ros2 import parameter_service_endpoints
 from discostorm_planner.changes import Change
-from discostorm_planner.remedy_rules import arrangement_of, row_of
+from discostorm_planner.remedy_rules import configuration_of, row_of
 
 #: Parts that a fleet is split into.
 PARTS = (2, 3)
@@ -60,7 +60,7 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
     """Yield parts of it on channels of their own or in domains, or why there are none."""
     hosts = sum(group.hosts for group in fleet.groups)
     row = row_of("domains", protocol.family)
-    arranged = arrangement_of(protocol)
+    arranged = configuration_of(protocol)
     works = row is not None and row["works"] == "computed"
     if row is not None and works and arranged is not None:
         # The standard keeps apart who finds each other by announcements, and nobody else.

@@ -140,7 +140,7 @@ def plan(
         remedies=tuple(sorted(singles.values(), key=_order)),
         combinations=tuple(sorted(together, key=_order)),
         left_out=(*never, *reasons, *inapplicable(protocol)),
-        arrangements=compared(base, span),
+        configurations=compared(base, span),
         span=taken,
         steady_span=steady,
         startup=startup(base),

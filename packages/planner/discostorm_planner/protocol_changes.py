@@ -1,4 +1,4 @@
-"""What could be changed of a table: its arrangement, its announcements, the middleware."""
+"""What could be changed of a table: its configuration, its announcements, the middleware."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -9,7 +9,7 @@ from discostorm.messages import UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm_planner.changes import Change
-from discostorm_planner.remedy_rules import arranging, is_built, row_of, same, software
+from discostorm_planner.remedy_rules import configuring, is_built, row_of, same, software
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
@@ -30,7 +30,7 @@ def _arranged(protocol: Protocol) -> Iterator[Change]:
     What has the paper's counts is compared with them by the product's table as built.
     """
     own = software(protocol)
-    for row in arranging():
+    for row in configuring():
         table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
         if table is None or same(table, protocol):
             continue
@@ -42,7 +42,7 @@ def _arranged(protocol: Protocol) -> Iterator[Change]:
         if other:
             what = f"switching to {software(before)} with {what}"
             steps = ("middleware", *steps)
-        elif protocol.basis != "arranged" and not same(before, protocol):
+        elif protocol.basis != "mitigated" and not same(before, protocol):
             base = before
             by = f"both values are of {before.name.replace(', ', ' with ')}'s measured model"
         yield Change(
@@ -118,7 +118,7 @@ def _switched(protocol: Protocol) -> Iterator[Change]:
     # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
     wired = [table.wired for table in PROTOCOLS.values()]
     for table in PROTOCOLS.values():
-        if table.family is None or table.basis == "arranged" or table in wired:
+        if table.family is None or table.basis == "mitigated" or table in wired:
             continue
         # What ROS 2 makes of a product may be another of its tables.
         of_ros2 = row_of("middleware", table.family)

@@ -123,7 +123,7 @@ class Remedy:
         """What to paste."""
         radio, of = self.wifi.radio, self.protocol
         names = [software(of), of.family]
-        if of.basis != "arranged":
+        if of.basis != "mitigated":
             names.append(f"{of.family} peers")
         if radio is not None:
             names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")

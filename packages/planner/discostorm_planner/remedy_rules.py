@@ -13,7 +13,7 @@ from discostorm.protocols import PROTOCOLS
 
 def is_built(protocol: Protocol) -> bool:
     """Return whether a table has the counts of a product, as shipped or arranged otherwise."""
-    return protocol.basis in ("measured", "arranged")
+    return protocol.basis in ("measured", "mitigated")
 
 
 def software(protocol: Protocol) -> str | None:
@@ -42,8 +42,8 @@ def known_as(protocol: Protocol) -> Protocol | None:
 
 
 @cache
-def arranging() -> tuple[dict[str, str], ...]:
-    """Return the remedies that put the table of another arrangement in place of a product's."""
+def configuring() -> tuple[dict[str, str], ...]:
+    """Return the remedies that put the table of another configuration in place of a product's."""
     return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
 
 
@@ -54,18 +54,18 @@ def row_of(kind: str, of: str | None) -> dict[str, str] | None:
     return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
 
 
-def arrangement_of(protocol: Protocol) -> dict[str, str] | None:
+def configuration_of(protocol: Protocol) -> dict[str, str] | None:
     """Return the remedy that puts this table in place of a product's, None of another table."""
-    tables = ((row, PROTOCOLS.get(row["table"])) for row in arranging())
+    tables = ((row, PROTOCOLS.get(row["table"])) for row in configuring())
     return next((row for row, table in tables if table and same(table, protocol)), None)
 
 
 def known(kind: str, protocol: Protocol) -> dict[str, str]:
     """Return what the data say of a kind of remedy for a protocol.
 
-    Of switching to an arrangement what holds for any: what a family counts is of its peers.
+    Of switching to an configuration what holds for any: what a family counts is of its peers.
     """
-    arranged = kind == "middleware" and protocol.basis == "arranged"
+    arranged = kind == "middleware" and protocol.basis == "mitigated"
     row = row_of(kind, None if arranged else protocol.family)
     assert row is not None, kind
     return row
@@ -129,8 +129,10 @@ def inapplicable(protocol: Protocol) -> Iterator[str]:
     own, built = protocol.family, is_built(protocol)
     rows = read_data("vendors/remedies.csv")
     unknown = []
-    # Whoever has a product may change to the arrangements of all products.
-    anyones = {row["kind"] for row in arranging() if row["table"] in PROTOCOLS} if built else set()
+    # Whoever has a product may change to the configurations of all products.
+    anyones = (
+        {row["kind"] for row in configuring() if row["table"] in PROTOCOLS} if built else set()
+    )
     for kind in dict.fromkeys(row["kind"] for row in rows):
         if kind in anyones:
             continue

@@ -16,7 +16,7 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import Known, Span, Verdict
-from discostorm_planner.configurations import Arrangement, table_in_words
+from discostorm_planner.configurations import Configuration, table_in_words
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import NOTHING, Remedy
 from discostorm_planner.remedy_rules import software
@@ -87,8 +87,8 @@ class Plan:
         one of its changes as well.
     left_out : tuple of str
         What does not apply or could not be changed, and why.
-    arrangements : tuple of Arrangement
-        Every measured arrangement of every product, for the same fleet and channel; the one of
+    configurations : tuple of Configuration
+        Every measured configuration of every product, for the same fleet and channel; the one of
         the shortest start first.
     span, steady_span : Span
         What `utilization` and `steady` lie between: full A-MPDUs and one frame in each exchange;
@@ -117,7 +117,7 @@ class Plan:
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
     left_out: tuple[str, ...]
-    arrangements: tuple[Arrangement, ...]
+    configurations: tuple[Configuration, ...]
     span: Span
     steady_span: Span
     startup: Span
@@ -189,7 +189,7 @@ class Plan:
             "remedies": [remedy.to_dict() for remedy in self.remedies],
             "combinations": [remedy.to_dict() for remedy in self.combinations],
             "left_out": list(self.left_out),
-            "arrangements": [found.to_dict() for found in self.arrangements],
+            "configurations": [found.to_dict() for found in self.configurations],
         }
 
     def to_json(self) -> str:
@@ -302,7 +302,7 @@ class Plan:
             [
                 "",
                 words.wrapped("The same fleet with each measured configuration:", width),
-                *table_in_words(self.arrangements, width),
+                *table_in_words(self.configurations, width),
                 "",
                 "What this rests on:",
                 *(words.wrapped(f"- {line}", width) for line in self._basis_in_words()),
@@ -467,7 +467,9 @@ class Plan:
 def _by(protocol: Protocol) -> str:
     """Return a table and its kind of model, as a baseline is called."""
     kinds = {"paper": "paper model", "timed": "timed model", "measured": "measured model"}
-    kind = {**kinds, "arranged": "measured model", "proposal": "proposal"}.get(protocol.basis or "")
+    kind = {**kinds, "mitigated": "measured model", "proposal": "proposal"}.get(
+        protocol.basis or ""
+    )
     return f"{protocol.name}, {kind}" if kind else protocol.name
 
 

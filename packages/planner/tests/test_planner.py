@@ -62,7 +62,7 @@ def written_out(fleet: ds.Fleet) -> Hosts:
     ]
 
 
-def in_symbols(octets: int, padding: ds.Padding) -> float:
+def in_symbols(octets: int, padding: ds.OfdmSymbols) -> float:
     """Whole symbols of 3.6 or 4 us and so on, on a grid, counted in tenths of a microsecond."""
     symbols = -(-(padding.added + 8 * octets) // padding.bits)
     ticks, grid = round(padding.symbol * 1e7), round(padding.grid * 1e7)
@@ -458,7 +458,7 @@ def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
         zenoh = name.startswith("Zenoh")
         assert protocol.family == ("Zenoh" if zenoh else "DDS")
         offered = any(r.kind == "domains" for r in plan.remedies)
-        assert offered == (not zenoh and protocol.basis != "arranged")
+        assert offered == (not zenoh and protocol.basis != "mitigated")
         assert any(r.startswith("splitting into domains: in Zenoh") for r in plan.left_out) == (
             zenoh
         )
@@ -1053,7 +1053,7 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     assert switched.steps == ("middleware", "discovery server")
     assert not any("Discovery Server" in reason for reason in cyclone.left_out)
     assert all("discovery server" not in r.steps or len(r.steps) > 2 for r in cyclone.combinations)
-    # And with it, its product's own table is no arrangement of servers.
+    # And with it, its product's own table is no configuration of servers.
     served = ds.plan(NAV2, server)
     assert server.family == "DDS"
     assert remedy_rules.software(server) == "Fast DDS"
@@ -1061,7 +1061,7 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
 
 
 @pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS", "Zenoh peer, tokens"])
-def test_every_measured_arrangement_of_every_product_is_a_change_that_can_be_had_alone(
+def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_had_alone(
     name: str,
 ) -> None:
     (robot,) = (host for kind, host in robots_by_name().items() if kind == "TurtleBot 4 with Nav2")
@@ -1087,25 +1087,25 @@ def test_every_measured_arrangement_of_every_product_is_a_change_that_can_be_had
         assert first.span.full < 2 < router.span.full
 
 
-def test_arrangements_are_compared_in_one_table() -> None:
+def test_configurations_are_compared_in_one_table() -> None:
     plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
-    rows = {row.name: row for row in plan.arrangements}
+    rows = {row.name: row for row in plan.configurations}
     wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
     assert set(rows) == (set(MEASURED) | set(ARRANGED)) - wired
     assert rows["Fast DDS"].utilization == plan.utilization
-    assert [row.start for row in plan.arrangements] == sorted(row.start for row in rows.values())
+    assert [row.start for row in plan.configurations] == sorted(row.start for row in rows.values())
     for name, row in rows.items():
         steady = ds.utilization(ds.PROTOCOLS[name], TOLD, window=math.inf)
         assert row.steady == steady
         start = ds.drain_time(ds.PROTOCOLS[name], TOLD)
         assert row.start == pytest.approx(start)
         assert f"  {name} " in plan.advice()
-    told = json.loads(plan.to_json())["arrangements"]
+    told = json.loads(plan.to_json())["configurations"]
     assert [row["protocol"] for row in told] == list(rows)
     # A start that never ends is said so, and JSON has no infinity.
     large = ds.plan(ds.Fleet.swarm(200, 20, 100), ds.PROTOCOLS["Fast DDS"])
     assert "never done" in large.advice()
-    assert None in {row["start_s"] for row in json.loads(large.to_json())["arrangements"]}
+    assert None in {row["start_s"] for row in json.loads(large.to_json())["configurations"]}
 
 
 def test_calmer_announcements_are_those_of_the_snippet() -> None:
@@ -1177,7 +1177,9 @@ MEASURED_DEATHS = {
 
 def test_what_fails_when_is_what_the_lab_measured() -> None:
     rows = {row["kind"]: row for row in read_data("vendors/remedies.csv")}
-    died = {row["arrangement"] for row in read_data("measured/arrangements.csv", "discostorm_book")}
+    died = {
+        row["configuration"] for row in read_data("measured/configurations.csv", "discostorm_book")
+    }
     assert {kind for kind, row in rows.items() if row["table"] in died} == set(MEASURED_DEATHS)
     for kind, cases in MEASURED_DEATHS.items():
         for case in cases.strip().splitlines():

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks
 from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
-from discostorm.wifi import Padding, Radio, Wifi
+from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as _cell
 from discostorm_simulation.state import Cell, Records
@@ -140,13 +140,13 @@ def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
     return factors
 
 
-def _ppdu_ticks(octets: int, padding: Padding, preamble: int) -> int:
+def _ppdu_ticks(octets: int, padding: OfdmSymbols, preamble: int) -> int:
     symbols = -(-(padding.added + 8 * octets) // padding.bits)
     grid = ticks(padding.grid)
     return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
 
 
-def paddings(wifi: Wifi) -> tuple[tuple[Padding, int], tuple[Padding, int]]:
+def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, int]]:
     """Return padding and preamble [ticks] of frames to one receiver, and of those to all."""
     radio = wifi.radio
     assert radio is not None
@@ -461,7 +461,7 @@ def _first_events(processes: Records, repairs: Records) -> list[tuple[int, int]]
     """Return the first announcements that no table names, and the first looks at leases."""
     due = []
     for process, start in enumerate(processes["start"]):
-        if first := repairs["announce_first"][0]:
+        if first := repairs["announce_interval_initial"][0]:
             processes["announce"][process] = first
             due.append((int(start + first), int(_cell.ANNOUNCE) | process))
         if (lease := repairs["lease"][0]) < _cell.NEVER:

@@ -222,14 +222,14 @@ def repair_record(protocol: Protocol) -> Records:
         "rto_most": RTO_MOST,
     }
     if all(message.schedule.period == np.inf for message in _announcements(protocol)):
-        seconds["announce_first"] = timers.announce_first
-        seconds["announce_most"] = timers.announce_most
+        seconds["announce_interval_initial"] = timers.announce_interval_initial
+        seconds["announce_interval_max"] = timers.announce_interval_max
     record = np.zeros(1, _cell.REPAIRS)
     names = [message.name for message in protocol.messages]
     for heartbeat in _of_role(protocol, "heartbeat"):
         (acknowledgement,) = _of_role(protocol, "acknowledgement")
-        seconds["heartbeat_first"] = timers.heartbeat_first
-        seconds["heartbeat_most"] = timers.heartbeat_most
+        seconds["heartbeat_period_initial"] = timers.heartbeat_period_initial
+        seconds["heartbeat_period_max"] = timers.heartbeat_period_max
         record["heartbeat"] = names.index(heartbeat.name)
         record["acknack"] = names.index(acknowledgement.name)
         record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))

@@ -120,7 +120,7 @@ def start_beating(cell, writer, time):
     """Let a writer send Heartbeats until all have acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
     if repairs.topics > 0:
-        its.heartbeat = repairs.heartbeat_first
+        its.heartbeat = repairs.heartbeat_period_initial
         if not its.beating:
             its.beating = 1
             later(cell, time + its.heartbeat, BEAT | writer)
@@ -142,7 +142,7 @@ def beat(cell, writer, time):
                     offer_new(cell, frame | REPAIR, time)
     its.beating = waiting
     if waiting:
-        its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_most)
+        its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
         later(cell, time + its.heartbeat, BEAT | writer)
 
 
@@ -304,7 +304,7 @@ def announce(cell, process, time):
         if kind.to_all and kind.trigger == CLOCK:
             for item in range(number_to_all(cell, process, row)):
                 offer_new(cell, compose(row, process, process, item) | STEADY, time)
-    its.announce = min(2 * its.announce, repairs.announce_most)
+    its.announce = min(2 * its.announce, repairs.announce_interval_max)
     later(cell, time + its.announce, ANNOUNCE | process)
 
 

@@ -138,7 +138,9 @@ class Setup:
             for rows, period in zip(self.bursts.messages, self.bursts.period, strict=True)
             if period
         )
-        if self.repairs is not None and (period := float(self.repairs["announce_most"][0]) * TICK):
+        if self.repairs is not None and (
+            period := float(self.repairs["announce_interval_max"][0]) * TICK
+        ):
             again += span * float(of_row[alone if alone.any() else 0].sum()) / period
         looks = 0.0
         if self.repairs is not None:  # at leases, of each process for each other

@@ -58,7 +58,7 @@ def window(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm import staggered
+    >>> from discostorm_simulation import staggered
     >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
     2.0
 
@@ -144,7 +144,7 @@ def in_turn(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm import staggered
+    >>> from discostorm_simulation import staggered
     >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """

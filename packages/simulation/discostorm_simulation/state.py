@@ -192,7 +192,14 @@ ALWAYS, LATER, FIRST = range(3)
 
 #: How the middleware repairs, in ticks; see `discostorm_simulation.recovery`.
 REPAIRS = _record(
-    *("announce_first", "announce_most", "heartbeat_first", "heartbeat_most", "lease", "topics"),
+    *(
+        "announce_interval_initial",
+        "announce_interval_max",
+        "heartbeat_period_initial",
+        "heartbeat_period_max",
+        "lease",
+        "topics",
+    ),
     *("heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
 )
 

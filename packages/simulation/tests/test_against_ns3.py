@@ -35,7 +35,7 @@ SATURATION = read_data("measured/ns3_saturation.csv", "discostorm_book")
 def channel(mpdus: int, aifsn: int) -> ds.Wifi:
     """Return the channel as ns-3 has it: a short guard interval is not rounded up to 4 us."""
     wifi = ds.Radio("802.11n", streams=2, aifsn=aifsn, mpdus=mpdus).wifi()
-    padding = ds.Padding(520, 3.6e-6, 3.6e-6, 22)
+    padding = ds.OfdmSymbols(520, 3.6e-6, 3.6e-6, 22)
     wifi = replace(wifi, unicast=replace(wifi.unicast, padding=padding))
     if wifi.aggregation is not None:
         # Of a longer one the last symbols would be too many for the standard, not for ns-3.

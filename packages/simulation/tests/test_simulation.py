@@ -556,7 +556,7 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
         recovery=True,
     )
     what.radio["attempts"] = 1
-    period = int(what.repairs["heartbeat_first"][0])  # type: ignore[index]
+    period = int(what.repairs["heartbeat_period_initial"][0])  # type: ignore[index]
     times = []
     for seed in range(runs):
         cell = cell_of(what, seed)

@@ -1,4 +1,4 @@
-"""Figure of the chapter on what to change first: which arrangement admits how many robots."""
+"""Figure of the chapter on what to change first: which configuration admits how many robots."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -21,8 +21,8 @@ from discostorm_book.figures.servers import BREAKS, breaks
 _MANY = np.arange(1.0, 200)  # hosts
 
 
-def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
-    """Return how many robots fit within one second by arrangement, and what else can fail.
+def configurations_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
+    """Return how many robots fit within one second by configuration, and what else can fail.
 
     Parameters
     ----------
@@ -30,16 +30,16 @@ def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
         One host of each robot, by what the figure calls it.
     """
     shipped = {
-        row["instead_of"] for row in read_data("vendors/arrangement_risks.csv", "discostorm_book")
+        row["instead_of"] for row in read_data("vendors/configuration_risks.csv", "discostorm_book")
     }
-    shown = [name for name in PROTOCOLS if name in shipped or name in measured.arrangements()]
+    shown = [name for name in PROTOCOLS if name in shipped or name in measured.configurations()]
 
     def fit(name: str, robot: HostGroup) -> int:
         taken = utilization(PROTOCOLS[name], Fleet((replace(robot, hosts=_MANY),)))
         return int(np.sum(np.asarray(taken) < 1))
 
     data = pd.DataFrame(
-        {"arrangement": name, "what else fails": breaks(name)}
+        {"configuration": name, "what else fails": breaks(name)}
         | {f"{robot} that fit": fit(name, one) for robot, one in robots.items()}
         for name in shown
     )
@@ -47,15 +47,15 @@ def arrangements_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
     return data.sort_values(by, ascending=False, kind="stable").reset_index(drop=True)
 
 
-def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
-    """Draw how many robots fit with each arrangement: a panel a robot, colored by what else fails.
+def configurations(robots: Mapping[str, HostGroup]) -> Figure:
+    """Draw how many robots fit with each configuration, one panel per robot.
 
     Parameters
     ----------
     robots : mapping
         One host of each robot, by what the figure calls it.
     """
-    data = arrangements_data(robots)
+    data = configurations_data(robots)
     colors = lights("series")
     with style():
         figure = Figure(figsize=(WIDTH, 1.5 + 0.2 * len(data)))
@@ -76,11 +76,11 @@ def arrangements(robots: Mapping[str, HostGroup]) -> Figure:
             axis.spines["left"].set_visible(False)
             axis.tick_params(axis="y", length=0, labelsize=8.5)
         names = [
-            f"{name}, as shipped" if name in MEASURED else name for name in data["arrangement"]
+            f"{name}, as shipped" if name in MEASURED else name for name in data["configuration"]
         ]
         panels[0].set_yticks(range(len(data)), names)
         panels[0].invert_yaxis()
-        headline(figure, "Which arrangement admits most depends on the robot")
+        headline(figure, "Which configuration admits most depends on the robot")
         marks = [
             Line2D([], [], marker=mark, linestyle="", color=colors[color], mew=0, label=what)
             for what, (color, mark) in BREAKS.items()

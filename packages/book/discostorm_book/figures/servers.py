@@ -49,10 +49,10 @@ BREAKS = {
 
 @cache
 def instead_of() -> dict[str, str]:
-    """Return the product as shipped that each arrangement takes the place of."""
-    rows = read_data("vendors/arrangement_risks.csv", "discostorm_book")
+    """Return the product as shipped that each configuration takes the place of."""
+    rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     of = {row["protocol"]: row["instead_of"] for row in rows}
-    return {name: of[name] for name in measured.arrangements()}
+    return {name: of[name] for name in measured.configurations()}
 
 
 def swarm(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
@@ -80,15 +80,15 @@ def fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> i
 
 
 def breaks(name: str) -> str:
-    """Return what else fails with the server or router of an arrangement, as it was measured."""
+    """Return what else fails with the server or router of an configuration, as it was measured."""
     as_what = {
         row["protocol"]: row["fails_as"]
-        for row in read_data("vendors/arrangement_risks.csv", "discostorm_book")
+        for row in read_data("vendors/configuration_risks.csv", "discostorm_book")
     }
     killed = [
         (row["who"], float(row["seconds"]), row["quantity"])
         for row in read_data("measured/deaths.csv", "discostorm_book")
-        if (row["arrangement"], row["event"]) == (as_what.get(name, name), "server killed")
+        if (row["configuration"], row["event"]) == (as_what.get(name, name), "server killed")
     ]
 
     def never(who: str, quantity: str) -> bool:
@@ -101,11 +101,11 @@ def breaks(name: str) -> str:
     return "one robot" if never("orphans and survivors", "settled") else "nothing else"
 
 
-def arrangements_data() -> pd.DataFrame:
-    """Return how many robots fit with each product and arrangement, and what fails with it."""
+def configurations_data() -> pd.DataFrame:
+    """Return how many robots fit with each product and configuration, and what fails with it."""
     of = instead_of()
     return pd.DataFrame(
-        {"product": product.split(",")[0], "arrangement": name}
+        {"product": product.split(",")[0], "configuration": name}
         | {f"one second, {names} names": fit(name, 1.0, names) for names in NAMES}
         | {
             "10% of the steady state": fit(name, 0.1, window=np.inf),
@@ -116,9 +116,9 @@ def arrangements_data() -> pd.DataFrame:
     )
 
 
-def arrangements() -> Figure:
-    """Draw how many robots fit with each arrangement as dots, colored by what fails with it."""
-    data = arrangements_data()
+def configurations() -> Figure:
+    """Draw how many robots fit with each configuration as dots, colored by what fails with it."""
+    data = configurations_data()
     colors = lights("series")
     with style():
         figure = Figure(figsize=(WIDTH, 4.4))
@@ -126,13 +126,13 @@ def arrangements() -> Figure:
         places, labels = [], []
         place = 0.0
         for row in data.to_dict("records"):
-            shipped = row["arrangement"] not in instead_of()
+            shipped = row["configuration"] not in instead_of()
             place += 1.6 if shipped else 1.0
             places.append(place)
             labels.append(
                 f"{row['product']}, as shipped"
                 if shipped
-                else _SHORT.get(row["arrangement"], row["arrangement"])
+                else _SHORT.get(row["configuration"], row["configuration"])
             )
             color, mark = BREAKS[row["what else fails"]]
             look: dict[str, Any] = {"marker": mark, "ms": 7, "color": colors[color]}
@@ -195,7 +195,7 @@ def failures_data() -> pd.DataFrame:
     """Return from when on processes hear each other after a server or router was killed [s]."""
     return pd.DataFrame(
         {
-            "arrangement": name,
+            "configuration": name,
             "event": event,
             "title": title,
             "who": who,
@@ -213,7 +213,7 @@ def _lanes(name: str, event: str) -> Iterator[tuple[str, float, float, float, fl
     rows = [
         row
         for row in read_data("measured/deaths.csv", "discostorm_book")
-        if (row["arrangement"], row["event"]) == (name, event)
+        if (row["configuration"], row["event"]) == (name, event)
     ]
     since = {row["phase"]: float(row["since_s"]) for row in rows}
     back = since["return"]
@@ -237,17 +237,17 @@ def _lanes(name: str, event: str) -> Iterator[tuple[str, float, float, float, fl
 def noticed_data() -> pd.DataFrame:
     """Return how long the others keep a robot that has failed on their lists, medians [s]."""
     leases = {
-        row["arrangement"]: float(row["lease_s"])
-        for row in read_data("measured/arrangements.csv", "discostorm_book")
+        row["configuration"]: float(row["lease_s"])
+        for row in read_data("measured/configurations.csv", "discostorm_book")
     }
     staged = {
-        (row["arrangement"], row["event"])
+        (row["configuration"], row["event"])
         for row in read_data("measured/deaths.csv", "discostorm_book")
         if row["quantity"] == "noticed"
     }
     return pd.DataFrame(
         {
-            "arrangement": name,
+            "configuration": name,
             "event": event,
             "noticed_s": float(np.median(death_times(name, event, "death", "dead", "noticed"))),
             "lease_s": lease,
@@ -317,10 +317,10 @@ def _draw_noticed(axis: Axes, data: pd.DataFrame) -> None:
     colors = lights("series")
     looks = {"robot killed": (-0.19, "orange", "killed"),
              "robot cut off": (0.19, "sky", "out of reach")}  # fmt: skip
-    names = list(dict.fromkeys(data["arrangement"]))
+    names = list(dict.fromkeys(data["configuration"]))
     for row in data.to_dict("records"):
         shift, color, _ = looks[row["event"]]
-        place = names.index(row["arrangement"]) + shift
+        place = names.index(row["configuration"]) + shift
         axis.barh(place, row["noticed_s"], 0.34, color=colors[color])
         short = f"{row['noticed_s']:.0f}" if row["noticed_s"] >= 0.5 else "0"
         axis.text(row["noticed_s"] + 0.8, place, f"{short}", va="center", fontsize=8)

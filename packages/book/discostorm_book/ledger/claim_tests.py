@@ -40,9 +40,9 @@ def as_counted(product: str, message: str) -> Test:
     return Test(captured.sent_for_counted, (product, message), "≈", 1, WITHIN)
 
 
-def disturbed(arrangement: str, who: str) -> Test:
+def disturbed(configuration: str, who: str) -> Test:
     """Return the test that these noticed in some runs that a server or router was killed."""
-    return Test(evidence.runs_undisturbed, (arrangement, "server killed", who), "<", 1)
+    return Test(evidence.runs_undisturbed, (configuration, "server killed", who), "<", 1)
 
 
 #: Tests, by section of the paper. Claims without one cannot be checked.

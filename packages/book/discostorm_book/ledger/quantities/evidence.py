@@ -41,20 +41,20 @@ def payloads_measured(protocol: Protocol) -> float:
     return len(within) / len(protocol.messages)
 
 
-def start_saved(arrangement: str, hosts: float) -> float:
-    """Return which part of the start's airtime an arrangement saves, with any names the least.
+def start_saved(configuration: str, hosts: float) -> float:
+    """Return which part of the start's airtime an configuration saves, with any names the least.
 
     Of that of the product without it, as both tables were measured, on the paper's channel: for
     so many hosts of 2 processes with 10 endpoints, which match nobody or all.
     """
-    rows = read_data("vendors/arrangement_risks.csv", "discostorm_book")
-    (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == arrangement)
+    rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
+    (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     saved = []
     for matching in (0.0, 1.0):
         fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
         with_it, without = (
             sum(costs["uplink_s"] + costs["downlink_s"] for costs in message_costs(table, fleet))
-            for table in (PROTOCOLS[arrangement], PROTOCOLS[instead_of])
+            for table in (PROTOCOLS[configuration], PROTOCOLS[instead_of])
         )
         saved.append(1 - float(with_it) / float(without))
     return min(saved)
@@ -66,15 +66,15 @@ def remedies_by_configuration() -> float:
     return sum(effort in _CONFIGURATION for effort in efforts) / len(efforts)
 
 
-def runs_found(arrangement: str, event: str) -> float:
+def runs_found(configuration: str, event: str) -> float:
     """Return the part of the runs in which a newcomer found the living before the dead was back."""
-    times = lab_counts.death_times(arrangement, event, "newcomer", "newcomer", "found")
+    times = lab_counts.death_times(configuration, event, "newcomer", "newcomer", "found")
     return float(np.isfinite(times).mean())
 
 
-def runs_undisturbed(arrangement: str, event: str, who: str) -> float:
+def runs_undisturbed(configuration: str, event: str, who: str) -> float:
     """Return the part of the runs in which these lost no match and heard each other all along."""
-    times = lab_counts.death_times(arrangement, event, "death", who, "settled")
+    times = lab_counts.death_times(configuration, event, "death", who, "settled")
     return float((times == 0).mean())
 
 
