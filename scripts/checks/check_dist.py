@@ -27,6 +27,20 @@ ROOT = Path(__file__).parents[2]
 #: Pages whose examples must run where all packages are installed.
 PAGES = ("PYPI.md", "README.md")
 LICENSES = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
+#: Chapters that run where they are downloaded, without the checkout: the command line, captures,
+#: what the lab counted, and the prototype.
+CHAPTERS = ("21_command_line", "00_captures", "10_products", "15_hybrid")
+#: Runs the code cells of a notebook.
+_RUN = """
+import json, sys
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+with open(sys.argv[1], encoding="utf-8") as file:
+    cells = json.load(file)["cells"]
+for cell in cells:
+    if cell["cell_type"] == "code":
+        shell.run_cell("".join(cell["source"])).raise_error()
+"""
 #: What the tests themselves need.
 TEST_TOOLS = ("hypothesis", "pytest", "pytest-regressions", "pytest-xdist")
 
@@ -164,6 +178,18 @@ def examples(page: Path, programs: Path) -> int:
     return tried
 
 
+def run_chapter(name: str, programs: Path) -> None:
+    """Run a downloaded chapter in an empty folder, in which it leaves nothing."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder, "downloads", f"{name}.ipynb")
+        copy.parent.mkdir()
+        copy.write_bytes((ROOT / "notebooks" / copy.name).read_bytes())
+        more = {"MPLBACKEND": "agg", "IPYTHONDIR": str(Path(folder, "ipython"))}
+        _run(programs / "python", "-I", "-c", _RUN, copy, cwd=copy.parent, more=more)
+        if [*copy.parent.iterdir()] != [copy]:
+            raise SystemExit(f"check_dist: {name} leaves files beside it")
+
+
 def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
     """Run the tests of a package where nothing is installed but what it names."""
     programs = environment(folder, wheels, row["name"], *TEST_TOOLS)
@@ -201,10 +227,12 @@ def main() -> None:
         pages = [ROOT / name for name in PAGES]
         pages += [ROOT / row["folder"] / "README.md" for row in packages()[1:]]
         tried = {page: examples(page, programs) for page in pages}
+        for name in CHAPTERS:
+            run_chapter(name, programs)
     for file in built:
         print(f"{_sha256(file)}  {file.name}  {file.stat().st_size / 1e6:.1f} MB")
     counts = ", ".join(f"{n} examples of {page.relative_to(ROOT)}" for page, n in tried.items())
-    print(f"Checked, with {counts}")
+    print(f"Checked, with {counts}, and {len(CHAPTERS)} downloaded chapters")
 
 
 if __name__ == "__main__":
