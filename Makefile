@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test test-all pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -48,9 +48,14 @@ book: $(READY) ## execute every notebook and build the HTML book
 	@touch _build/.done
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
-test: $(READY) ## run all tests, notebooks included
+test: $(READY) ## test packages and notebooks, and visit each page once
 	@$(BIN)/python scripts/loopback.py
-	@$(BIN)/pytest -n 2
+	@$(BIN)/pytest -n 2 -m "not thorough"
+
+test-all: $(READY) ## run all tests: pages in all modes, PDF, lab, and each package alone
+	@$(BIN)/python scripts/loopback.py
+	@$(BIN)/python scripts/checks/check_dist.py --alone all
+	@$(BIN)/pytest -n 2 --ignore=tests/core --ignore=packages --ignore=discostorm
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/checks/check_latex.sh
