@@ -52,10 +52,9 @@ test: $(READY) ## test packages and notebooks, and visit each page once
 	@$(BIN)/python scripts/loopback.py
 	@$(BIN)/pytest -n 2 -m "not thorough"
 
-test-all: $(READY) ## run all tests: pages in all modes, PDF, lab, and each package alone
-	@$(BIN)/python scripts/loopback.py
+test-all: test ## run all tests: pages in all modes, PDF, lab, and each package alone
+	@$(BIN)/pytest -n 2 -m thorough
 	@$(BIN)/python scripts/checks/check_dist.py --alone all
-	@$(BIN)/pytest -n 2 --ignore=tests/core --ignore=packages --ignore=discostorm
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/checks/check_latex.sh
