@@ -74,7 +74,9 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 	@rm -rf _build/html _build/.doctrees build/release
 	@$(BUILD)
 	@$(BIN)/discostorm figures --out build/release/figures
-	@SOURCE_DATE_EPOCH=$(EPOCH) $(BIN)/python -m hatchling build --target wheel --directory build/release/dist
+	@for package in . packages/simulation packages/planner packages/capture packages/book; do \
+		(cd $$package && SOURCE_DATE_EPOCH=$(EPOCH) "$(CURDIR)/$(BIN)/python" -m hatchling build \
+		--target wheel --directory "$(CURDIR)/build/release/dist") || exit 1; done
 	@$(BIN)/python scripts/book/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
