@@ -9,7 +9,7 @@ import simulate_hybrid
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
-from discostorm_book.comparison import held_hybrid
+from discostorm_book.comparison import compare_hybrid_with_runs
 from hybrid import wire
 from hybrid.channel import Channel, Frame, timing_of
 from hybrid.simulation import Death, hybrid_run
@@ -300,7 +300,7 @@ def test_sets_of_several_datagrams_reach_all():
 @pytest.mark.parametrize("alike", [False, True])
 def test_speakers_in_the_lab_send_what_the_table_says(alike):
     # Of 10 to 20 endpoints a host; fewer names deflate less well than that, more deflate better.
-    table = held_hybrid(alike)
+    table = compare_hybrid_with_runs(alike)
     table = table[(table["processes"] * table["endpoints"]).between(10, 20)]
     assert set(table["window"]) == {"startup", "steady"}
     assert table["runs"].min() >= 2

@@ -7,13 +7,12 @@ from statistics import median
 
 import numpy as np
 import pytest
-from support import ROOT
+from run_grid import GRIDS
 
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm_book import comparison, literature
 
-LAB = ROOT / "lab"
 ROWS = {row["id"]: row for row in read_data("vendors/published.csv", "discostorm_book")}
 
 
@@ -78,7 +77,7 @@ def test_the_paper_and_zettascale_agree_on_what_sedp_grows_with() -> None:
 
 
 def staging_rows() -> list[dict[str, str]]:
-    with (LAB / "published.csv").open(newline="") as file:
+    with (GRIDS / "literature.csv").open(newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -113,7 +112,7 @@ def test_what_was_counted_of_a_run_fits_together() -> None:
 
 def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_given() -> None:
     """A node has 15, a participant 2, a service and a client 2 each; counted line by line."""
-    with (LAB / "published_endpoints.csv").open(newline="") as file:
+    with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     each = {"node": 15, "service": 2, "client": 2, "writer": 1, "reader": 1}
     ends = Counter({row["program"]: 2 for row in rows})

@@ -1,8 +1,8 @@
 """What others published of discovery traffic, staged in the lab and counted as they did.
 
-`published.csv` has the stagings, `published_endpoints.csv` what their programs are said to make. A
-row of the book's `data/measured/published.csv` is a kind of message of a run, and one of a run the
-packets that the authors would have counted.
+`grids/literature.csv` has the stagings, `literature_endpoints.csv` the endpoints of their programs.
+A row of the book's `data/measured/published.csv` is a kind of message of a run, and one of a run
+the packets that the authors would have counted.
 """
 
 import argparse
@@ -16,10 +16,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from run import ARRANGEMENTS, BUILD, LAB, PACKAGES, PRODUCTS, finish, run, start, version
+from lab_data import BOOK, write
+from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run, start, version
 
 import discostorm as ds
-from discostorm.data import data_path
 from discostorm_book.literature import AROUND
 
 COLUMNS = (
@@ -60,10 +60,10 @@ def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
 def endpoints(program: str) -> list[tuple[str, str, str]]:
     """Return role, topic and type of all endpoints of a program, in the order they are made."""
     found = [*topics("writer", *GRAPH), *topics("reader", *GRAPH)]
-    with (LAB / "published_endpoints.csv").open(newline="") as file:
+    with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["program"] == program]
     if not rows:
-        raise ValueError(f"program {program}: not in published_endpoints.csv")
+        raise ValueError(f"program {program}: not in literature_endpoints.csv")
     for row in rows:
         name = row["name"]
         if row["what"] != "node":
@@ -209,15 +209,13 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--captures", type=Path, default=BUILD / "published")
-    parser.add_argument(
-        "--out", type=Path, default=data_path("measured/published.csv", "discostorm_book")
-    )
+    parser.add_argument("--out", type=Path, default=BOOK / "published.csv")
     parser.add_argument("--only", default="", help="pattern of stagings, in whole")
     given = parser.parse_args()
     given.captures.mkdir(parents=True, exist_ok=True)
     todo = [
         job
-        for job in jobs(LAB / "published.csv")
+        for job in jobs(GRIDS / "literature.csv")
         if not given.only or re.fullmatch(given.only, job["staging"])
     ]
     there = [job for job in todo if (given.captures / f"{job['name']}.pcap.gz").exists()]
@@ -226,11 +224,7 @@ def main() -> int:
     failed = run([job for job in todo if job not in there], given.captures, 1, 0.0, finish=finish)
     if failed:
         return 1
-    with given.out.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows(given.captures, todo))
-    print(f"{len(todo)} runs: {given.out}")
+    write(given.out, rows(given.captures, todo), COLUMNS)
     return 0
 
 
