@@ -1,6 +1,5 @@
 """What products send, beside what the paper counts: tables of the chapters on both."""
 
-from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
@@ -10,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from discostorm import measured
-from discostorm.data import read_data
+from discostorm.data import data_path, read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Message, Protocol
 from discostorm.model import breakdown, utilization
@@ -256,22 +255,18 @@ def within() -> pd.DataFrame:
     A row a ``model`` and ``window``: the number of ``phases`` and ``kinds`` that were compared,
     and of those that are within, in messages and in bytes.
     """
-    missed, rows = misses(), []
-    for window in lab_counts.WINDOWS:
-        for name in MODELS:
-            row: dict[str, Any] = {"model": name, "window": window}
-            for what, whole in (("phases", True), ("kinds", False)):
-                tried = errors(whole).query("model == @name and window == @window")
-                outside = missed[
-                    (missed["protocol"] == name)
-                    & (missed["window"] == window)
-                    & ((missed["kind"] == "all") == whole)
-                ]["quantity"].value_counts()
-                row[what] = len(tried)
-                for quantity in ("messages", "bytes"):
-                    row[f"{what}, {quantity}"] = len(tried) - int(outside.get(quantity, 0))
-            rows.append(row)
-    return pd.DataFrame(rows)
+    table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
+    table = table[["model", "window"]]
+    keys = pd.MultiIndex.from_frame(table)
+    for what, whole in (("phases", True), ("kinds", False)):
+        outside = misses().rename(columns={"protocol": "model"})
+        outside = outside[(outside["kind"] == "all") == whole]
+        compared = errors(whole).groupby(["model", "window"]).size()
+        table[what] = compared.reindex(keys).to_numpy()
+        for quantity in ("messages", "bytes"):
+            some = outside[outside["quantity"] == quantity].groupby(["model", "window"]).size()
+            table[f"{what}, {quantity}"] = table[what] - some.reindex(keys, fill_value=0).to_numpy()
+    return table
 
 
 def reasons() -> pd.DataFrame:
@@ -288,24 +283,14 @@ def refits() -> pd.DataFrame:
     endpoints"): how many were ``held_out`` [1], and the mean distance from 1 of the airtime of
     a startup as a part of what the model says, with the fit of ``before`` and ``after`` [1].
     """
-    classes = ("in the grid", "up to twice as large", "many endpoints")
-    table = read_data("measured/refits.csv", "discostorm_book")
-    rows = [row for row in table if row["use"] == "test"]
-    off: dict[tuple[str, str], list[tuple[float, float]]] = defaultdict(list)
-    for row in rows:
-        model = row["protocol"]
-        every = lab_counts.points(model) + lab_counts.beyond(model)
-        fleet = next(point.fleet for point in every if point.name == row["point"])
-        size = max(measured.size_of(fleet, PROTOCOLS[model].captured or (1, 1, 1)))
-        swarms = classes[np.searchsorted(measured.CLASSES, size)]
-        taken, before, after = (float(row[f"{what}_s"]) for what in ("measured", "before", "after"))
-        off[model, swarms].append((abs(taken / before - 1), abs(taken / after - 1)))
-    return pd.DataFrame(
-        {"model": model, "swarms": swarms, "held_out": len(off[model, swarms])}
-        | dict(zip(("before", "after"), np.mean(off[model, swarms], axis=0).tolist(), strict=True))
-        for model in dict.fromkeys(row["protocol"] for row in rows)
-        for swarms in classes
-    )
+    table = pd.read_csv(data_path("measured/refits.csv", "discostorm_book"))
+    rows = table[table["use"] == "test"].rename(columns={"protocol": "model"})
+    for fit in ("before", "after"):
+        rows[fit] = (rows["measured_s"] / rows[f"{fit}_s"] - 1).abs()
+    groups = rows.groupby(["model", "swarms"], sort=False)
+    return groups.agg(
+        held_out=("point", "size"), before=("before", "mean"), after=("after", "mean")
+    ).reset_index()
 
 
 def restarts() -> pd.DataFrame:

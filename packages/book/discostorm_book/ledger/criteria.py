@@ -6,12 +6,11 @@ The last three arguments are mostly hosts, processes and endpoints. Where the pa
 term instead of a number, ``data/paper/vague_terms.csv`` says what we read into it, in every claim.
 """
 
-import math
 import operator
 import re
 from collections import defaultdict
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -51,14 +50,11 @@ class VagueTerm:
 @cache
 def vague_terms() -> dict[str, VagueTerm]:
     """Return the vague terms of the paper, each with what we read into it."""
-    columns = ("word", "forms", "relation", "threshold", "reading")
-    rows = [
-        [row[name] for name in columns]
-        for row in read_data("paper/vague_terms.csv", "discostorm_book")
-    ]
     return {
-        word: VagueTerm(word, forms, relation, float(threshold), reading)
-        for word, forms, relation, threshold, reading in rows
+        row["word"]: VagueTerm(
+            row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
+        )
+        for row in read_data("paper/vague_terms.csv", "discostorm_book")
     }
 
 
@@ -84,6 +80,8 @@ class Criterion:
         The paper's value: a number, an expression in its symbols, or a vague term.
     tolerance : float, optional
         How far off ≈ may be.
+    printed : str, optional
+        Relation, value and tolerance as the ledger prints them.
     """
 
     function: Callable[..., Any]
@@ -91,6 +89,7 @@ class Criterion:
     relation: str
     value: Any
     tolerance: float = 0.0
+    printed: str = field(default="", compare=False)
 
     def ours(self) -> Any:
         """Return the quantity as computed by the package: a number or an expression."""
@@ -132,14 +131,12 @@ class Criterion:
         if isinstance(self.value, str):
             relation, threshold = self._threshold()
             return f"{self.relation} {self.value}: {relation} {threshold:g}".removeprefix("is ")
-        within = f" ± {_in_thousands(self.tolerance, self.value)}" if self.tolerance else ""
-        return f"{self.relation} {_in_thousands(self.value, self.value)}{within}"
+        return self.printed
 
     @property
     def text(self) -> str:
         """The criterion in a line: ``utilization DDS 10 1 2 ≥ 1``."""
-        paper = f"{self.relation} {self.value}" if isinstance(self.value, str) else self.paper
-        return f"{self.quantity} {paper}"
+        return f"{self.quantity} {self.printed}"
 
     @property
     def provenance(self) -> str:
@@ -193,14 +190,14 @@ def by_claim() -> Mapping[str, dict[str, Criterion]]:
     """Return the criteria of each claim, and the numbers of its remark, by their roles."""
     criteria: dict[str, dict[str, Criterion]] = defaultdict(dict)
     for row in read_data("paper/claim_tests.csv", "discostorm_book"):
-        arguments = map(_argument, row["arguments"].split("; ")) if row["arguments"] else ()
-        value = row["value"] if row["relation"] in ("is", "is not", "") else _number(row["value"])
+        relation, value, tolerance = row["relation"], row["value"], row["tolerance"]
         criteria[row["claim"]][row["role"]] = Criterion(
             QUANTITIES[row["quantity"]],
-            tuple(arguments),
-            row["relation"],
-            value,
-            float(row["tolerance"] or 0),
+            tuple(map(_argument, row["arguments"].split("; "))) if row["arguments"] else (),
+            relation,
+            value if relation in ("is", "is not", "") else _number(value),
+            float(tolerance or 0),
+            f"{relation} {value}" + (f" ± {tolerance}" if tolerance else ""),
         )
     return criteria
 
@@ -223,22 +220,6 @@ def _as_text(argument: Any) -> str:
     if isinstance(argument, Protocol):
         return argument.name
     return argument if isinstance(argument, str) else f"{argument:g}"
-
-
-def _in_thousands(value: Any, size: Any) -> str:
-    """Return a number with an exponent of such a size, 120e-6; an expression as the paper has it.
-
-    Hosts come first, then processes, then endpoints.
-    """
-    if isinstance(value, sp.Expr):
-        products = []
-        for term in sp.Add.make_args(value):
-            factors = sorted(map(str, sp.Mul.make_args(term)), key=lambda s: s.replace("_E", "_Z"))
-            products.append("*".join(f"({each})" if " " in each else each for each in factors))
-        return " + ".join(sorted(products, key=len))
-    small = size == 0 or 1e-3 <= abs(size) < 1e4
-    exponent = 0 if small else 3 * math.floor(math.log10(abs(size)) / 3)
-    return f"{value / 10**exponent:g}" + (f"e{exponent}" if exponent else "")
 
 
 def _label(argument: Any) -> str:
