@@ -1,8 +1,8 @@
 """What others published of discovery traffic, staged in the lab and counted as they did.
 
 `grids/literature.csv` has the stagings, `literature_endpoints.csv` the endpoints of their programs.
-A row of the book's `data/measured/published.csv` is a kind of message of a run, and one of a run
-the packets that the authors would have counted.
+A row of `lab/data/literature.csv` is a kind of message of a run, and one of a run the packets that
+the authors would have counted; the book's `data/measured/staged.csv` has all runs of a staging.
 """
 
 import argparse
@@ -13,13 +13,15 @@ import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
-from lab_data import BOOK, write
+from lab_data import BOOK, DATA, write
 from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run, start, version
 
 import discostorm as ds
+from discostorm.data import read_data
 from discostorm_book.literature import AROUND
 
 COLUMNS = (
@@ -206,10 +208,28 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
             yield head | kind
 
 
+def staged(runs: list[dict[str, str]], grid: Path) -> Iterator[dict[str, Any]]:
+    """Yield a row for each staging and kind: medians of all runs, with least and most."""
+    with grid.open(newline="") as file:
+        titles = {row["staging"]: row["title"] for row in csv.DictReader(file)}
+    groups: dict[tuple[str, str], list[dict[str, str]]] = {}
+    for each in runs:
+        groups.setdefault((each["staging"], each["kind"]), []).append(each)
+    for (staging, kind), some in groups.items():
+        row = {"staging": staging, "kind": kind, "runs": len(some)}
+        row |= {name: some[0][name] for name in ("product", "variant", "version", "processes")}
+        for name, end in (("count", ""), ("bytes", "_bytes")):
+            values = [float(each[name]) for each in some]
+            row |= {name: median(values), f"least{end}": min(values)}
+            row[f"most{end}"] = max(values)
+        last = [float(each["last_s"]) for each in some if each["last_s"]]
+        yield row | {"last_s": f"{median(last):.6g}" if last else "", "title": titles[staging]}
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--captures", type=Path, default=BUILD / "published")
-    parser.add_argument("--out", type=Path, default=BOOK / "published.csv")
+    parser.add_argument("--out", type=Path, default=DATA / "literature.csv")
     parser.add_argument("--only", default="", help="pattern of stagings, in whole")
     given = parser.parse_args()
     given.captures.mkdir(parents=True, exist_ok=True)
@@ -225,6 +245,8 @@ def main() -> int:
     if failed:
         return 1
     write(given.out, rows(given.captures, todo), COLUMNS)
+    folder = BOOK if given.out == DATA / "literature.csv" else given.out.parent
+    write(folder / "staged.csv", staged(read_data(str(given.out)), GRIDS / "literature.csv"))
     return 0
 
 

@@ -36,7 +36,7 @@ DESCRIBED = {
             "mitigation_misses",
             "mitigations",
             "outages",
-            "published",
+            "staged",
             "reasons",
             "shared_counts",
         ),

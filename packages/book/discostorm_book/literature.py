@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from discostorm.data import read_data
+from discostorm.data import data_path, read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
@@ -17,26 +17,14 @@ from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 #: its timestamps.
 AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 
-#: The names on a page of the set-ups that the lab staged.
-STAGED = {
-    "ros-few": "few, simple discovery",
-    "ros-few-server": "few, Discovery Server",
-    "ros-few-udp": "few, simple discovery, UDP only",
-    "ros-server": "many, Discovery Server",
-    "ros-server-spaced": "many, Discovery Server, spaced",
-    "ros-simple": "many, simple discovery",
-    "ros-simple-spaced": "many, simple discovery, spaced",
-    "turtlebot-cyclone_dds": "TurtleBot and laptop",
-    "turtlebot-fast_dds": "TurtleBot and laptop",
-    "turtlebot-zenoh": "the same, one session each",
-    "turtlebot-zenoh-generalized": "the same, generalized",
-    "turtlebot-zenoh-generalized-warm": "the same, generalized, warm",
-    "turtlebot-zenoh-warm": "the same, warm",
-}
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
 
 @cache
+def _staged() -> pd.DataFrame:
+    return pd.read_csv(data_path("measured/staged.csv", "discostorm_book"))
+
+
 def staged() -> pd.DataFrame:
     """Return what the lab counted when it staged what others published.
 
@@ -46,18 +34,7 @@ def staged() -> pd.DataFrame:
     for packets with the headers that Wireshark counts [B], and the median of ``last_s``, when the
     last endpoint was announced [s], NaN if that was not seen.
     """
-    table = pd.DataFrame(read_data("measured/published.csv", "discostorm_book"))
-    for name in ("processes", "count", "bytes", "last_s"):
-        table[name] = pd.to_numeric(table[name])
-    rows = []
-    for (staging, kind), runs in table.groupby(["staging", "kind"], sort=False):
-        row = {"staging": staging, "kind": kind, "runs": len(runs)}
-        row |= {name: runs[name].iloc[0] for name in ("product", "variant", "version", "processes")}
-        for name, end in (("count", ""), ("bytes", "_bytes")):
-            row[name] = float(runs[name].median())
-            row[f"least{end}"], row[f"most{end}"] = float(runs[name].min()), float(runs[name].max())
-        rows.append(row | {"last_s": float(runs["last_s"].median())})
-    return pd.DataFrame(rows).set_index(["staging", "kind"])
+    return _staged().drop(columns="title").set_index(["staging", "kind"])
 
 
 def published() -> pd.DataFrame:
@@ -140,10 +117,10 @@ def compared() -> pd.DataFrame:
 
 def stagings() -> pd.DataFrame:
     """Return what the lab counted of each staging, as a page shows it."""
-    rows = staged().reset_index().query("kind == 'packets'").to_dict("records")
+    rows = _staged().query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
         {
-            "staged": STAGED[row["staging"]],
+            "staged": row["title"],
             "software": _SOFTWARE[row["product"]],
             "processes": row["processes"],
             "packets (min\N{EN DASH}max)": _with_range(row, "count"),
