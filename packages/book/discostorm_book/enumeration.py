@@ -14,12 +14,10 @@ EVERYONE = "everyone"
 
 _TOPICS = ("publications", "subscriptions")
 
-_PHASES = {
-    "SPDP": ("SPDP",),
-    "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),
-    "Scouting": ("Scout", "Hello"),
-    "Declaration": ("Declare", "KeepAlive"),
-}
+_PHASE_OF = {
+    "SPDP": "SPDP", "SEDP": "SEDP", "Heartbeat": "SEDP", "ACKNACK": "SEDP",
+    "Scout": "Scouting", "Hello": "Scouting", "Declare": "Declaration", "KeepAlive": "Declaration",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +72,7 @@ class Sent:
     @property
     def phase(self) -> str:
         """The discovery phase of the message."""
-        return next(phase for phase, kinds in _PHASES.items() if self.kind in kinds)
+        return _PHASE_OF[self.kind]
 
 
 # A message before it is on a hop: receiver, kind and what it is about.
@@ -119,8 +117,8 @@ _PROTOCOLS: dict[str, tuple[str, _Hear]] = {
 def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
-    for host, counts in enumerate(_sequence("hosts", hosts), start=1):
-        for number, count in enumerate(_sequence(f"hosts[{host - 1}]", counts), start=1):
+    for host, counts in enumerate(_checked("hosts", hosts), start=1):
+        for number, count in enumerate(_checked(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
                 raise ValueError(
                     f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
@@ -133,7 +131,7 @@ def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     return processes
 
 
-def _sequence(name: str, value: Any) -> Iterable[Any]:
+def _checked(name: str, value: Any) -> Iterable[Any]:
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TypeError(f"{name} must be a sequence; got {value!r}")
     return value
@@ -172,8 +170,7 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     while waiting:
         sender, (receiver, kind, about) = waiting.popleft()
         yield Sent(sender, receiver, kind, about, "up")
-        down = Sent(sender, receiver, kind, about, "down")
-        yield down
+        yield (down := Sent(sender, receiver, kind, about, "down"))
         others = (process for process in processes if process.host != sender.host)
         for process in [receiver] if isinstance(receiver, Process) else others:
             answers = hear(process, processes[process], down)

@@ -17,24 +17,16 @@ from IPython.display import display
 KEY = "discostorm_facts"
 
 _SCALES = {
-    "%": 0.01,
-    "ms": 1e-3,
-    "µs": 1e-6,
-    "ns": 1e-9,
-    "kB": 1e3,
-    "kbit/s": 1e3,
-    "Mbit/s": 1e6,
-    "MHz": 1e6,
-    "GHz": 1e9,
-    "million": 1e6,
-}
+    "%": 0.01, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9, "kB": 1e3, "kbit/s": 1e3, "Mbit/s": 1e6,
+    "MHz": 1e6, "GHz": 1e9, "million": 1e6,
+}  # fmt: skip
+_UP_TO_TWENTY = (
+    "two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
+    "seventeen eighteen nineteen twenty"
+)
 #: Numbers in words, which may state a fact or not; "one" hardly ever does.
-NUMBER_WORDS = {
-    "half": 0.5, "two": 2.0, "twice": 2.0, "three": 3.0, "four": 4.0, "five": 5.0, "six": 6.0,
-    "seven": 7.0, "eight": 8.0, "nine": 9.0, "ten": 10.0, "eleven": 11.0, "twelve": 12.0,
-    "thirteen": 13.0, "fourteen": 14.0, "fifteen": 15.0, "sixteen": 16.0, "seventeen": 17.0,
-    "eighteen": 18.0, "nineteen": 19.0, "twenty": 20.0, "thirty": 30.0, "fifty": 50.0,
-    "hundred": 100.0, "thousand": 1000.0,
+NUMBER_WORDS = {word: float(n) for n, word in enumerate(_UP_TO_TWENTY.split(), start=2)} | {
+    "half": 0.5, "twice": 2.0, "thirty": 30.0, "fifty": 50.0, "hundred": 100.0, "thousand": 1000.0
 }  # fmt: skip
 
 #: What has digits and states no result: code, formulas, links, names, numbers of parts of a text.

@@ -173,21 +173,13 @@ def figures() -> dict[str, Figure]:
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
     places = {row["key"]: row["place"] for row in read_data("paper/places.csv", "discostorm_book")}
-    return tuple(
-        Claim(
-            number,
-            row["key"],
-            row["where"],
-            row["section"],
-            row["statement"],
-            row["outcome"],
-            _filled(row["remark"], criteria.by_claim().get(row["key"], {})),
-            row["link"],
-            places[row["key"]],
-            criteria.by_claim().get(row["key"], {}),
-        )
-        for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1)
-    )
+    every = []
+    for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1):
+        key, by_role = row["key"], criteria.by_claim().get(row["key"], {})
+        texts = (row[name] for name in ("where", "section", "statement", "outcome"))
+        remark = _filled(row["remark"], by_role)
+        every.append(Claim(number, key, *texts, remark, row["link"], places[key], by_role))
+    return tuple(every)
 
 
 def _filled(remark: str, by_role: Mapping[str, Criterion]) -> str:
@@ -209,22 +201,20 @@ def ledger() -> "pd.DataFrame":
 
 def row(claim: Claim) -> dict[str, Any]:
     """Return the row of a claim in `ledger`, with the paper's value, ours and the verdict."""
+    head, tail = ("id", "where", "section", "statement", "reading"), ("remark", "link", "place")
     test = claim.test
-    return {
-        "id": claim.id,
-        "where": claim.where,
-        "section": claim.section,
-        "statement": claim.statement,
-        "reading": claim.reading,
+    decided = {
         "quantity": test.quantity if test else "",
         "paper": test.paper if test else "",
         "ours": test.ours() if test else "",
         "verdict": claim.verdict(),
         "provenance": claim.provenance,
-        "remark": claim.remark,
-        "link": claim.link,
-        "place": claim.place,
     }
+    return (
+        {name: getattr(claim, name) for name in head}
+        | decided
+        | {name: getattr(claim, name) for name in tail}
+    )
 
 
 def shown(value: Any) -> str:
