@@ -28,7 +28,16 @@ from discostorm_capture._bytes import Numbers
 WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
-    *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
+    *(
+        "number",
+        "seconds",
+        "start_skew_s",
+        "endpoints_created_s",
+        "command",
+        "environment",
+        "kernel",
+        "sha256",
+    ),
     "idle",
 )
 #: With DDS Security: ordered pairs of processes on different hosts of which the one never told the
@@ -66,8 +75,8 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
         "seconds": seconds,
         "kernel": told["kernel"].partition("-")[0],
         "number": told["run"],
-        "late_s": f"{late - told['start']:.4f}",
-        "made_s": f"{made - told['start']:.4f}",
+        "start_skew_s": f"{late - told['start']:.4f}",
+        "endpoints_created_s": f"{made - told['start']:.4f}",
         "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
         "environment": " ".join(
             f"{key}={places.sub('', value)}" for key, value in told["env"].items()

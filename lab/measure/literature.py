@@ -27,7 +27,17 @@ from discostorm_book.literature import AROUND
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),
     *("from_s", "seconds"),
-    *("late_s", "made_s", "last_s", "command", "kernel", "sha256", "kind", "count", "bytes"),
+    *(
+        "start_skew_s",
+        "endpoints_created_s",
+        "last_s",
+        "command",
+        "kernel",
+        "sha256",
+        "kind",
+        "count",
+        "bytes",
+    ),
 )
 #: What rclcpp makes of a node by itself, and rmw of a participant: name, type, and who has it.
 PARAMETERS = (
@@ -196,8 +206,8 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
             **{name: told[name] for name in COLUMNS[:8]},
             "from_s": f"{told['from']:g}",
             "seconds": f"{told['seconds']:g}",
-            "late_s": f"{max(one['begin'] - when for one, when in pairs):.4f}",
-            "made_s": f"{max(one['endpoints'] - when for one, when in pairs):.4f}",
+            "start_skew_s": f"{max(one['begin'] - when for one, when in pairs):.4f}",
+            "endpoints_created_s": f"{max(one['endpoints'] - when for one, when in pairs):.4f}",
             "last_s": f"{told['last']:.3f}" if np.isfinite(told["last"]) else "",
             "command": f"{Path(told['command'][-1]).name} {told['seconds']:g} HOST PROCESS "
             f"ENDPOINTS listed {told['variant']}",

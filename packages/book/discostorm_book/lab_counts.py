@@ -95,7 +95,9 @@ def points_of(
     for run in read_data(f"{tables}runs.csv", "discostorm_book"):
         if (run["product"], run["variant"]) == (product, variant):
             columns = ("hosts", "processes", "endpoints", "names", "use")
-            runs_of[tuple(run[column] for column in columns)][run["run"]] = float(run["made_s"])
+            runs_of[tuple(run[column] for column in columns)][run["run"]] = float(
+                run["endpoints_created_s"]
+            )
     found = []
     counts, none = _counts(tables), np.zeros(3)
     for (hosts, processes, endpoints, names, use), runs in runs_of.items():

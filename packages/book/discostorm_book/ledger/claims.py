@@ -173,13 +173,22 @@ def figures() -> dict[str, Figure]:
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
     places = {row["key"]: row["place"] for row in read_data("paper/places.csv", "discostorm_book")}
-    every = []
-    for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1):
-        key, by_role = row["key"], criteria.by_claim().get(row["key"], {})
-        texts = (row[name] for name in ("where", "section", "statement", "outcome"))
-        remark = _filled(row["remark"], by_role)
-        every.append(Claim(number, key, *texts, remark, row["link"], places[key], by_role))
-    return tuple(every)
+    by_key = criteria.by_claim()
+    return tuple(
+        Claim(
+            number,
+            row["key"],
+            row["where"],
+            row["section"],
+            row["statement"],
+            row["outcome"],
+            _filled(row["remark"], by_key.get(row["key"], {})),
+            row["link"],
+            places[row["key"]],
+            by_key.get(row["key"], {}),
+        )
+        for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1)
+    )
 
 
 def _filled(remark: str, by_role: Mapping[str, Criterion]) -> str:
