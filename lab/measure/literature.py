@@ -1,8 +1,8 @@
 """What others published of discovery traffic, staged in the lab and counted as they did.
 
-`published.csv` has the stagings, `published_endpoints.csv` what their programs are said to make. A
-row of the book's `data/measured/published.csv` is a kind of message of a run, and one of a run the
-packets that the authors would have counted.
+`grids/literature.csv` has the stagings, `literature_endpoints.csv` the endpoints of their programs.
+A row of `lab/data/literature.csv` is a kind of message of a run, and one of a run the packets that
+the authors would have counted; the book's `data/measured/staged.csv` has all runs of a staging.
 """
 
 import argparse
@@ -13,19 +13,31 @@ import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
-from run import ARRANGEMENTS, BUILD, LAB, PACKAGES, PRODUCTS, finish, run, start, version
+from lab_data import BOOK, DATA, write
+from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run, start, version
 
 import discostorm as ds
-from discostorm.data import data_path
+from discostorm.data import read_data
 from discostorm_book.literature import AROUND
 
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),
     *("from_s", "seconds"),
-    *("late_s", "made_s", "last_s", "command", "kernel", "sha256", "kind", "count", "bytes"),
+    *(
+        "start_skew_s",
+        "endpoints_created_s",
+        "last_s",
+        "command",
+        "kernel",
+        "sha256",
+        "kind",
+        "count",
+        "bytes",
+    ),
 )
 #: What rclcpp makes of a node by itself, and rmw of a participant: name, type, and who has it.
 PARAMETERS = (
@@ -60,10 +72,10 @@ def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
 def endpoints(program: str) -> list[tuple[str, str, str]]:
     """Return role, topic and type of all endpoints of a program, in the order they are made."""
     found = [*topics("writer", *GRAPH), *topics("reader", *GRAPH)]
-    with (LAB / "published_endpoints.csv").open(newline="") as file:
+    with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["program"] == program]
     if not rows:
-        raise ValueError(f"program {program}: not in published_endpoints.csv")
+        raise ValueError(f"program {program}: not in literature_endpoints.csv")
     for row in rows:
         name = row["name"]
         if row["what"] != "node":
@@ -194,8 +206,8 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
             **{name: told[name] for name in COLUMNS[:8]},
             "from_s": f"{told['from']:g}",
             "seconds": f"{told['seconds']:g}",
-            "late_s": f"{max(one['begin'] - when for one, when in pairs):.4f}",
-            "made_s": f"{max(one['endpoints'] - when for one, when in pairs):.4f}",
+            "start_skew_s": f"{max(one['begin'] - when for one, when in pairs):.4f}",
+            "endpoints_created_s": f"{max(one['endpoints'] - when for one, when in pairs):.4f}",
             "last_s": f"{told['last']:.3f}" if np.isfinite(told["last"]) else "",
             "command": f"{Path(told['command'][-1]).name} {told['seconds']:g} HOST PROCESS "
             f"ENDPOINTS listed {told['variant']}",
@@ -206,18 +218,34 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
             yield head | kind
 
 
+def staged(runs: list[dict[str, str]], grid: Path) -> Iterator[dict[str, Any]]:
+    """Yield a row for each staging and kind: medians of all runs, with least and most."""
+    with grid.open(newline="") as file:
+        titles = {row["staging"]: row["title"] for row in csv.DictReader(file)}
+    groups: dict[tuple[str, str], list[dict[str, str]]] = {}
+    for each in runs:
+        groups.setdefault((each["staging"], each["kind"]), []).append(each)
+    for (staging, kind), some in groups.items():
+        row = {"staging": staging, "kind": kind, "runs": len(some)}
+        row |= {name: some[0][name] for name in ("product", "variant", "version", "processes")}
+        for name, end in (("count", ""), ("bytes", "_bytes")):
+            values = [float(each[name]) for each in some]
+            row |= {name: median(values), f"least{end}": min(values)}
+            row[f"most{end}"] = max(values)
+        last = [float(each["last_s"]) for each in some if each["last_s"]]
+        yield row | {"last_s": f"{median(last):.6g}" if last else "", "title": titles[staging]}
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--captures", type=Path, default=BUILD / "published")
-    parser.add_argument(
-        "--out", type=Path, default=data_path("measured/published.csv", "discostorm_book")
-    )
+    parser.add_argument("--out", type=Path, default=DATA / "literature.csv")
     parser.add_argument("--only", default="", help="pattern of stagings, in whole")
     given = parser.parse_args()
     given.captures.mkdir(parents=True, exist_ok=True)
     todo = [
         job
-        for job in jobs(LAB / "published.csv")
+        for job in jobs(GRIDS / "literature.csv")
         if not given.only or re.fullmatch(given.only, job["staging"])
     ]
     there = [job for job in todo if (given.captures / f"{job['name']}.pcap.gz").exists()]
@@ -226,11 +254,9 @@ def main() -> int:
     failed = run([job for job in todo if job not in there], given.captures, 1, 0.0, finish=finish)
     if failed:
         return 1
-    with given.out.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows(given.captures, todo))
-    print(f"{len(todo)} runs: {given.out}")
+    write(given.out, rows(given.captures, todo), COLUMNS)
+    folder = BOOK if given.out == DATA / "literature.csv" else given.out.parent
+    write(folder / "staged.csv", staged(read_data(str(given.out)), GRIDS / "literature.csv"))
     return 0
 
 

@@ -1,4 +1,4 @@
-"""From the lab's captures to tables of `discostorm/data/measured/`.
+"""From the lab's captures to tables of messages.
 
 Two tables: what was run, and what was counted in each run, by window and kind of message. Of
 configurations with something that serves the others, which hops a message would take if the hosts
@@ -6,7 +6,6 @@ were on the air and what is behind them were wired to the access point.
 """
 
 import argparse
-import csv
 import hashlib
 import json
 import re
@@ -17,7 +16,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from run import SECURITY
+from lab_data import write
+from run_grid import SECURITY
 
 import discostorm as ds
 from discostorm_capture import files, ip, link
@@ -28,7 +28,16 @@ from discostorm_capture._bytes import Numbers
 WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
-    *("number", "seconds", "late_s", "made_s", "command", "environment", "kernel", "sha256"),
+    *(
+        "number",
+        "seconds",
+        "start_skew_s",
+        "endpoints_created_s",
+        "command",
+        "environment",
+        "kernel",
+        "sha256",
+    ),
     "idle",
 )
 #: With DDS Security: ordered pairs of processes on different hosts of which the one never told the
@@ -66,8 +75,8 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
         "seconds": seconds,
         "kernel": told["kernel"].partition("-")[0],
         "number": told["run"],
-        "late_s": f"{late - told['start']:.4f}",
-        "made_s": f"{made - told['start']:.4f}",
+        "start_skew_s": f"{late - told['start']:.4f}",
+        "endpoints_created_s": f"{made - told['start']:.4f}",
         "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
         "environment": " ".join(
             f"{key}={places.sub('', value)}" for key, value in told["env"].items()
@@ -128,18 +137,10 @@ def counted(
             yield dict(zip(HOPS, (*key, int(octets[refused].sum())), strict=True))
 
 
-def write(path: Path, heading: Iterable[str], rows: Iterable[dict[str, Any]]) -> None:
-    """Write a table."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, list(heading), lineterminator="\n", extrasaction="ignore")
-        table.writeheader()
-        table.writerows(rows)
-
-
 def main() -> int:
     """Count all captures of a folder."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("captures", type=Path, help="folder that run.py filled")
+    parser.add_argument("captures", type=Path, help="folder that run_grid.py filled")
     parser.add_argument("--out", type=Path, required=True, help="folder for the tables")
     parser.add_argument("--kind", help="what the names of the tables begin with")
     given = parser.parse_args()
@@ -166,15 +167,13 @@ def main() -> int:
     print(file=sys.stderr)
     for note, many in notes.most_common():
         print(f"  in {many}: {note}", file=sys.stderr)
-    given.out.mkdir(parents=True, exist_ok=True)
     kind = "mitigation_" if arranged else ""
     kind = "shared_" if told["names"] == "shared" else kind
     secured = (STRANGERS,) * any(STRANGERS in row for row in runs)
     kind = "security_" if secured else kind
     kind = kind if given.kind is None else given.kind
-    write(given.out / f"{kind}runs.csv", (*RUNS, *secured), runs)
-    write(given.out / f"{kind}counts.csv", HOPS if arranged else COUNTS, counts)
-    print(f"{len(runs)} runs, {len(counts)} counts: {given.out}", file=sys.stderr)
+    write(given.out / f"{kind}runs.csv", runs, (*RUNS, *secured))
+    write(given.out / f"{kind}counts.csv", counts, HOPS if arranged else COUNTS)
     return 0
 
 

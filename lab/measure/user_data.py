@@ -1,7 +1,7 @@
 r"""Bytes and frames of samples on the wire: one writer, one reader, a few samples, captured.
 
-    unshare --net --mount --pid --fork --mount-proc build/lab/venv/bin/python lab/data.py \
-        build/lab/bin/fast_dds_data [test] > rows.csv
+    unshare --net --mount --pid --fork --mount-proc build/lab/venv/bin/python \
+        lab/measure/user_data.py build/lab/bin/fast_dds_data [test] > rows.csv
 
 As root, with tcpdump, beside a venv with the middleware of `requirements.lock`; it takes ten
 seconds a row. Of each run it counts IP packets between the two hosts from the first sample to the
@@ -18,7 +18,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from stage import (
+from netns_run import (
     IDLE,
     TAIL,
     begin_capture,
@@ -29,7 +29,7 @@ from stage import (
     processor,
 )
 
-PROGRAM = Path(__file__).with_name("data_process.py")
+PROGRAM = Path(__file__).parents[1] / "programs" / "user_data_process.py"
 FAST_DDS = Path(sys.argv[1]).resolve()
 #: Bytes of a sample, rate [Hz] and samples: what the framing is taken from, in part, and what it is
 #: only tested with.

@@ -1,13 +1,12 @@
-"""How far tables as built are from captures they were not fitted to, and what restarts take.
+"""How far measured models are from captures they were not fitted to, and what restarts take.
 
-Of counts in `discostorm/data/measured/`, on the paper's channel: `bands.csv`, what held-out points
-took beside what their table says, within the range that was captured for the table (the half of the
-grid that tests it) and beyond (`lab/beyond.csv`); and `restarts.csv`, what a process that restarts
-and a host that joins take beside the start of all. Needs neither root nor Debian.
+From the lab's counts, on the paper's channel: `bands.csv`, the airtime of held-out points relative
+to their model, within the range that was captured for it (the half of the grid that tests it) and
+beyond (`grids/beyond.csv`); and `restarts.csv`, what a process that restarts and a host that joins
+take relative to the start of all. Needs neither root nor Debian.
 """
 
 import argparse
-import csv
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,11 +14,11 @@ from statistics import median
 from typing import Any
 
 import numpy as np
+from counted_airtime import airtime_counted, airtime_expected
+from lab_data import CORE, DATA, PLANNER, read, write
 
-from discostorm.data import data_path, read_data
 from discostorm.measured import CLASSES, configurations, products, size_of
 from discostorm.protocols.as_built import as_built
-from discostorm_book.comparison import airtime_counted, airtime_expected
 from discostorm_book.lab_counts import WINDOWS, beyond, points, points_of
 
 DIGITS = 3
@@ -62,15 +61,13 @@ def restarts() -> Iterator[dict[str, Any]]:
     take in such a start.
     """
     names = {(row["product"], row["variant"]): name for name, row in products().items()}
-    for key in dict.fromkeys(
-        (run["product"], run["variant"])
-        for run in read_data("measured/restart_runs.csv", "discostorm_book")
-    ):
+    for key in dict.fromkeys((run["product"], run["variant"]) for run in read("restart_runs.csv")):
         zenoh = products()[names[key]]["family"] == "Zenoh"
-        shares, factors = defaultdict(list), defaultdict(list)
-        for point in points_of(*key, 2, "restart_"):
+        shares, factors, sizes = defaultdict(list), defaultdict(list), []
+        for point in points_of(*key, 2, f"{DATA}/restart_"):
             (group,) = point.fleet.groups
             hosts, each = int(group.hosts), int(group.processes)
+            sizes.append(hosts * each)
             taken = {
                 window: airtime_counted(point, window, zenoh)
                 for window in ("startup", "steady", *RESTARTS)
@@ -88,30 +85,23 @@ def restarts() -> Iterator[dict[str, Any]]:
                 "protocol": names[key],
                 "event": event,
                 "points": len(factors[event]),
+                "processes_min": min(sizes),
+                "processes_max": max(sizes),
                 "runs": len(shares[event]),
                 "least_share": f"{min(shares[event]):.{DIGITS}f}",
                 "most_share": f"{max(shares[event]):.{DIGITS}f}",
                 "low": f"{min(factors[event]):.{DIGITS}g}",
                 "high": f"{max(factors[event]):.{DIGITS}g}",
-                "source": "restart_runs.csv and restart_counts.csv (lab/restarts.py)",
+                "source": "restart_runs.csv and restart_counts.csv (lab/measure/restarts.py)",
             }
-
-
-def write(path: Path, rows: list[dict[str, Any]]) -> None:
-    """Write a table."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
-    print(f"{path.name}: {len(rows)} rows")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
+    parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
     given = parser.parse_args()
-    write(given.out / "bands.csv", list(bands()))
-    write(given.out / "restarts.csv", list(restarts()))
+    write((given.out or CORE) / "bands.csv", bands())
+    write((given.out or PLANNER) / "restarts.csv", restarts())
 
 
 if __name__ == "__main__":

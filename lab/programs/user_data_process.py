@@ -1,8 +1,8 @@
-"""One process of `data.py`: a writer of samples of known size and rate, or their reader.
+"""One process of `user_data.py`: a writer of samples of known size and rate, or their reader.
 
-`data_process.py PRODUCT write|read BYTES HZ SAMPLES reliable|best-effort`. The sample is a String
-of ROS 2, serialized to BYTES octets beside the four that say how. The writer waits until its reader
-is there, tells when it begins and ends on standard output, and waits to be ended.
+`user_data_process.py PRODUCT write|read BYTES HZ SAMPLES reliable|best-effort`. The sample is a
+String of ROS 2, serialized to BYTES octets beside the four that say how. The writer waits until its
+reader is there, prints when it begins and ends, and waits to be ended.
 """
 
 import sys

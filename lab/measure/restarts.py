@@ -1,15 +1,15 @@
 """One process of many restarts, and a host joins: what that costs beside a start of all.
 
-Runs of run.py, each with more programs: all begin at once; much later the last process of the last
-host ends without a goodbye and begins again, before its lease has run out; and when that is over,
-one more host begins all of its processes. `count.py --kind restart_` counts them.
+Runs of run_grid.py, each with more programs: all begin at once; much later the last process of the
+last host ends without a goodbye and begins again, before its lease has run out; and when that is
+over, one more host begins all of its processes. `count_messages.py --kind restart_` counts them.
 """
 
 import argparse
 from pathlib import Path
 from typing import Any
 
-from run import BUILD, CROWD, LAB, PACKAGES, jobs, run, start, version
+from run_grid import BUILD, CROWD, GRIDS, PACKAGES, jobs, run, start, version
 
 #: When the one process ends, when it begins again, and when one more host joins [s].
 ENDS, AGAIN, JOINS = 36.0, 38.0, 62.0
@@ -38,7 +38,7 @@ def with_restart(job: dict[str, Any]) -> dict[str, Any]:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--grid", type=Path, default=LAB / "restarts.csv", help="table of points")
+    parser.add_argument("--grid", type=Path, default=GRIDS / "restarts.csv", help="table of points")
     parser.add_argument("--out", type=Path, default=BUILD / "restarts", help="for the captures")
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
     given = parser.parse_args()

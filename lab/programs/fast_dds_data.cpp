@@ -1,5 +1,5 @@
 // One process of data.py: a writer of samples of BYTES octets, or their reader, of Fast DDS, as
-// rmw_fastrtps makes them. It waits as data_process.py does.
+// rmw_fastrtps makes them. It waits as user_data_process.py does.
 #include <chrono>
 #include <cstdio>
 #include <cstring>

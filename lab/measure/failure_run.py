@@ -1,8 +1,8 @@
-"""One run of the deaths on a stage of its own: hosts, programs, and what happens to them when.
+"""One run with a failure, in namespaces of its own: hosts, programs, and what happens to them when.
 
-Called by deaths.py as the first process of fresh namespaces, as stage.py is by run.py: with this
-process everything ends. Standard output of each program is a log of what it sees; the stage's own
-log says what was done and when, by the same monotonic clock.
+Called by failures.py as the first process of fresh namespaces, so that with this process everything
+ends. The standard output of each program is its log; the run's own log says what was done and when,
+by the same monotonic clock.
 """
 
 import json
@@ -13,8 +13,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from death_log import all_well, read_log
-from stage import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, say
+from failure_log import all_well, read_log
+from netns_run import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, say
 
 LEAD = 1.0  # s from the first program's start to the time 0 of the steps
 

@@ -1,4 +1,4 @@
-"""Fit the tables as built to what the lab counted: `discostorm/data/measured/as_built.csv`.
+"""Fit the measured models to what the lab counted: the core's `data/measured/as_built.csv`.
 
 `data/vendors/as_built.csv` says which messages a product sends, for what and when. What it does
 not say, how many for each unit, is fitted here, as are sizes and parts of frames, to one half of
@@ -7,24 +7,30 @@ the points: those that `runs.csv` and `beyond_runs.csv` mark with `fit`. So are 
 """
 
 import argparse
-import csv
-import sys
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
+from lab_data import BOOK, CORE, read, write
 from numpy.typing import NDArray
 
-from discostorm.data import data_path, read_data
+from discostorm.data import read_data
 from discostorm.measured import configurations, products
-from discostorm.messages import UNITS
+from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.as_built import ROWS, as_built, schedule
-from discostorm_book.comparison import misses, times
+from discostorm_book.comparison import (
+    WITHIN_KIND,
+    WITHIN_MITIGATED,
+    WITHIN_PHASE,
+    compare_with_runs,
+    times,
+)
 from discostorm_book.lab_counts import WINDOWS, Point, beyond, points
 
 COLUMNS = (
@@ -258,7 +264,7 @@ def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
     return Sizes(payload, frames)
 
 
-def fitted(family: str) -> Iterator[list[str]]:
+def fitted(family: str) -> Iterator[Row]:
     """Yield the rows of the table of a family."""
     for name in NAMES[family]():
         seen = [point for point in points(name) + beyond(name) if point.use == "fit"]
@@ -285,37 +291,78 @@ def fitted(family: str) -> Iterator[list[str]]:
                     frames |= streamed(row, done, seen)
         for row, number, size in done:
             part = frames.get(row["message"], size.frames)
-            values = (number, *size.payload, *part)
-            yield [name, row["message"], *(f"{value:.{DIGITS}g}" for value in values)]
+            values = [f"{value:.{DIGITS}g}" for value in (number, *size.payload, *part)]
+            yield dict(zip(COLUMNS, (name, row["message"], *values), strict=True))
 
 
-def missed(family: str) -> list[list[str]]:
-    """Return the rows of the table of exceptions of a family."""
-    tables = [PROTOCOLS.get(name) or as_built(name) for name in NAMES[family]()]
-    return [list(row.values()) for table in tables for row in misses(table)]
+def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
+    """Return where a table as built is off by more than it should be, on one half of the grid.
+
+    Returns
+    -------
+    list of dict
+        ``protocol``, ``point``, ``window``, ``phase``, ``kind`` ("all" of a phase), ``quantity``
+        (messages or bytes), ``error`` [1], and ``reason``, one of ``data/measured/reasons.csv``.
+    """
+    table = compare_with_runs(protocol)
+    arranged = protocol.name in configurations()
+    found = []
+    for row in table[table["use"] == use].to_dict("records"):
+        for quantity, end in (("messages", ""), ("bytes", "_bytes")):
+            measured, count = row[f"measured{end}"], row[f"expected{end}"]
+            of_phase = row["kind"].startswith("all")
+            if arranged and not of_phase:
+                continue
+            limit = WITHIN_MITIGATED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
+            if abs(count - measured) > limit * measured:
+                error = f"{count / measured - 1:+.3f}" if measured else "none"
+                head = {name: row[name] for name in ("point", "window", "phase", "kind")}
+                reason = _reason(protocol.name, row, count, row[f"least{end}"], row[f"most{end}"])
+                tail = {"quantity": quantity, "error": error, "reason": reason}
+                found.append({"protocol": protocol.name} | head | tail)
+    return found
 
 
-def write(path: Path, columns: Sequence[str], rows: list[list[str]]) -> None:
-    """Write a table."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)
-    print(f"{path}: {len(rows)} rows", file=sys.stderr)
+def _reason(
+    protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
+) -> str:
+    """Return why a table may be off: what the runs of a point, its size and the source say."""
+    hosts, processes, _ = row["point"].split("x")
+    everyone = int(hosts) * int(processes)
+    if least <= count <= most:
+        return "scatter"
+    cause = _cause(protocol, row["phase"])
+    if cause is not None and (everyone > 2 or cause["of_one_pair"] == "yes"):
+        return cause["reason"]
+    if everyone == 2:
+        return "one pair"
+    return "crowd" if everyone >= 6 else "form"
+
+
+def _cause(protocol: str, phase: str) -> dict[str, str] | None:
+    """Return what decides a phase of a product, where its source says so."""
+    run = (products() | configurations())[protocol]
+    for row in read("causes.csv"):
+        of_run = row["product"] == run["product"] and row["variant"] in ("", run["variant"])
+        if of_run and row["phase"] == phase:
+            return row
+    return None
 
 
 def main() -> None:
-    """Write the table, or with it as it is what it misses."""
+    """Write the models, or what the models as they are miss."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder")
-    parser.add_argument("--misses", action="store_true", help="what the tables as they are miss")
-    told = parser.parse_args()
+    parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
+    parser.add_argument("--misses", action="store_true", help="what the models as they are miss")
+    given = parser.parse_args()
     for family in ROWS.values():
-        if told.misses:
-            kind = "misses" if family == "as_built" else "mitigation_misses"
-            write(told.out / f"{kind}.csv", MISSES, missed(family))
-        else:
-            write(told.out / f"{family}.csv", COLUMNS, list(fitted(family)))
+        if not given.misses:
+            write((given.out or CORE) / f"{family}.csv", fitted(family), COLUMNS)
+            continue
+        tables = [PROTOCOLS.get(name) or as_built(name) for name in NAMES[family]()]
+        missed = [row for table in tables for row in misses(table)]
+        name = "misses" if family == "as_built" else "mitigation_misses"
+        write((given.out or BOOK) / f"{name}.csv", missed, MISSES)
 
 
 if __name__ == "__main__":

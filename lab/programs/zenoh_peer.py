@@ -28,7 +28,7 @@ def ignore(sample: object) -> None:
     """Take what comes; nothing is ever published."""
 
 
-SNIPPETS = Path(__file__).parent.parent / "discostorm" / "data" / "vendors" / "snippets"
+SNIPPETS = Path(__file__).parents[2] / "discostorm" / "data" / "vendors" / "snippets"
 
 
 def configured(variant: str, host: int) -> zenoh.Config:

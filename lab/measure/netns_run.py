@@ -1,6 +1,6 @@
 """One run of the lab on a stage of its own: hosts, a bridge between them, and tcpdump on it.
 
-Called by run.py as the first process of fresh PID, mount and network namespaces. Whatever ends
+Called by run_grid.py as the first process of fresh PID, mount and network namespaces. Whatever ends
 this process ends every other one in there and takes the networks away, so there is nothing to
 clean up: not after a failure, not after Ctrl-C, not after a kill.
 """

@@ -1,7 +1,7 @@
-"""What a capture shows of sick fleets: real middleware with one thing wrong, captured.
+"""Capture fleets of real middleware with one fault each.
 
-Each run is a process tree of its own, as those of run.py. `ills.csv` lists what is staged;
-`discostorm_capture` diagnoses the captures, and `ills.py --table FILE` writes what it finds.
+Each run is a process tree of its own, as those of run_grid.py. `grids/faults.csv` lists the faults;
+`fault_findings.py` writes what the diagnosis finds in the captures.
 """
 
 import argparse
@@ -13,21 +13,22 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from deaths import CYCLONE_DDS as WATCH_CYCLONE, FAST_DDS as WATCH_FAST, ZENOH as WATCH_ZENOH
-from run import (
+from failures import CYCLONE_DDS as WATCH_CYCLONE, FAST_DDS as WATCH_FAST, ZENOH as WATCH_ZENOH
+from run_grid import (
     ALONE,
     BUILD,
     CYCLONE_DDS,
     DISCOVERY_SERVER,
     FAST_DDS,
-    LAB,
+    GRIDS,
+    MEASURE,
     ZENOH,
     ZENOH_ROUTER,
     run,
     start,
 )
 
-STAGE = [*ALONE, str(LAB / "ill_stage.py")]
+STAGE = [*ALONE, str(MEASURE / "fault_run.py")]
 SPACING, CROWD = 1.0, 24
 SERVER = 101  # the host of what serves the others
 MOST = 9
@@ -267,7 +268,7 @@ def finish(out: Path) -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--grid", type=Path, default=LAB / "ills.csv", help="what to stage")
+    parser.add_argument("--grid", type=Path, default=GRIDS / "faults.csv", help="what to stage")
     parser.add_argument("--runs", type=int, help="runs of each staging, not those of the table")
     parser.add_argument("--only", action="append", default=[], metavar="ILL")
     parser.add_argument("--out", type=Path, default=BUILD / "ills", help="folder for the captures")

@@ -1,7 +1,7 @@
 """The hybrid discovery in the lab: speakers in network namespaces, captured (see README.md).
 
-Each run is a stage of its own, as in run.py. What a run was, and what its capture has of each kind
-of message, are rows of `packages/book/discostorm_book/data/measured/hybrid.csv`.
+Each run has namespaces of its own, as in run_grid.py. The book's `data/measured/hybrid.csv` has
+each run, with what its capture has of each kind of message.
 """
 
 import argparse
@@ -23,16 +23,18 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import stage
-from run import ALONE, BUILD, run, start
-from stage import begin_capture, build_bridge, build_host, end_capture, say
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "measure")]
 
-from hybrid import wire
-from hybrid.speaker import parameters
-from hybrid.wire import PORT
+import netns_run  # noqa: E402
+from netns_run import begin_capture, build_bridge, build_host, end_capture, say  # noqa: E402
+from run_grid import ALONE, BUILD, run, start  # noqa: E402
 
-LAB = Path(__file__).resolve().parent
-STAGE = [*ALONE, str(LAB / "run_hybrid.py"), "--play"]
+from hybrid import wire  # noqa: E402
+from hybrid.speaker import parameters  # noqa: E402
+from hybrid.wire import PORT  # noqa: E402
+
+STAGE = [*ALONE, str(HERE / "run.py"), "--play"]
 CAPACITY = 64  # addresses of a cell
 START = 3.0  # s from the last speaker's readiness to the start
 LATE = 0.1  # s; a clock that rings later spoils the run
@@ -149,7 +151,7 @@ def play(job: dict[str, Any]) -> None:
             error = logs[host].with_suffix(".error")
             told = error.read_text() if error.exists() else f"ended with {status}"
             raise SystemExit(f"host {host}: {told}")
-    time.sleep(stage.TAIL)
+    time.sleep(netns_run.TAIL)
     end_capture(out, dump)
     lines = [log.read_text().splitlines() for log in logs]
     if latest(lines) > LATE:
@@ -303,9 +305,7 @@ def write(path: Path, folder: Path, done: list[dict[str, Any]]) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument(
-        "--grid", type=Path, default=LAB / "hybrid" / "grid.csv", help="table of points"
-    )
+    parser.add_argument("--grid", type=Path, default=HERE / "grid.csv", help="table of points")
     parser.add_argument("--captures", type=Path, default=BUILD / "hybrid")
     parser.add_argument("--out", type=Path, help="table to write")
     parser.add_argument("--side-by-side", type=int, default=2, help="runs at a time")

@@ -18,7 +18,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
 
-LAB = Path(__file__).resolve().parent
+LAB = Path(__file__).resolve().parents[1]
+MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
 BUILD = LAB.parent / "build" / "lab"
 PYTHON = BUILD / "venv" / "bin" / "python"
 SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
@@ -34,8 +35,8 @@ PACKAGES = {
 # product, variant: the program and its environment. "default" is what the vendor ships.
 FAST_DDS = [str(BUILD / "bin" / "fast_dds")]
 CYCLONE_DDS = [str(BUILD / "bin" / "cyclone_dds")]
-CYCLONE_DDS_11 = [str(PYTHON), str(LAB / "cyclone_dds.py")]
-ZENOH = [str(PYTHON), str(LAB / "zenoh_peer.py")]
+CYCLONE_DDS_11 = [str(PYTHON), str(PROGRAMS / "cyclone_dds.py")]
+ZENOH = [str(PYTHON), str(PROGRAMS / "zenoh_peer.py")]
 PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("fast_dds", "default"): (FAST_DDS, {}),
     ("fast_dds", "udp"): (FAST_DDS, {}),
@@ -49,7 +50,7 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
 # Of a grid with a column for the configuration: program, environment, and what serves the others,
 # each on the host of a number, or on every host if that is 0; HOST is then its number. Host 101
 # and 102 are behind the others, wired to the access point.
-ZENOH_ROUTER = [str(PYTHON), str(LAB / "zenoh_router.py"), "HOST"]
+ZENOH_ROUTER = [str(PYTHON), str(PROGRAMS / "zenoh_router.py"), "HOST"]
 # PEERS are all hosts. Without an index, 0.10 sends to fixed ports and listens on none of them.
 CYCLONE_PEERS = (
     "<General><AllowMulticast>false</AllowMulticast></General><Discovery>"
@@ -95,7 +96,7 @@ SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, 
 ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
 ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
 ALONE += [sys.executable]
-STAGE = [*ALONE, str(LAB / "stage.py")]
+STAGE = [*ALONE, str(MEASURE / "netns_run.py")]
 
 SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
 CROWD = 40  # processes at a time, over all runs
@@ -253,7 +254,7 @@ def run(
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--grid", type=Path, default=LAB / "grid.csv", help="table of points")
+    parser.add_argument("--grid", type=Path, default=GRIDS / "grid.csv", help="table of points")
     parser.add_argument("--runs", type=int, default=5, help="runs a point")
     parser.add_argument(
         "--seconds", type=float, default=36.0, help="from the start to the end of a run"

@@ -1,6 +1,6 @@
-"""From captures of sick and healthy fleets to what the diagnosis finds, and its times.
+"""From captures of faulty and healthy fleets to what the diagnosis finds, and its times.
 
-Writes `ills.csv`, how often which findings were made of which staging, and `ill_times.csv`, when
+Writes `lab/data/faults.csv`, how often each fault gave which findings, and `fault_times.csv`, when
 each host knew all others by the capture and by its own log of matches.
 """
 
@@ -11,12 +11,11 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from death_log import read_log
-from deaths import write
-from run import BUILD
+from failure_log import read_log
+from lab_data import DATA, write
+from run_grid import BUILD, GRIDS
 
 import discostorm as ds
-from discostorm.data import data_path
 
 #: Stagings in which every process gets to know every other one at once.
 TIMED = ("healthy", "late joiner", "crash")
@@ -81,19 +80,19 @@ def times(path: Path) -> list[dict[str, Any]]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=data_path("measured"), help="folder of tables")
+    parser.add_argument("--out", type=Path, default=DATA, help="folder of tables")
     given = parser.parse_args()
     sick = sorted((BUILD / "ills").glob("*.pcap.gz"))
     well = sorted((BUILD / "ills_healthy").glob("*.pcap.gz"))
-    write(given.out / "ills.csv", counted([*sick, *well]))
-    with (Path(__file__).with_name("ills.csv")).open(newline="") as file:
+    write(given.out / "faults.csv", counted([*sick, *well]))
+    with (GRIDS / "faults.csv").open(newline="") as file:
         watched = {
             (row["ill"], row["product"]) for row in csv.DictReader(file) if row["endpoints"] == "0"
         }
     timed: list[Path] = [
         path for path in sick if staged(path)[0] in TIMED and staged(path) in watched
     ]
-    write(given.out / "ill_times.csv", [row for path in timed for row in times(path)])
+    write(given.out / "fault_times.csv", [row for path in timed for row in times(path)])
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
-"""Simulate the hybrid discovery and store what it did, a row a run.
+"""Simulate the hybrid discovery and store a row a run.
 
-Goals are tested with data/simulated/hybrid.csv; hybrid_lab.csv beside it has runs of the lab with
-losses, simulated, and runs without losses up to the first heartbeats.
+Goals are tested with the book's `data/simulated/hybrid.csv`; `hybrid_lab.csv` has simulations of
+the lab's runs with losses, and runs without losses up to the first heartbeats.
 
-Times, shares and rules were tuned with seeds below 300. A first round with those from 300 on, whose
-rows are not kept, made us look for why a run of the 20 robots (no goal) took long, and give a lone
+Times, shares and rules were tuned with seeds below 300. After a first round with seeds from 300 on,
+whose rows are not kept, we found why a run of the 20 robots (no goal) took long, and gave a lone
 repair the sender's own part.
 """
 
@@ -22,6 +22,9 @@ from tqdm import tqdm
 
 import discostorm as ds
 from discostorm.data import data_path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 from hybrid.simulation import Choice, Death, hybrid_run
 from hybrid.speaker import Speakers
 
@@ -32,8 +35,6 @@ COLUMNS = (
     *("mistaken", "gone_s", "announces", "digests", "repairs", "pulls", "heartbeats"),
     *("collisions", "dropped"),
 )
-#: Of the lab, but for those in which settled hosts are lost.
-LAB_SCENARIOS = ("losses", "newcomer", "half killed at 0.25 s")
 LAB_COLUMNS = ("scenario", "software", "hosts", "seed", "converged_s", "airtime_s")
 #: Of the lab, but for those in which settled hosts are lost.
 LAB_SCENARIOS = ("losses", "newcomer", "half killed at 0.25 s")
@@ -178,7 +179,7 @@ def in_order(rows: dict[tuple[str, int], dict[str, Any]]) -> list[dict[str, Any]
 
 def lab_runs() -> list[tuple[str, str, int, int]]:
     """Return scenario, software, hosts and seed of the runs that the book compares with the lab."""
-    with (Path(__file__).parent / "hybrid" / "grid.csv").open(newline="") as file:
+    with (Path(__file__).with_name("grid.csv")).open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["scenario"] in LAB_SCENARIOS]
     staged = [(row["scenario"], row["software"], int(row["hosts"])) for row in rows]
     quiet = [("no losses", "unlike", hosts, seed) for hosts in (7, 100) for seed in range(6)]

@@ -1,11 +1,10 @@
-"""When the server dies: servers, routers and robots of real middleware are killed; what goes on?
+"""Kill servers, routers and robots of real middleware, and log what goes on.
 
-Each run is a process tree of its own, as those of run.py: when this program ends, however it ends,
-the kernel ends the rest. What is there already is not run again. See README.md.
+Each run is a process tree of its own, as those of run_grid.py: when this program ends, however it
+ends, the kernel ends the rest. Runs that are there already are not repeated. See README.md.
 """
 
 import argparse
-import csv
 import json
 import os
 import sys
@@ -15,13 +14,13 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from death_log import evaluate, read_log
-from run import ALONE, BUILD, LAB, PYTHON, run, start, version
+from failure_log import evaluate, read_log
+from lab_data import BOOK, write
+from run_grid import ALONE, BUILD, MEASURE, PROGRAMS, PYTHON, run, start, version
 
-from discostorm.data import data_path
 from discostorm.protocols.defaults import defaults
 
-STAGE = [*ALONE, str(LAB / "death_stage.py")]
+STAGE = [*ALONE, str(MEASURE / "failure_run.py")]
 COLUMNS = ["configuration", "event", "run", "phase", "who", "quantity"]
 COLUMNS += ["since_s", "watched_s", "seconds"]
 RUNS = 5
@@ -36,7 +35,7 @@ MOST = 9  # processes are numbered up to this
 
 FAST_DDS = str(BUILD / "bin" / "watch_fast_dds")
 CYCLONE_DDS = str(BUILD / "bin" / "watch_cyclone_dds")
-ZENOH = (str(PYTHON), str(LAB / "watch_zenoh.py"))
+ZENOH = (str(PYTHON), str(PROGRAMS / "watch_zenoh.py"))
 
 #: A command with its environment.
 Program = tuple[list[str], dict[str, str]]
@@ -293,7 +292,7 @@ def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[d
                 continue
             name = f"{job['configuration']}-{job['event']}-r{number}".lower()
             name = name.replace(", ", "-").replace(" ", "-")
-            # What run.py counts its crowd by.
+            # What run_grid.py counts its crowd by.
             size = {"hosts": len(job["places"]), "processes": 1}
             yield job | size | {"name": name, "run": number}
 
@@ -364,14 +363,6 @@ def shown(program: Program) -> str:
     return " ".join(words + [Path(word).name if word.startswith("/") else word for word in command])
 
 
-def write(table: Path, rows: list[dict[str, Any]]) -> None:
-    with table.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    print(f"{len(rows)} rows in {table}")
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, help=f"runs of each staging, not {RUNS} or more")
@@ -404,7 +395,7 @@ def main() -> int:
     if not given.short:
         # What is not all of it does not belong into the package.
         whole = given.runs is None and not given.only
-        folder = data_path("measured", "discostorm_book") if whole else out
+        folder = BOOK if whole else out
         table = "outages" if given.outages else "deaths"
         write_runs(out, todo, folder / f"{table}.csv", given.outages)
         if not given.outages:

@@ -1,8 +1,8 @@
-"""One run of the ills on a stage of its own: hosts, programs, and what is made wrong when.
+"""One run with a fault, in namespaces of its own: hosts, programs, and what is made wrong when.
 
-Called by ills.py as the first process of fresh namespaces, as stage.py is by run.py: with this
-process everything ends. What crosses the bridge, or what one host sees, is captured; a rule of a
-host drops what comes in, after it was captured. Standard output of each program is its log.
+Called by faults.py as the first process of fresh namespaces, so that with this process everything
+ends. What crosses the bridge, or what one host sees, is captured; a rule of a
+host drops what comes in, after it was captured. The standard output of each program is its log.
 """
 
 import json
@@ -12,8 +12,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from death_log import read_log
-from stage import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, say
+from failure_log import read_log
+from netns_run import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, say
 
 LEAD = 1.0  # s from the first program's start to the time 0 of the steps
 
