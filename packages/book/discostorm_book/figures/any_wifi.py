@@ -13,7 +13,7 @@ from discostorm._numeric import lambdify
 from discostorm.figures import COLORS, PAPER_PROTOCOLS
 from discostorm.saturation import saturation, saturation_hosts
 from discostorm.wifi import PAPER, Radio, Wifi
-from discostorm_book.figures.drawing import drawn, set_ticks
+from discostorm_book.figures.drawing import Look, drawn, set_ticks
 
 _SMALL = (2, 10)  # processes, and endpoints of each
 _RADIOS: dict[str, dict[str, Any]] = {
@@ -93,7 +93,7 @@ def rates(bounds: dict[str, float]) -> Figure:
             axis.text(5, limit + 0.12, f"infinite rate: {limit:.2f}", fontsize=8)
             for name, (_, mark) in _RATES.items():
                 rows = data[data["series"] == name]
-                look: dict[str, Any] = {"color": "0.35", "ms": 5, "mfc": "none", "label": name}
+                look: Look = {"color": "0.35", "ms": 5, "mfc": "none", "label": name}
                 axis.plot(rows["rate_Mbit_s"], rows[column], mark, **look)
             axis.set(xscale="log", ylim=(0, 9), xlabel="unicast rate [Mbit/s]")
             axis.set_xticks([10, 100, 1000], ["10", "100", "1,000"])

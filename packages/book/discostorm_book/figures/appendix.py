@@ -1,7 +1,6 @@
 """Figures of the appendix: what a frame costs, and how sure the numbers are."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,7 +14,7 @@ from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
-from discostorm_book.figures.drawing import clear_rows, drawn
+from discostorm_book.figures.drawing import Look, clear_rows, drawn
 
 #: The name of the row with all parameters at their best or worst ends.
 _TOGETHER = "all together"
@@ -106,7 +105,7 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     """Draw the airtime of a unicast frame against its length, with the frames of the protocols."""
     data = frame_steps_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
-    looks: dict[str, dict[str, Any]] = {
+    looks: dict[str, Look] = {
         "paper": {"linestyle": "--", "color": "0.45"},
         "standard": {"color": "black", "drawstyle": "steps-post"},
     }
@@ -120,13 +119,14 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
             look = {"color": color_of(protocol), "markeredgecolor": "black", "zorder": 3}
             label = f"frames of {protocol.name}"
             axis.plot(own["frame_B"], own["standard_us"], "o", label=label, **look)
-        for airtime, own in dots.groupby("standard_us"):
+        for _, own in dots.groupby("standard_us"):
+            height = float(own["standard_us"].iloc[0])
             names, last = ", ".join(own["message"]), float(own["frame_B"].max())
             if len(own) > 2:  # too long to stand above its step
                 line = {"arrowstyle": "-", "color": "0.45"}
-                axis.annotate(names, (last, airtime), (135, 185), fontsize=9, arrowprops=line)
+                axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=line)
             else:
-                axis.text(last + 14, float(airtime) + 1, names, ha="right", fontsize=9)
+                axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
         axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set(xlabel="frame length [B]", ylabel="airtime of a unicast frame [µs]")
         axis.legend(loc="upper left")

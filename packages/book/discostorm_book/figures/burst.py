@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from itertools import product
-from typing import Any
 
 import pandas as pd
 from matplotlib.axes import Axes
@@ -11,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import lights
-from discostorm_book.figures.drawing import drawn, legend_below, write
+from discostorm_book.figures.drawing import Look, drawn, legend_below, write
 
 _CHARCOAL = lights("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
@@ -38,7 +37,7 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
             for outcome, (state, hatch) in looks.items():
                 sent = own[(own["outcome"] == outcome) & (own["start_s"] < until)]
                 spans = 1e3 * sent[["start_s"]].assign(width=sent["end_s"] - sent["start_s"])
-                look: dict[str, Any] = {"facecolors": lights("state")[state], "hatch": hatch}
+                look: Look = {"facecolors": lights("state")[state], "hatch": hatch}
                 look |= {"edgecolor": "white", "linewidth": 0.2, "zorder": 2}
                 label = outcome if lane == 0 else None
                 axis.broken_barh(spans.to_numpy(), (lane - 0.32, 0.64), label=label, **look)
@@ -101,7 +100,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
         if reader != writer:
             part = int(share.to_numpy()[reader, writer])
             text = f"{part}"
-            look: dict[str, Any] = {"color": COLORS["DDS"], "alpha": 0.35, "lw": 0}
+            look: Look = {"color": COLORS["DDS"], "alpha": 0.35, "lw": 0}
             axis.add_patch(Rectangle((writer, reader + 1), 1, -part / 100, **look))
         axis.text(writer + 0.5, reader + 0.5, text, ha="center", va="center", fontsize=9)
     axis.set(xlim=(0, count), ylim=(count, 0), xlabel="of robot", ylabel="robot knows [%]")

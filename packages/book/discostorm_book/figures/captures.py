@@ -5,11 +5,12 @@ from collections.abc import Mapping
 import pandas as pd
 from matplotlib.artist import Artist
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from discostorm.figures import headline
 from discostorm.palette import lights
-from discostorm_book.figures.drawing import clear_rows, drawn, legend_below, mark
+from discostorm_book.figures.drawing import clear_rows, drawn, legend_below
 from discostorm_capture import Capture
 
 _COLORS = lights("captured")
@@ -64,7 +65,8 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
         axis.set_xlabel("time since the first packet [s]")
         clear_rows(axis, list(names), list(names.values()))
         handles: list[Artist] = [
-            mark("|", label, color=color, mew=1.6, ms=8) for label, (_, _, color) in ROWS.items()
+            Line2D([], [], marker="|", ls="", color=color, mew=1.6, ms=8, label=label)
+            for label, (_, _, color) in ROWS.items()
         ]
         legend_below(figure, [*handles, Patch(color=_AFTER, label="knows all others")], 4)
         first, *_, last = data.groupby("capture", sort=False)["complete_s"].max()

@@ -1,7 +1,6 @@
 """Figures of convergence: who completes discovery, and what starting in turn changes."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -12,7 +11,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import lights
-from discostorm_book.figures.drawing import drawn, legend_below, set_ticks, write
+from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write
 
 
 def _tint(color: str, share: float) -> str:
@@ -54,7 +53,7 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
         panels[-1].set_xlabel("robots")
-        shades = {
+        shades: Look = {
             "median [s]": _SECONDS(_NORM(10)),
             "runs of ten that finished": _SOME,
             "no run finished": _NONE,
@@ -75,7 +74,7 @@ def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     elif converged:
         shade, text, color = _SOME, f"{converged}/10", "black"
     axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
-    look: dict[str, Any] = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
+    look: Look = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
 
 
@@ -127,7 +126,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                 span = rows[f"{time}_low"], rows[f"{time}_high"]
                 axis.fill_between(rows["window_s"], *span, color=color, alpha=0.25, lw=0)
                 star = rule[(rule["protocol"] == protocol) & (rule["hosts"] == hosts)]
-                look: dict[str, Any] = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
+                look: Look = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
                 axis.plot(star["rule_s"], star[time], "*", **look)
                 at = (0.36, rows[time].iloc[0])
                 look = {"ha": "right", "va": "center", "color": COLORS[protocol]}  # tints are pale

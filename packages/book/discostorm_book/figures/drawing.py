@@ -8,15 +8,16 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter
 
 from discostorm.figures import WIDTH, headline, style
 
 #: Numbers as they are, without powers of ten.
 PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
+#: Options of Matplotlib.
+Look = dict[str, Any]
 #: The look of a reference line, such as a lease.
-LIMIT = {"color": "gray", "linewidth": 0.8}
+LIMIT: Look = {"color": "gray", "linewidth": 0.8}
 
 
 @contextmanager
@@ -36,7 +37,7 @@ def write(
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
 
 
-def white(pad: float) -> dict[str, Any]:
+def white(pad: float) -> Look:
     """Return the box that hides what is behind words."""
     return {"facecolor": "white", "edgecolor": "none", "pad": pad}
 
@@ -58,8 +59,3 @@ def set_ticks(along: Axis, values: Sequence[float]) -> None:
 def legend_below(figure: Figure, handles: Sequence[Artist], columns: int, **options: Any) -> None:
     """Put a legend below the panels of a figure."""
     figure.legend(handles=handles, loc="outside lower center", ncols=columns, **options)
-
-
-def mark(look: str, label: str, **more: Any) -> Line2D:
-    """Return the entry of a legend for a mark or a line."""
-    return Line2D([], [], marker=look, linestyle="", label=label, **more)

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,7 +14,7 @@ from discostorm.messages import HOST, Message, Payload, Protocol
 from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import DDS, PROTOCOLS
-from discostorm_book.figures.drawing import clear_rows, drawn, white, write
+from discostorm_book.figures.drawing import Look, clear_rows, drawn, white, write
 
 #: Fleets of the first figure.
 _FLEETS = (7, 100)
@@ -57,7 +56,7 @@ def _steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, flo
     one_each = tuple(replace(m, payload=packed) if m.name == "SEDP" else m for m in DDS.messages)
     once = Message("Set", "Sets", "multicast", "UDP", packed, HOST, 1)
     multicast = (once, DDS.message("Heartbeat"), DDS.message("ACKNACK"))
-    tables = {
+    tables: dict[str, tuple[Protocol, int, int]] = {
         "DDS, as the paper counts it": (DDS, processes, endpoints),
         "one speaker per host": (DDS, 1, all_of_them),
         "… its set in one frame": (Protocol("packed", one_each), 1, 1),
@@ -66,7 +65,8 @@ def _steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, flo
         "… identical software by its hash": (PROTOCOLS["hybrid, alike"], processes, endpoints),
     }
     return {
-        name: float(utilization(table, hosts, *each)) for name, (table, *each) in tables.items()
+        name: float(utilization(table, hosts, each, of_each))
+        for name, (table, each, of_each) in tables.items()
     }
 
 
@@ -88,7 +88,7 @@ def ladder() -> Figure:
         for column, color, side in zip(data, colors, ("right", "left"), strict=True):
             across = 7 if side == "left" else -7
             axis.plot(data[column], places, "o-", color=color)
-            look: dict[str, Any] = {"va": "center", "fontsize": 8.5, "bbox": white(0.6)}
+            look: Look = {"va": "center", "fontsize": 8.5, "bbox": white(0.6)}
             for place, airtime in zip(places, data[column], strict=True):
                 text = words.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
                 write(axis, text, (airtime, place), (across, 0), ha=side, **look)

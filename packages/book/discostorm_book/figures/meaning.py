@@ -14,7 +14,7 @@ from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
-from discostorm_book.figures.drawing import LIMIT, PLAIN, drawn, legend_below, write
+from discostorm_book.figures.drawing import LIMIT, PLAIN, Look, drawn, legend_below, write
 
 _LINES = ("--", "-", "-.")
 _TIME = np.geomspace(0.05, 200, 700)  # s after startup
@@ -114,7 +114,7 @@ def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.Dat
     """Return the bound of the drain time [s], the steady state, and exact drain times [s]."""
     bounds, exact = [], []
     for product in products:
-        columns = {"product": product.name, "hosts": _HOSTS}
+        columns: Look = {"product": product.name, "hosts": _HOSTS}
         columns["at_most_s"] = timeline.drain_time(product, _HOSTS, **swarm)
         columns["steady state"] = utilization(product, _HOSTS, **swarm, window=np.inf)
         bounds.append(pd.DataFrame(columns))
@@ -133,7 +133,7 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
             rows, color = data[data["product"] == product.name], color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
             above.plot(bound["hosts"], bound["at_most_s"], line, color=color)
-            look: dict[str, Any] = {"color": color, "fillstyle": "none", "ms": 4}
+            look: Look = {"color": color, "fillstyle": "none", "ms": 4}
             above.plot(exact["hosts"], exact["idle_after_s"], "o", **look)
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
@@ -206,7 +206,7 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
             color = COLORS[str(protocol)]
             lines.plot(_SMALL_HOSTS, used, "-" if alone else "--", color=color)
             full = np.interp(1, used, _SMALL_HOSTS)
-            look: dict[str, Any] = {"ha": "left", "va": "top", "color": color}
+            look: Look = {"ha": "left", "va": "top", "color": color}
             offset = (4, -4)
             if protocol == "DDS":  # it is left of the other
                 look, offset = look | {"ha": "right", "va": "bottom"}, (-4, 4)

@@ -48,9 +48,9 @@ def airtime() -> Figure:
         axis.barh(names, bits, left=overhead, color=colors)
         for row, micro in enumerate(whole):
             axis.text(micro + 6, row, f"{micro:.0f}", va="center", fontsize=8)
-        for name, rows in data.groupby("protocol").groups.items():
-            middle = rows.to_numpy().mean()
-            axis.text(450, middle, name, color=color[name], weight="bold", va="center")
+        for name, shade in color.items():
+            middle = data.index[data["protocol"] == name].to_numpy().mean()
+            axis.text(450, middle, name, color=shade, weight="bold", va="center")
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
         axis.set(xlim=(0, 1.08 * whole.max()), xlabel="airtime of one frame [µs]")
@@ -122,11 +122,10 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str 
     colors = {name: MESSAGE_COLORS.get(name) or next(others) for name in names}
     with drawn(1.5 + 0.29 * len(swarms), title) as figure:
         axis = figure.subplots()
-        for label, part in data.groupby("swarm", sort=False):
-            lengths = part.set_index("message").iloc[:, -1]
-            starts = lengths.cumsum() - lengths
-            for name, length in lengths.items():
-                axis.barh(label, length, left=starts[name], color=colors[name])
+        for label in swarms:
+            lengths = data[data["swarm"] == label].set_index("message").iloc[:, -1]
+            for name, start in (lengths.cumsum() - lengths).items():
+                axis.barh(label, lengths[str(name)], left=start, color=colors[name])
         legend_below(figure, [Patch(color=color, label=name) for name, color in colors.items()], 4)
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")

@@ -1,6 +1,6 @@
 """Figures of the chapter on servers and routers: what fits with each, and what fails with it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any
 
@@ -19,7 +19,15 @@ from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
-from discostorm_book.figures.drawing import clear_rows, drawn, legend_below, set_ticks, white, write
+from discostorm_book.figures.drawing import (
+    Look,
+    clear_rows,
+    drawn,
+    legend_below,
+    set_ticks,
+    white,
+    write,
+)
 from discostorm_book.lab_counts import death_times, deaths
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
@@ -102,7 +110,7 @@ def consequence_of(name: str) -> str:
     return "one robot" if ("orphans and survivors", "settled") in never else "nothing else"
 
 
-def consequence_look(consequence: str) -> dict[str, Any]:
+def consequence_look(consequence: str) -> Look:
     """Return color and mark of what else fails."""
     color, mark = CONSEQUENCES[consequence]
     return {"color": _SERIES[color], "marker": mark, "mew": 0}
@@ -193,13 +201,13 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     back, joins = since["return"], since["newcomer"]
     end = (rows["since_s"] + rows["watched_s"]).max()
 
-    def lane(who: str, begin: float, connected: float) -> dict[str, Any]:
+    def lane(who: str, begin: float, connected: float) -> Look:
         of = {"configuration": name, "event": event, "title": title, "who": who}
         times = {"from_s": begin, "connected_from_s": connected}
         return {**of, **times, "server_back_s": back, "until_s": end}
 
     def found_again(who: str) -> float:
-        return back + float(np.median(death_times(name, event, "return", who, "found")))
+        return float(back) + float(np.median(death_times(name, event, "return", who, "found")))
 
     for who, again, label in (
         ("survivors", "survivors", "robots that knew each other"),
@@ -218,7 +226,7 @@ def failures() -> Figure:
     with drawn(4.5, "Only a central router or hub silences the fleet") as figure:
         axis = figure.subplots()
         place, labels = 0.0, {}
-        back_look: dict[str, Any] = {"color": "black", "lw": 1.6}
+        back_look: Look = {"color": "black", "lw": 1.6}
         for title, rows in failures_data().groupby("title", sort=False):
             place += 1.15
             axis.text(0, place, str(title), fontsize=9, fontweight="bold", va="center")
@@ -241,12 +249,17 @@ def failures() -> Figure:
     return figure
 
 
-def _draw_lane(axis: Axes, place: float, row: dict[str, Any]) -> None:
+def _draw_lane(axis: Axes, place: float, row: Mapping[Any, Any]) -> None:
     """Draw when processes do not hear each other, and when they do."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
-        look = {"color": "white", "edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
-        axis.barh(place, connected - begin, 0.55, begin, **look)
+        look: Look = {
+            "color": "white",
+            "edgecolor": _SERIES["vermilion"],
+            "lw": 0.9,
+            "hatch": "////",
+        }
+        axis.barh(place, connected - begin, 0.55, begin, color="white", **look)
     axis.barh(place, end - connected, 0.55, connected, color=_SERIES["blue"])
     if (late := connected - row["server_back_s"]) > 0:
         axis.text(end + 1, place, f"+{late:.1f} s", va="center", fontsize=8)
@@ -269,7 +282,7 @@ def noticed() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
     looks = {"robot killed": (-0.19, "orange", "killed")}
     looks |= {"robot cut off": (0.19, "sky", "out of reach")}
-    lease: dict[str, Any] = {"color": "black", "lw": 1.6}
+    lease: Look = {"color": "black", "lw": 1.6}
     data = noticed_data()
     names = list(dict.fromkeys(data["configuration"]))
     with drawn(2.6, "A failed robot stays listed for about one lease") as figure:
