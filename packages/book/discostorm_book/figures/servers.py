@@ -253,12 +253,7 @@ def _draw_lane(axis: Axes, place: float, row: Mapping[Any, Any]) -> None:
     """Draw when processes do not hear each other, and when they do."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
-        look: Look = {
-            "color": "white",
-            "edgecolor": _SERIES["vermilion"],
-            "lw": 0.9,
-            "hatch": "////",
-        }
+        look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
         axis.barh(place, connected - begin, 0.55, begin, color="white", **look)
     axis.barh(place, end - connected, 0.55, connected, color=_SERIES["blue"])
     if (late := connected - row["server_back_s"]) > 0:
