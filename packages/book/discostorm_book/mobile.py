@@ -13,7 +13,7 @@ from matplotlib.text import Annotation, Text
 from discostorm.figures.style import style
 
 #: Inches: at this width letters of 9 points are 10 px high on a screen of 360 px.
-NARROW = 4.45
+PHONE_WIDTH = 4.45
 #: Inches of a figure that are not panels: title, labels of the axis, legend.
 _AROUND = 1.1
 #: Share of the width beyond which names of rows are broken, fewest and most letters of their lines,
@@ -27,7 +27,7 @@ _EDGE = 0.05
 _LINES = 4
 
 
-def narrowed(figure: Figure) -> Figure:
+def for_phone(figure: Figure) -> Figure:
     """Make a figure that was drawn for a page as narrow as a phone, and return it.
 
     Panels that stood beside each other come one below the other, unless they are a grid that
@@ -36,7 +36,7 @@ def narrowed(figure: Figure) -> Figure:
     """
     width, height = figure.get_size_inches()
     with style():
-        figure.set_size_inches(min(width, NARROW), height + _stack(figure, height))
+        figure.set_size_inches(min(width, PHONE_WIDTH), height + _stack(figure, height))
         figure.draw_without_rendering()
         for text in (text for axis in figure.axes for text in axis.texts):
             # Long words in a panel would take its room.

@@ -332,7 +332,7 @@ def _places(figure: Figure) -> dict[str, Any]:
 
     Under ``narrow`` the same of the figure for phones, which it has become afterwards.
     """
-    return {**_placed(figure), "narrow": _placed(mobile.narrowed(figure))}
+    return {**_placed(figure), "narrow": _placed(mobile.for_phone(figure))}
 
 
 def _placed(figure: Figure) -> dict[str, Any]:
