@@ -1,6 +1,6 @@
-"""Captures on a page: as lanes to touch, the chapter's own and what a reader drops there."""
+"""Captures on a page as lanes to touch: the chapter's own, and those that a reader drops there."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from IPython.display import HTML
@@ -10,7 +10,7 @@ from discostorm_book.figures.captures import ROWS
 from discostorm_book.pages import carried
 from discostorm_capture import Capture
 
-#: What messages do, by their kind.
+#: Purposes of messages, by their kind.
 MEANS = {
     "SPDP": "announces a process",
     "SEDP": "announces an endpoint",
@@ -45,7 +45,7 @@ MEANS = {
     "TCP control": "opens or ends a connection",
     "TCP retransmission": "is sent again, because it was not confirmed",
 }
-#: What belongs to such messages, by the ends of their kinds; "{}" is what stands before.
+#: Purposes by the end of a kind; "{}" is the kind before it.
 ENDINGS = {
     " Heartbeat": "says which {} messages there are",
     " Gap": "says which {} messages are void",
@@ -57,33 +57,20 @@ LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
 def rows() -> list[dict[str, Any]]:
-    """Return the rows of a lane from its top: which kinds, and in which color; the last has others.
-
-    Examples
-    --------
-    >>> [row["name"] for row in rows()]
-    ['SPDP, Scout', 'SEDP, Declare', 'Heartbeat, ACKNACK, others']
-    """
-    found: list[dict[str, Any]] = []
+    """Return the rows of a lane from its top, with kinds and color; the last also has all others."""
+    listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
         both = (*kinds, *LIKE.get(name, ()))
         color = PALETTE["captured", name].property if name in LIKE else "--ds-neutral-gray"
-        found.append({"name": ", ".join(both), "kinds": both, "color": color})
-    found[-1]["name"] += ", others"
-    return found
+        listed.append({"name": ", ".join(both), "kinds": both, "color": color})
+    listed[-1]["name"] += ", others"
+    return listed
 
 
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
-    """Let readers touch the messages of captures, and look at what they captured themselves.
+    """Let readers touch the messages of captures, all on one clock, and of captures of their own.
 
-    Parameters
-    ----------
-    captures : mapping of str to Capture
-        By what they are called, on one clock.
-    most : int
-        So many pairs that never completed are listed at first [1].
-    until : float
-        So much is shown at first [s].
+    At first so many pairs that never completed are listed, and so many seconds are shown.
     """
     data = {
         "rows": rows(),
@@ -92,18 +79,15 @@ def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
         "most": most,
         "until": until,
         "captures": [
-            {"name": name, "diagnosis": _shortly(capture)} for name, capture in captures.items()
+            {"name": name, "diagnosis": _diagnosis(capture)} for name, capture in captures.items()
         ],
     }
-    return carried("lanes", data, "captures/captures.css", *_scripts("lanes", "told", "own"))
+    scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
+    return carried("lanes", data, "captures/captures.css", *scripts)
 
 
-def _scripts(*names: str) -> Iterable[str]:
-    return (f"captures/{name}.js" for name in names)
-
-
-def _shortly(capture: Capture) -> dict[str, Any]:
-    """Return what lanes need of a diagnosis, as `discostorm capture --json` writes it."""
+def _diagnosis(capture: Capture) -> dict[str, Any]:
+    """Return a part of a diagnosis as `discostorm capture --json` writes it."""
     told = capture.diagnosis().to_dict()
     hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in told["hosts"]]
     return {key: told[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}

@@ -1,6 +1,5 @@
-"""The storm in a picture: every message of the enumeration, in its order, with its airtime."""
+"""The picture that a link to the book shows: a swarm half way through its storm."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,33 +12,14 @@ from discostorm._numeric import evaluate
 from discostorm.messages import Protocol
 from discostorm.palette import lights
 from discostorm.saturation import saturation_hosts
-from discostorm.wifi import PAPER, Wifi
+from discostorm.wifi import PAPER
 from discostorm_book.enumeration import Endpoint, Process, Sent, walk
 
 _NEUTRAL = lights("neutral")
 
 
-def messages(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[Sent]:
-    """Yield the messages of a swarm in the order in which the channel carries them."""
-    for sent in walk(protocol.name, [[endpoints] * processes] * hosts):
-        if sent.hop == "up":
-            yield sent
-
-
-def airtimes(protocol: Protocol, wifi: Wifi = PAPER) -> dict[str, tuple[float, float]]:
-    """Return the airtime of each kind of message, up and down [s]."""
-    values = protocol.values() | wifi.values()
-    return {
-        message.name: (
-            float(evaluate(message.airtime_up(wifi.model), values)),
-            float(evaluate(message.airtime_down(wifi.model), values)),
-        )
-        for message in protocol.messages
-    }
-
-
 def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
-    """Draw the picture that a link to the book shows, of that width and height [px]."""
+    """Draw the picture of a link to the book, of that width and height [px]."""
     hosts = words.whole_below(float(saturation_hosts(protocol, *_SWARM)))
     sent, used = _carried(protocol, hosts, *_SWARM)
     last = len(sent) // 2
@@ -69,10 +49,16 @@ _SWARM = (figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS)
 
 
 def _carried(protocol: Protocol, *swarm: int) -> tuple[list[Sent], NDArray[np.float64]]:
-    """Return the messages, and the airtime used when each has been carried [s]."""
-    sent = list(messages(protocol, *swarm))
-    cost = {kind: sum(both) for kind, both in airtimes(protocol).items()}
-    return sent, np.cumsum([cost[one.kind] for one in sent])
+    """Return the messages in their order, and the airtime used after each [s]."""
+    hosts, processes, endpoints = swarm
+    walked = walk(protocol.name, [[endpoints] * processes] * hosts)
+    sent = [message for message in walked if message.hop == "up"]
+    values = protocol.values() | PAPER.values()
+    cost = {
+        m.name: sum(float(evaluate(hop(), values)) for hop in (m.airtime_up, m.airtime_down))
+        for m in protocol.messages
+    }
+    return sent, np.cumsum([cost[message.kind] for message in sent])
 
 
 def _where(hosts: int) -> list[tuple[float, float]]:
