@@ -57,7 +57,7 @@ LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
 def rows() -> list[dict[str, Any]]:
-    """Return the rows of a lane from its top, with kinds and color; the last also has all others."""
+    """Return the rows of a lane from its top, with kinds and color; the last has others, too."""
     listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
         both = (*kinds, *LIKE.get(name, ()))

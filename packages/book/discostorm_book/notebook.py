@@ -360,5 +360,4 @@ def notation(*protocols: Protocol) -> Markdown:
         for m in protocol.messages
     ]
     frame = pd.DataFrame(rows, columns=["symbol", "meaning", "unit", "source"])
-    frame["symbol"] = [f"${latex(symbol)}$" for symbol in frame["symbol"]]
-    return table(frame)
+    return table(frame.assign(symbol=[f"${latex(symbol)}$" for symbol in frame["symbol"]]))

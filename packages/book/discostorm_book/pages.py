@@ -139,7 +139,7 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         "processes": processes,
         "rounds": rounds,
         "periods": [
-            [each, _short(utilization(table, hosts, **swarm, window=np.inf))]
+            [each, _short(utilization(table, hosts, processes, endpoints, window=np.inf))]
             for each, table in tables.items()
         ],
         "period": period,
