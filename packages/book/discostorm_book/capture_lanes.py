@@ -5,53 +5,17 @@ from typing import Any
 
 from IPython.display import HTML
 
+from discostorm.data import read_data
 from discostorm.palette import PALETTE
 from discostorm_book.figures.captures import ROWS
 from discostorm_book.pages import carried
 from discostorm_capture import Capture
 
+_PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
 #: Purposes of messages, by their kind.
-MEANS = {
-    "SPDP": "announces a process",
-    "SEDP": "announces an endpoint",
-    "Heartbeat": "says which endpoint announcements there are",
-    "ACKNACK": "confirms endpoint announcements or asks for missing ones",
-    "Gap": "says which endpoint announcements are void",
-    "Liveliness": "renews a lease",
-    "Type lookup": "asks for a data type",
-    "User data": "is what the robots\N{RIGHT SINGLE QUOTATION MARK} programs send",
-    "Encrypted": "can't be read",
-    "Encrypted key exchange": "exchanges keys for encryption",
-    "Authentication": "proves who a process is",
-    "Scout": "looks for other processes",
-    "Hello": "answers a Scout",
-    "Init": "begins a session",
-    "Open": "opens a session",
-    "Close": "ends a session",
-    "Declare": "announces an endpoint",
-    "Declare key expression": "numbers a name for the announcements that follow",
-    "Declare final": "ends an answer of announcements",
-    "Undeclare": "takes back an announcement",
-    "Interest": "asks which endpoints there are",
-    "OAM": "exchanges link states",
-    "KeepAlive": "renews a lease",
-    "Frame": "carries other messages",
-    "Fragment": "carries a part of a message",
-    "Push": "is what the robots\N{RIGHT SINGLE QUOTATION MARK} programs send",
-    "Request": "asks a program",
-    "Response": "answers a program",
-    "ResponseFinal": "ends the answers of a program",
-    "TCP ACK": "confirms that bytes arrived",
-    "TCP control": "opens or ends a connection",
-    "TCP retransmission": "is sent again, because it was not confirmed",
-}
-#: Purposes by the end of a kind; "{}" is the kind before it.
-ENDINGS = {
-    " Heartbeat": "says which {} messages there are",
-    " Gap": "says which {} messages are void",
-    " HEARTBEAT_FRAG": "says which parts of {} messages there are",
-    " ACKNACK": "confirms {} messages or asks for missing ones",
-}
+MEANS = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
+#: Purposes by the end of a kind; "{}" is the part before it.
+ENDINGS = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
 #: Messages of Zenoh, where those of DDS that do the same are drawn.
 LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 

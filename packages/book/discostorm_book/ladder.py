@@ -8,7 +8,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
-from typing import Literal
 
 from discostorm import figures, words
 from discostorm.data import read_data
@@ -29,15 +28,15 @@ _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 class Switch:
     """An assumption in place of the paper's: its key in a `Rung`, name, and what it changes.
 
-    Numbers of the kind "measured" are computed from counts of real middleware. A switch needs
-    those of some keys to be on.
+    It is "computed", "measured" (computed from counts of real middleware) or "simulated", and may
+    need others to be on.
     """
 
     key: str
     name: str
     why: str
-    kind: Literal["computed", "simulated", "measured"] = "computed"
-    needs: tuple[str, ...] = ()
+    kind: str
+    needs: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -65,57 +64,10 @@ class Rung:
         return f"{self.fit}" if low == high else f"{low} to {high}"
 
 
-COMPUTED = (
-    Switch(
-        "timing",
-        "Exact 802.11n timing",
-        "whole symbols, preambles and waits of IEEE 802.11n instead of the paper's rate and "
-        "overhead",
-    ),
-    Switch(
-        "aggregation",
-        f"Full aggregation, {MPDUS} frames per A-MPDU",
-        "the best case: every queue always holds that many frames for one receiver",
-        needs=("timing",),
-    ),
-    Switch(
-        "periods",
-        "The products' timers; startup may take a lease",
-        "periodic traffic is counted too, and startup may take one lease instead of one second",
-    ),
-    Switch(
-        "as built",
-        "The products' real messages",
-        "the messages that we captured from Fast DDS and from Zenoh peers, instead of the paper's",
-        "measured",
-        ("periods",),
-    ),
+SWITCHES = tuple(
+    Switch(row["key"], row["name"], row["why"], row["kind"], tuple(row["needs"].split()))
+    for row in read_data("simulated/switches.csv", "discostorm_book")
 )
-SIMULATED = (
-    Switch(
-        "contention",
-        "Hosts contend for the channel",
-        "robots and access point back off, collide and retry, frame by frame; no queue overflows",
-        "simulated",
-        ("timing",),
-    ),
-    Switch(
-        "queues",
-        "Queues overflow, middleware recovers",
-        "queues hold 500 frames, each for at most half a second; the middleware retransmits what "
-        "they lose, and startup may take one lease",
-        "simulated",
-        ("contention",),
-    ),
-    Switch(
-        "staggered",
-        "Robots start in turn",
-        "one robot after another, each once the airtime of the bursts before it has passed",
-        "simulated",
-        ("queues",),
-    ),
-)
-SWITCHES = (*COMPUTED, *SIMULATED)
 
 #: The paper's table, that with the periods of a product, and the product's own.
 TABLES = {
@@ -126,7 +78,7 @@ TABLES = {
 
 def rungs() -> Iterator[Rung]:
     """Yield the robots that fit for each combination of the switches, the paper's first."""
-    for protocol, on in product(TABLES, _combinations(COMPUTED)):
+    for protocol, on in product(TABLES, _combinations()):
         table = PROTOCOLS[TABLES[protocol][len(on & {"periods", "as built"})]]
         mpdus = MPDUS if "aggregation" in on else 1
         wifi = Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER
@@ -174,8 +126,9 @@ def _runs_in_words(row: dict[str, str]) -> str:
     )
 
 
-def _combinations(switches: tuple[Switch, ...]) -> Iterator[frozenset[str]]:
-    """Yield the combinations of switches in which each has what it needs."""
+def _combinations() -> Iterator[frozenset[str]]:
+    """Yield the combinations of computed switches in which each has the switches that it needs."""
+    switches = [switch for switch in SWITCHES if switch.kind != "simulated"]
     for chosen in product((False, True), repeat=len(switches)):
         on = frozenset(switch.key for switch, yes in zip(switches, chosen, strict=True) if yes)
         if all(set(switch.needs) <= on for switch in switches if switch.key in on):
