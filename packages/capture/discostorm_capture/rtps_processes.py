@@ -32,8 +32,7 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     )
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
-    domains = _domains(messages, datagrams["to_port"][datagram], addresses)
-    _note_domains(domains, notes)
+    domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
     # What is announced of each process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
@@ -85,21 +84,19 @@ def _resolved(
     return list(zip(*(column.tolist() for column in columns), strict=True))
 
 
-def _domains(messages: Columns, to_port: Array, addresses: IdTable) -> dict[int, int]:
-    """Return the domain of each process, as its multicast messages of SPDP say."""
+def _domains(
+    messages: Columns, to_port: Array, addresses: IdTable, notes: Counter[str]
+) -> list[tuple[int, int]]:
+    """Return processes and their domains, as multicast messages of SPDP say; note if several."""
     domain = rtps.domains_from_ports(messages["kind"], to_port)
     rows = np.flatnonzero((domain >= 0) & ip.is_multicast(addresses)[messages["target"]])
     process, domain = messages["process"][rows], domain[rows]
     _, first = factorize(process, domain)
-    return dict(sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True)))
-
-
-def _note_domains(domains: dict[int, int], notes: Counter[str]) -> None:
-    """Note which domains there are, if there are several."""
-    different = sorted(set(domains.values()))
+    different = np.unique(domain).tolist()
     if len(different) > 1:
         which = ", ".join(map(str, different))
         notes[
             f"domains of RTPS ({which}): only processes of the same one find each other, which "
             "the fleet does not know"
         ] = len(different)
+    return sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True))
