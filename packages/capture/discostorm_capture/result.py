@@ -361,7 +361,12 @@ class Capture:
         >>> capture.diagnosis().complete
         True
         """
-        from discostorm_capture.diagnosis import Seen, diagnose, view_of, without_jumps
+        from discostorm_capture.diagnosis import (
+            Observations,
+            diagnose,
+            vantage_host,
+            without_clock_steps,
+        )
 
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
@@ -369,7 +374,7 @@ class Capture:
         rows, asides, processes = rows[~(rows["copy"] | here | loop)], self._asides, self._processes
         rows, asides = (
             table.assign(
-                time=without_jumps(
+                time=without_clock_steps(
                     table["time"].to_numpy(), table["frame"].to_numpy(), self._jumps, self._first
                 )
             )
@@ -377,17 +382,17 @@ class Capture:
         )
         serving = frozenset(self.serving())
         return diagnose(
-            Seen(
-                rows=rows.sort_values("time", kind="stable") if self._jumps else rows,
+            Observations(
+                messages=rows.sort_values("time", kind="stable"),
                 processes=processes[processes["host"] != ""],
-                asides=asides,
+                network_events=asides,
                 duration=self._last,
-                view=view_of(rows, serving),
-                serving=serving,
-                others=self._others,
-                jumps=self._jumps,
-                lost=self._lost,
-                cut=self._cut / max(self.packets, 1),
+                vantage_host=vantage_host(rows, serving),
+                server_hosts=serving,
+                other_packets=self._others,
+                clock_steps=self._jumps,
+                capture_gaps=self._lost,
+                truncated=self._cut / max(self.packets, 1),
             )
         )
 

@@ -19,7 +19,7 @@ from discostorm.data import data_path, read_data
 from discostorm.snippets import snippets
 from discostorm_capture import Capture
 from discostorm_capture.diagnosis.finding import kinds, remedies
-from discostorm_capture.diagnosis.observations import without_jumps
+from discostorm_capture.diagnosis.observations import without_clock_steps
 from discostorm_capture.diagnosis.result import TIMELINE
 from discostorm_capture.live import Packets
 
@@ -179,7 +179,7 @@ def test_kinds_and_remedies_belong_together() -> None:
     assert used == {*remedies()}
     for row in kinds().values():
         assert row["about"] in ("fleet", "event", "capture")
-        assert row["what"]
+        assert row["summary"]
         assert row["source"]
     for row in remedies().values():
         assert row["what"]
@@ -223,9 +223,9 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
     assert diagnosis.complete_at == pytest.approx(expected.complete_at, abs=0.1)
 
 
-def test_times_without_jumps() -> None:
+def test_times_without_clock_steps() -> None:
     times, frames = np.array([5.0, 6.0, 106.0, 76.0]), np.array([1, 2, 3, 4])
-    found = without_jumps(times, frames, ((3, 100.0), (4, -30.0)), 5.0)
+    found = without_clock_steps(times, frames, ((3, 100.0), (4, -30.0)), 5.0)
     assert found.tolist() == [0.0, 1.0, 1.0, 1.0]
 
 

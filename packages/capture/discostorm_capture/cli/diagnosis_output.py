@@ -71,7 +71,7 @@ def show_answer(diagnosis: Diagnosis) -> None:
             continue
         advice = "" if finding.about == "event" else f" {finding.advice}"
         evidence = words.capitalized(finding.evidence)
-        _say(f"- {words.capitalized(finding.what)}. {evidence}.{advice}")
+        _say(f"- {words.capitalized(finding.summary)}. {evidence}.{advice}")
 
 
 def _say(text: str) -> None:

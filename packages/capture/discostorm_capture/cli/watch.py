@@ -219,7 +219,7 @@ def _show(told: Watch, clear: bool) -> None:
     if told.diagnosis is not None:
         click.echo(visible(words.wrapped(told.diagnosis.summary())))
     for since, finding in told.certain.values():
-        sentence = f"- since {since:.0f} s: {finding.what}: {finding.evidence}"
+        sentence = f"- since {since:.0f} s: {finding.summary}: {finding.evidence}"
         click.echo(visible(words.wrapped(sentence)))
     kinds = told.messages.most_common(KINDS)
     if kinds:
