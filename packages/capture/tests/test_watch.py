@@ -55,7 +55,7 @@ def test_findings_become_certain_after_two_diagnoses() -> None:
     for at in range(0, len(content), 4096):
         for when, packet in stream.of(content[at : at + 4096]):
             told.add(when, packet)
-        told.fold(stream.head)
+        told.fold(stream.header)
         kinds.append({kind for kind, _ in told.certain})
     assert not kinds[0]
     assert kinds[-1] == {"firewall"}
@@ -67,8 +67,8 @@ def test_old_packets_are_dropped_and_all_are_counted() -> None:
     for when, packet in stream.of(FAST):
         told.add(when, packet)
         if told.full:
-            told.fold(stream.head)
-    told.fold(stream.head)
+            told.fold(stream.header)
+    told.fold(stream.header)
     assert told.packets == 1063
     assert told.size <= 40_000 + 1500
     whole = Watch()
