@@ -193,3 +193,59 @@ def tcp(
     body = struct.pack(">HHIIBBHHH", from_, to, sequence % 2**32, 0, 0x50, flags, 1000, 0, 0)
     head = struct.pack(">BBHHHBBH", 0x45, 0, len(body) + len(payload) + 20, 1, 0, 64, 6, 0)
     return head + bytes([10, 0, 0, there[0], 10, 0, 0, there[1]]) + body + payload
+
+
+def prefix(host: int) -> bytes:
+    """Return the GUID prefix of the one process of a host, of Fast DDS."""
+    return b"\x01\x0f" + bytes(9) + bytes([host])
+
+
+def dds(time: float, host: int, *submessages: bytes, to: int = 0) -> Packet:
+    """Return a packet from 10.0.0.host to 10.0.0.to, or by multicast, in an Ethernet frame."""
+    there = [submessage(0x0E, prefix(to))] if to else []
+    ip = udp(rtps(*there, *submessages, prefix=prefix(host)), host, to or 1, (7410, 7410))
+    if not to:
+        ip = ip[:16] + bytes([239, 255, 0, 1]) + ip[20:]
+        ip = ip[:22] + struct.pack(">H", 7400) + ip[24:]
+    frame = _MAC + b"\x08\x00" + ip
+    return round(time * 1e9), frame, len(frame)
+
+
+def sample(writer: int, number: int) -> bytes:
+    """Return a DATA submessage of a writer, with an empty list of parameters."""
+    ids = struct.pack(">II", writer + 5, writer)
+    body = bytes(2) + struct.pack("<H", 16) + ids + struct.pack("<iI", 0, number)
+    return submessage(0x15, body + b"\0\x03\0\0\x01\0\0\0", flags=4)
+
+
+#: The writers that announce processes and publishers.
+SPDP, SEDP = 0x000100C2, 0x000003C2
+
+
+def announce(time: float, host: int) -> Packet:
+    """Return an announcement of the process of a host."""
+    return dds(time, host, sample(SPDP, 1))
+
+
+def endpoint(time: float, host: int, to: int, number: int = 1) -> Packet:
+    """Return the announcement of an endpoint."""
+    return dds(time, host, sample(SEDP, number), to=to)
+
+
+def acknowledge(time: float, host: int, to: int, base: int, missing: int = 0) -> Packet:
+    """Return an acknowledgement of what is below a number, which asks for some from there on."""
+    state = struct.pack("<iII", 0, base, missing)
+    bits = struct.pack("<I", (1 << 32) - (1 << (32 - missing))) if missing else b""
+    ids = struct.pack(">II", SEDP + 5, SEDP)
+    return dds(time, host, submessage(6, ids + state + bits + bytes(4)), to=to)
+
+
+def startup(time: float, *hosts: int) -> list[Packet]:
+    """Return a startup in which every process announces one endpoint to every other one."""
+    found = [announce(time, host) for host in hosts]
+    for host in hosts:
+        for to in hosts:
+            if to != host:
+                found.append(endpoint(time + 0.01, host, to))
+                found.append(acknowledge(time + 0.02, to, host, 2))
+    return found

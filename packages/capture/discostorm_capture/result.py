@@ -361,7 +361,12 @@ class Capture:
         >>> capture.diagnosis().complete
         True
         """
-        from discostorm_capture.diagnosis import Seen, diagnose, view_of, without_jumps
+        from discostorm_capture.diagnosis import (
+            Observations,
+            diagnose,
+            vantage_host,
+            without_clock_steps,
+        )
 
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
@@ -373,7 +378,7 @@ class Capture:
         )
         rows, asides = (
             table.assign(
-                time=without_jumps(
+                time=without_clock_steps(
                     table["time"].to_numpy(),
                     table["frame"].to_numpy(),
                     self._clock_steps,
@@ -384,17 +389,17 @@ class Capture:
         )
         serving = frozenset(self.serving())
         return diagnose(
-            Seen(
-                rows=rows.sort_values("time", kind="stable") if self._clock_steps else rows,
+            Observations(
+                messages=rows.sort_values("time", kind="stable") if self._clock_steps else rows,
                 processes=processes[processes["host"] != ""],
-                asides=asides,
+                network_events=asides,
                 duration=self._last,
-                view=view_of(rows, serving),
-                serving=serving,
-                others=self._packets_without_messages,
-                jumps=self._clock_steps,
-                lost=self._capture_gaps,
-                cut=self._truncated / max(self.packets, 1),
+                vantage_host=vantage_host(rows, serving),
+                server_hosts=serving,
+                other_packets=self._packets_without_messages,
+                clock_steps=self._clock_steps,
+                capture_gaps=self._capture_gaps,
+                truncated=self._truncated / max(self.packets, 1),
             )
         )
 

@@ -1,18 +1,15 @@
 """Sick fleets get the right diagnosis, healthy ones none, and times are those of logs."""
 
-import csv
 import json
 import lzma
-import shlex
 from pathlib import Path
 from typing import Any
 
-import lab_data
 import numpy as np
 import pytest
 from click.testing import CliRunner
 from handmade_captures import packets, pcap
-from support import REFERENCE, ROOT
+from support import REFERENCE
 
 import discostorm as ds
 from discostorm.cli import main
@@ -20,13 +17,13 @@ from discostorm.data import data_path, read_data
 from discostorm.snippets import snippets
 from discostorm_capture import Capture
 from discostorm_capture.diagnosis.finding import kinds, remedies
-from discostorm_capture.diagnosis.observations import without_jumps
+from discostorm_capture.diagnosis.observations import without_clock_steps
 from discostorm_capture.diagnosis.result import TIMELINE
 from discostorm_capture.live import Packets
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
-#: The fault of each capture of `captures/ills` (`lab/grids/faults.csv`): its first finding's kind,
+#: What each capture of `captures/ills` is of (`lab/ills.csv`): the kind of its first finding,
 #: and the last parts of the hosts' addresses that it names.
 STAGED: dict[str, tuple[str, str]] = {
     "multicast_filtered-cyclone_dds_0_10": ("nobody hears", "123"),
@@ -55,36 +52,6 @@ STAGED: dict[str, tuple[str, str]] = {
     "server_dies-zenoh-router": ("server down", "101"),
     "clock_set_back-cyclone_dds_0_10": ("clock back", ""),
     "clock_set_forward-zenoh_peer": ("clock on", ""),
-}
-#: By what was staged, what the diagnosis may say of it first; "" if what was lost cannot be seen.
-FIRST = {
-    "multicast filtered": ("nobody hears",),
-    "firewall on all hosts": ("nobody hears",),
-    "firewall on one host": ("firewall",),
-    "loss of 5 %": ("loss", "nothing"),
-    "loss of 20 %": ("heavy loss",),
-    "one direction of a host": ("one direction",),
-    "one direction of a pair": ("one direction of pairs",),
-    "client isolation": ("unicast dropped",),
-    "client isolation but for one": ("client isolation",),
-    "two domains": ("two domains",),
-    "other subnet": ("other subnet",),
-    "wrong interface": ("wrong interface",),
-    "capture began late": ("capture began late",),
-    "capture filter": ("capture lost part", "nobody hears, or filter"),
-    "view of one robot": ("view of one host",),
-    "crash": ("crash",),
-    "restart": ("restart",),
-    "late joiner": ("late joiner",),
-    "leases expire": ("leases expire",),
-    "storm without end": ("storm",),
-    "crash loop": ("crash loop", "restart"),
-    "server never there": ("server down",),
-    "server dies": ("server down",),
-    "clock set back": ("clock back",),
-    "clock set forward": ("clock on",),
-    "healthy": ("nothing",),
-    "healthy, of other sizes": ("nothing",),
 }
 
 
@@ -141,32 +108,6 @@ def test_other_captures_of_healthy_fleets_are_healthy(name: str) -> None:
     assert diagnosis.complete
 
 
-def test_the_labs_table_has_what_is_told_of_each_staging() -> None:
-    rows = lab_data.read("faults.csv")
-    wrong: dict[str, int] = {}
-    for row in rows:
-        first = row["found"].split("; ")[0]
-        if first not in FIRST[row["staged"]]:
-            wrong[row["staged"]] = wrong.get(row["staged"], 0) + int(row["in"])
-    assert {row["staged"] for row in rows} == {*FIRST}
-    assert wrong == {}
-
-
-def test_sixty_other_healthy_runs_raise_no_alarm() -> None:
-    rows = [row for row in lab_data.read("faults.csv") if row["staged"].endswith("other sizes")]
-    assert sum(int(row["in"]) for row in rows) >= 60
-    assert {row["found"] for row in rows} == {"nothing"}
-
-
-def test_times_are_those_of_the_processes_own_logs() -> None:
-    rows = lab_data.read("fault_times.csv")
-    apart = [abs(float(row["capture_s"]) - float(row["log_s"])) for row in rows]
-    assert len(rows) >= 150
-    # One Python process of Zenoh was late to write its line.
-    assert sum(time > 0.05 for time in apart) <= 1
-    assert np.median(apart) < 0.01
-
-
 # ---------------------------------------------------------------- what is told of it
 
 
@@ -176,7 +117,7 @@ def test_kinds_and_remedies_belong_together() -> None:
     assert used == {*remedies()}
     for row in kinds().values():
         assert row["about"] in ("fleet", "event", "capture")
-        assert row["what"]
+        assert row["summary"]
         assert row["source"]
     for row in remedies().values():
         assert row["what"]
@@ -220,9 +161,9 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
     assert diagnosis.complete_at == pytest.approx(expected.complete_at, abs=0.1)
 
 
-def test_times_without_jumps() -> None:
+def test_times_without_clock_steps() -> None:
     times, frames = np.array([5.0, 6.0, 106.0, 76.0]), np.array([1, 2, 3, 4])
-    found = without_jumps(times, frames, ((3, 100.0), (4, -30.0)), 5.0)
+    found = without_clock_steps(times, frames, ((3, 100.0), (4, -30.0)), 5.0)
     assert found.tolist() == [0.0, 1.0, 1.0, 1.0]
 
 
@@ -441,12 +382,6 @@ def test_small_captures_are_small() -> None:
         assert lzma.decompress(path.read_bytes())[:4] == b"\xd4\xc3\xb2\xa1"
 
 
-def test_the_grids_stage_each_of_them() -> None:
-    with (ROOT / "lab/grids/faults.csv").open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert {row["ill"] for row in rows} == {*FIRST} - {"healthy, of other sizes"}
-
-
 def test_discovery_and_user_data_are_two_sums() -> None:
     with_data = ill("crash-cyclone_dds_0_10")
     sums = with_data.sums()
@@ -497,11 +432,8 @@ def test_the_fleet_that_was_seen_is_written(tmp_path: Path) -> None:
     fleet = ds.Fleet.from_toml(path)
     assert sum(group.hosts for group in fleet.groups) == 4
     assert [group.hosts for group in fleet.groups if group.wired] == [1]
-    assert CliRunner().invoke(main, ["plan", str(path)]).exit_code == 0
     (following,) = [line for line in result.stdout.splitlines() if line.startswith("Wrote ")]
-    again = shlex.split(following.partition("Next: discostorm ")[2])
-    assert again[0] == "plan"
-    assert CliRunner().invoke(main, again).exit_code == 0
+    assert f"Next: discostorm plan {path}" in following
     bad = run(str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", "-")
     assert (bad.exit_code, "- is no file" in bad.output) == (2, True)
     bad = run(

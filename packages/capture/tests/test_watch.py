@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ from handmade_captures import CAPTURES, packets, pcap
 from support import REFERENCE, ROOT, missing
 
 from discostorm.cli import main
-from discostorm_capture import CaptureError
+from discostorm_capture import CaptureError, read_capture
 from discostorm_capture.live import Packets, Watch
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -55,7 +56,7 @@ def test_findings_become_certain_after_two_diagnoses() -> None:
     for at in range(0, len(content), 4096):
         for when, packet in stream.of(content[at : at + 4096]):
             told.add(when, packet)
-        told.fold(stream.head)
+        told.fold(stream.header)
         kinds.append({kind for kind, _ in told.certain})
     assert not kinds[0]
     assert kinds[-1] == {"firewall"}
@@ -67,8 +68,8 @@ def test_old_packets_are_dropped_and_all_are_counted() -> None:
     for when, packet in stream.of(FAST):
         told.add(when, packet)
         if told.full:
-            told.fold(stream.head)
-    told.fold(stream.head)
+            told.fold(stream.header)
+    told.fold(stream.header)
     assert told.packets == 1063
     assert told.size <= 40_000 + 1500
     whole = Watch()
@@ -81,30 +82,13 @@ def test_old_packets_are_dropped_and_all_are_counted() -> None:
     assert told.peak == pytest.approx(whole.peak, rel=0.05)
 
 
-def test_a_storm_takes_no_more_memory_the_longer_it_lasts() -> None:
-    """A few minutes from ever other hosts, of the hour that the chapter on captures tells of."""
-    root = ROOT
-    done = subprocess.run(
-        [sys.executable, "scripts/checks/measure_watch.py", "--seconds", "200", "--rate", "300"],
-        capture_output=True,
-        text=True,
-        check=True,
-        cwd=root,
-        env=os.environ | {"PYTHONPATH": str(root)},
-    )
-    rows = [list(map(int, line.split(","))) for line in done.stdout.splitlines()[1:]]
-    seconds, count, _, used = zip(*rows, strict=True)
-    assert (seconds[-1], count[-1]) == (200, 60_000)
-    half = len(used) // 2
-    assert max(used[half:]) < max(used[:half]) + 40
-    assert max(used) < 400
-
-
 def test_metrics_are_written_whole(tmp_path: Path) -> None:
     path = tmp_path / "discostorm.prom"
     assert watched(FAST, "--text-file", str(path))[0] == 0
     lines = path.read_text().splitlines()
     assert "discostorm_packets_total 1063" in lines
+    airtime = read_capture(CAPTURES / "fast_dds.pcap.xz").airtime().sum()
+    assert f"discostorm_airtime_seconds_total {airtime:.10g}" in lines
     assert "discostorm_hosts 3" in lines
     assert "discostorm_complete 1" in lines
     assert 'discostorm_messages_total{kind="SEDP"} 244' in lines
@@ -112,9 +96,7 @@ def test_metrics_are_written_whole(tmp_path: Path) -> None:
 
 
 def test_metrics_are_served() -> None:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
+    port = free_port()
     with subprocess.Popen(
         [sys.executable, "-m", "discostorm", "watch", "-", "--prometheus", str(port)],
         stdin=subprocess.PIPE,
@@ -124,20 +106,8 @@ def test_metrics_are_served() -> None:
         assert running.stdin is not None
         running.stdin.write(FAST)
         running.stdin.flush()
-        text = ""
-        for _ in range(200):
-            time.sleep(0.1)
-            try:
-                with urllib.request.urlopen(
-                    f"http://127.0.0.1:{port}/metrics", timeout=5
-                ) as answer:
-                    text = answer.read().decode()
-            except OSError:
-                continue
-            if "discostorm_hosts 3" in text:
-                break
+        wait_for(lambda: "discostorm_hosts 3" in answer_of(port))
         running.stdin.close()
-        assert "discostorm_hosts 3" in text
         assert running.wait(30) == 0
 
 
@@ -200,25 +170,43 @@ def capturing(folder: Path, name: str, script: str) -> dict[str, str]:
     return os.environ | {"PATH": str(folder), "PYTHONPATH": str(ROOT)}
 
 
-@pytest.mark.parametrize("name", ["tcpdump", "dumpcap"])
-@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
-def test_it_watches_an_interface_until_it_is_told_to_stop(
-    name: str, end: signal.Signals, tmp_path: Path
-) -> None:
-    (tmp_path / "storm.pcap").write_bytes(FAST)
-    script = f'cd {tmp_path}; echo "$@" > asked; echo $$ > number\n'
-    script += "/bin/cat storm.pcap; exec /bin/sleep 99"
-    with subprocess.Popen(
+def watching(folder: Path, name: str) -> subprocess.Popen[bytes]:
+    """Watch an interface with a script in place of a program, which says its number in a file."""
+    (folder / "storm.pcap").write_bytes(FAST)
+    script = f'cd {folder}; echo "$@" > asked\n/bin/cat storm.pcap; echo $$ > number\n'
+    return subprocess.Popen(
         [sys.executable, "-m", "discostorm", "watch", "-i", "wlan7", "--text-file", "x.prom"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        cwd=tmp_path,
-        env=capturing(tmp_path, name, script),
-    ) as running:
-        for _ in range(300):
-            time.sleep(0.1)
-            if (tmp_path / "x.prom").exists():
-                break
+        cwd=folder,
+        env=capturing(folder, name, script + "exec /bin/sleep 99"),
+    )
+
+
+def wait_for(condition: Callable[[], bool]) -> None:
+    for _ in range(600):
+        if condition():
+            return
+        time.sleep(0.05)
+    raise AssertionError("it took more than 30 s")
+
+
+def has_ended(number: int) -> bool:
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return True
+    state = Path(f"/proc/{number}/stat")  # a zombie has ended, too
+    return state.exists() and state.read_text().rpartition(")")[2].split()[0] == "Z"
+
+
+@pytest.mark.parametrize("name", ["tcpdump", "dumpcap"])
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_it_watches_an_interface_until_it_is_told_to_stop(
+    name: str, end: signal.Signals, tmp_path: Path
+) -> None:
+    with watching(tmp_path, name) as running:
+        wait_for((tmp_path / "x.prom").exists)
         running.send_signal(end)
         said, wrong = (text.decode() for text in running.communicate(timeout=30))
     assert (running.returncode, wrong) == (0, "")
@@ -226,8 +214,72 @@ def test_it_watches_an_interface_until_it_is_told_to_stop(
     asked = (tmp_path / "asked").read_text().split()
     assert asked[:2] == ["-i", "wlan7"]
     assert ("-f" in asked) == (name == "dumpcap")
-    with pytest.raises(ProcessLookupError):  # what captures has ended, too
-        os.kill(int((tmp_path / "number").read_text()), 0)
+    assert has_ended(int((tmp_path / "number").read_text()))
+
+
+@pytest.mark.parametrize("end", [signal.SIGHUP, signal.SIGQUIT, signal.SIGKILL])
+def test_however_it_ends_what_captures_ends_too(end: signal.Signals, tmp_path: Path) -> None:
+    """Also right after the program began, and where nothing can be handled."""
+    with watching(tmp_path, "tcpdump") as running:
+        wait_for(
+            lambda: (tmp_path / "number").exists() and (tmp_path / "number").stat().st_size > 1
+        )
+        running.send_signal(end)
+        running.communicate(timeout=30)
+    number = int((tmp_path / "number").read_text())
+    wait_for(lambda: has_ended(number))
+
+
+def free_port() -> int:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])
+
+
+def answer_of(port: int) -> str:
+    try:
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=5) as answer:
+            return str(answer.read().decode())
+    except OSError:
+        return ""
+
+
+def test_ended_before_a_packet_came_it_says_by_whom() -> None:
+    port = free_port()
+    with subprocess.Popen(
+        [sys.executable, "-m", "discostorm", "watch", "-", "--prometheus", str(port)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+    ) as running:
+        wait_for(lambda: "discostorm_packets_total 0" in answer_of(port))
+        running.send_signal(signal.SIGTERM)
+        assert running.stdout is not None
+        said = running.stdout.read().decode()
+    assert (running.returncode, said) == (0, "No packet came before SIGTERM ended it.\n")
+
+
+def test_without_packets_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("discostorm_capture.cli.watch.PATIENCE", -1.0)
+    monkeypatch.setattr("discostorm_capture.cli.watch._chunks", lambda _: iter([b"", b"", FAST]))
+    code, text = watched(b"")
+    assert (code, text.count("No packet from standard input for")) == (0, 1)
+
+
+def test_a_pipe_without_a_writer_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    with subprocess.Popen(
+        [sys.executable, "-m", "discostorm", "capture", str(path), "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+    ) as running:
+        assert running.stderr is not None
+        assert running.stderr.readline().startswith(b"Waiting for a program that writes into ")
+        path.write_bytes(FAST)
+        assert b'"packets": 1063' in running.communicate(timeout=60)[0]
+    assert running.returncode == 0
 
 
 def test_a_lack_of_permission_is_told_with_what_to_do(tmp_path: Path) -> None:

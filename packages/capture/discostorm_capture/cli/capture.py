@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,10 +31,10 @@ from discostorm.cli.output import (
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli.diagnosis_output import (
     NO_ENDPOINTS,
+    as_json,
     is_encrypted,
     show_answer,
     show_tables,
-    told,
 )
 
 if TYPE_CHECKING:
@@ -119,75 +120,71 @@ def capture(
       timeout 60 {record_out} |
         discostorm capture -
     """
+    if file == fleet == "-":
+        raise click.UsageError("either FILE or --fleet may be -, for standard input")
+    if file != "-" and Path(file).is_fifo():
+        click.echo(f"Waiting for a program that writes into {visible(called(file))}.", err=True)
     with bad_input(), working("reading"):
-        if file == fleet == "-":
-            raise click.UsageError("either FILE or --fleet may be -, for standard input")
-        found = ds.read_capture(standard_input() if file == "-" else file)
+        captured = ds.read_capture(standard_input() if file == "-" else file)
         members = compared(fleet, robot, hosts)
-        on_wires = _wired(wired)
-        spoken = set(found.processes()["protocol"])
-        papers = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in spoken]
-        tables = papers if against is None else [ds.PROTOCOLS[against]]
-        rows = [
-            {"protocol": protocol.name} | row
-            for protocol in tables
-            for row in _whole_rows(
-                found.compare(protocol, members, wired=on_wires, window=window).reset_index()
-            )
-        ]
-        seconds = {protocol.name: found.compared_seconds(protocol, window) for protocol in tables}
-        sums = found.sums(wired=on_wires)
-        diagnosis = found.diagnosis()
-        seen = found.fleet(wired=on_wires) if spoken else None
-        if written is not None:
-            if is_encrypted(diagnosis):
-                raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
-            _write_fleet(written, seen or found.fleet(wired=on_wires), called(file))
-        link = None if seen is None or is_encrypted(diagnosis) else link_of(seen, spoken_by(found))
-        groups = () if members is not None or seen is None else seen.groups
+        wired_hosts = _wired(wired)
+        wires = set(captured.processes()["protocol"])
+        models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
+        if against is not None:
+            models = [ds.PROTOCOLS[against]]
+        rows, seconds = [], {}
+        for model in models:
+            table = captured.compare(model, members, wired=wired_hosts, window=window)
+            rows += [{"protocol": model.name} | row for row in _records(table)]
+            seconds[model.name] = captured.compared_seconds(model, window)
+        sums = captured.sums(wired=wired_hosts)
+        diagnosis = captured.diagnosis()
+        encrypted = is_encrypted(diagnosis)
+        if written is not None and encrypted:
+            raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
+        own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
+        if own is not None and written is not None:
+            _write_fleet(written, own, called(file))
+        link = None if own is None or encrypted else link_of(own, own_model(captured))
+        groups = () if members is not None or own is None else own.groups
         if picture is not None:
             path = Path(_checks.path("--picture", picture, "a file"))
-            try:
-                with ds.figures.replacing(path) as beside:
-                    found.picture(wired=on_wires).savefig(beside, format=path.suffix[1:].lower())
-            except OSError as error:
-                raise BadInput(f"--picture: {_checks.brief(picture)}: {error.strerror}") from error
+            with _writing("--picture", path) as part:
+                figure = captured.picture(wired=wired_hosts)
+                figure.savefig(part, format=path.suffix[1:].lower())
     if output.as_csv and rows:
         print_rows(rows, output)
     elif output.as_json:
         answer = {
             "file": called(file),
-            "diagnosis": told(diagnosis, found),
-            "packets": found.packets,
-            "duration_s": found.duration,
+            "diagnosis": as_json(diagnosis, captured),
+            "packets": captured.packets,
+            "duration_s": captured.duration,
             "hosts": [
                 dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
                 for group in groups
             ],
-            "wired": list(found.serving() if on_wires is None else on_wires),
+            "wired": list(captured.serving() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
-            "sums": _whole_rows(sums.reset_index()),
+            "sums": _records(sums),
             "messages": rows,
-            "notes": list(found.notes),
+            "notes": list(captured.notes),
             "calculator": None if link is None else link.address,
         }
         click.echo(as_text(answer))
     elif output.for_people:
         show_answer(diagnosis)
         show_tables(diagnosis, output)
-        _show_capture(found, groups, rows, output)
-        if is_encrypted(diagnosis):
-            click.echo(f"Note: {NO_ENDPOINTS}.")
-        _show_sums(found, sums, seconds if rows else {})
-        if on_wires is None and (serving := found.serving()):
-            click.echo(
-                f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
-                "to the access point; --wired says which hosts are, --wired none that no host is."
-            )
-        if against is None and rows:
-            _name_own_tables(found)
+        _show_messages(captured, groups, rows, output)
+        for note in _notes(captured, encrypted, wired_hosts is None):
+            click.echo(visible(f"Note: {note}."))
+        _show_sums(captured, sums, seconds)
+        products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
+        if against is None and rows and products:
+            options = " or ".join(f'--against "{name}"' for name in products)
+            click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
         if written is not None:
-            _name_uses(written, link)
+            _show_uses(written, link)
 
 
 assert capture.help
@@ -198,98 +195,104 @@ capture.help = capture.help.format(
 
 def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return which hosts are wired, None if the capture is to tell."""
-    if not addresses:
-        return None
     if "none" in addresses and len(addresses) > 1:
         raise BadInput(f"--wired: none must be the only one; got {', '.join(addresses)}")
-    return () if addresses == ("none",) else addresses
+    return () if addresses == ("none",) else addresses or None
 
 
-def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
-    """Return the rows of a table, with None where it has no number."""
+def _records(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table with its index, and None where it has no number."""
+    table = table.reset_index()
     return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+@contextmanager
+def _writing(option: str, path: Path) -> Iterator[Path]:
+    """Give a file that replaces the one at a path if all was written."""
+    try:
+        with ds.figures.replacing(path) as part:
+            yield part
+    except OSError as error:
+        raise BadInput(f"{option}: {_checks.brief(str(path))}: {error.strerror}") from error
 
 
 def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
     """Write a fleet file that `plan` and the others take; all of it, or nothing."""
     if name == "-":
         raise BadInput("--write-fleet: - is no file; give a name, such as fleet.toml")
-    path = Path(_checks.path("--write-fleet", name, "a file"))
     lines = [f"# Seen in {visible(_checks.brief(source))}."]
     for group in fleet.described():
         lines += ["", "[[groups]]"]
-        # A capture does not tell what matches by ROS 2's own names: `shared` is left to the reader.
-        known = {key: value for key, value in group.items() if key != "shared"}
-        lines += [f"{key} = {_toml(value)}" for key, value in known.items()]
-    try:
-        with ds.figures.replacing(path) as beside:
-            beside.write_text("\n".join([*lines, ""]), encoding="utf-8")
-    except OSError as error:
-        raise BadInput(f"--write-fleet: {_checks.brief(name)}: {error.strerror}") from error
+        for key, value in group.items():
+            whole = isinstance(value, float) and value.is_integer()
+            # A capture does not show which topics ROS 2's own names share.
+            if key != "shared":
+                lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
+    path = Path(_checks.path("--write-fleet", name, "a file"))
+    with _writing("--write-fleet", path) as part:
+        part.write_text("\n".join([*lines, ""]), encoding="utf-8")
 
 
-def _toml(value: str | float | bool) -> str:
-    """Return a value in TOML; whole numbers without a point."""
-    whole = isinstance(value, float) and value.is_integer()
-    return json.dumps(int(value) if whole else value)
-
-
-def _show_sums(found: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
-    """Say what discovery and users' data take, and for how long was counted."""
-    for name, row in sums.iterrows():
-        if row["messages"]:
-            click.echo(
-                f"{words.capitalized(str(name))}: {row['messages']:,.0f} messages, "
-                f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
-                f"channel ({percent(row['of_time'])} of {found.duration:.1f} s)"
-            )
-    for name, time in seconds.items():
-        click.echo(f"Counted against {name}: {time:.1f} s from its first message on.")
-
-
-def _show_capture(
-    found: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+def _show_messages(
+    captured: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
-    packets = words.many(found.packets, "packet")
-    click.echo(visible(f"{found.path}: {packets} in {found.duration:.3f} s"))
+    """Print the captured fleet and the table of messages."""
+    packets = words.many(captured.packets, "packet")
+    click.echo(visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = words.many(processes, "process", "es")
         wired = ", wired" if group.wired else ""
         click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
-    if rows:
-        print_rows(
-            [{key: row[key] for key in row if key != "protocol"} for row in rows],
-            output,
-            formats={
-                **dict.fromkeys(("units", "expected"), _count),
-                "per_unit": _ratio,
-                "airtime_s": "{:.4f}".format,
-            },
-            headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
-        )
-    else:
+    if not rows:
         click.echo("There is no message of RTPS or Zenoh in it.")
-    if (view := found.view()) is not None:
-        click.echo(
-            visible(
-                f"Note: seen from {view}: of unicast only what it sends and receives; airtime, "
-                "too, is that of this part."
-            )
+        return
+    print_rows(
+        [{key: row[key] for key in row if key != "protocol"} for row in rows],
+        output,
+        formats={
+            **dict.fromkeys(("units", "expected"), _or_empty("{:,.0f}")),
+            "per_unit": _or_empty("{:,.3g}"),
+            "airtime_s": "{:.4f}".format,
+        },
+        headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
+    )
+
+
+def _or_empty(template: str) -> Callable[[float | None], str]:
+    return lambda value: "" if value is None else template.format(value)
+
+
+def _notes(captured: Capture, encrypted: bool, guess: bool) -> Iterator[str]:
+    """Yield what limits the tables."""
+    if (view := captured.view()) is not None:
+        yield (
+            f"seen from {view}: of unicast only what it sends and receives; airtime, too, is that "
+            "of this part"
         )
-    for note in found.notes:
-        click.echo(visible(f"Note: {note}."))
+    yield from captured.notes
+    if encrypted:
+        yield NO_ENDPOINTS
+    if guess and (serving := captured.serving()):
+        yield (
+            f"{' and '.join(serving)}: nothing but servers or routers, taken for wired to the "
+            "access point; --wired says which hosts are, --wired none that no host is"
+        )
 
 
-def _name_own_tables(found: Capture) -> None:
-    """Say how to hold the capture against the tables of the products that sent it."""
-    own = sorted(set(found.processes()["product"]) & set(ds.PROTOCOLS))
-    if own:
-        options = " or ".join(f'--against "{name}"' for name in own)
-        click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
+def _show_sums(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
+    """Say what discovery and users' data take, and for how long messages were counted."""
+    for name, row in sums[sums["messages"] > 0].iterrows():
+        click.echo(
+            f"{words.capitalized(str(name))}: {row['messages']:,.0f} messages, "
+            f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
+            f"channel ({percent(row['of_time'])} of {captured.duration:.1f} s)"
+        )
+    for name, time in seconds.items():
+        click.echo(f"Counted against {name}: {time:.1f} s from its first message on.")
 
 
-def _name_uses(written: str, link: Link | None) -> None:
+def _show_uses(written: str, link: Link | None) -> None:
     """Say what takes the fleet that was written."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
@@ -301,18 +304,10 @@ def _name_uses(written: str, link: Link | None) -> None:
             click.echo(f"Note: {note}.")
 
 
-def _count(value: float | None) -> str:
-    return "" if value is None else f"{value:,.0f}"
-
-
-def _ratio(value: float | None) -> str:
-    return "" if value is None else f"{value:,.3g}"
-
-
-def spoken_by(capture: Capture) -> str | None:
-    """Return which table fits what was captured: that of a server or router, or the commonest."""
-    seen = capture.processes()
-    seen = seen[seen["product"].isin(list(ds.PROTOCOLS))]
-    serving = seen[seen["server"].to_numpy(bool)]
-    some = serving if len(serving) else seen
-    return str(some["product"].mode().iloc[0]) if len(some) else None
+def own_model(captured: Capture) -> str | None:
+    """Return the model of what was captured: that of a server or router, or the commonest."""
+    processes = captured.processes()
+    processes = processes[processes["product"].isin(list(ds.PROTOCOLS))]
+    serving = processes[processes["server"].to_numpy(bool)]
+    products = (serving if len(serving) else processes)["product"]
+    return str(products.mode().iloc[0]) if len(products) else None

@@ -1,10 +1,9 @@
-"""What a capture's diagnosis is printed as, with what to paste."""
+"""A capture's diagnosis as text and tables, with configuration to copy."""
 
 from __future__ import annotations
 
 import math
 import shutil
-from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -13,6 +12,7 @@ from discostorm import words
 from discostorm.cli.output import Output, print_rows, visible
 from discostorm.data import read_data
 from discostorm.snippets import Snippet, snippets
+from discostorm_capture.diagnosis.finding import remedies
 
 if TYPE_CHECKING:
     from discostorm_capture import Capture
@@ -34,59 +34,49 @@ def is_encrypted(diagnosis: Diagnosis) -> bool:
     return any(finding.kind == "encrypted" for finding in diagnosis.findings)
 
 
-def pasted(finding: Finding, capture: Capture) -> tuple[Snippet, ...]:
-    """Return what to paste for a finding: the planner's pieces for the products that were seen."""
-    known = read_data("diagnosis/remedies.csv", "discostorm_capture")
-    plans = [row["plan"].split(";") for row in known if row["remedy"] == finding.remedy]
-    seen = capture.processes()
-    families = {FAMILIES[name] for name in seen["protocol"]}
-    names = {*families, *seen["product"], *(f"{family} peers" for family in families)}
+def configuration(finding: Finding, capture: Capture) -> list[Snippet]:
+    """Return what to copy for a finding: the planner's pieces for the captured products."""
+    processes = capture.processes()
+    families = {FAMILIES[name] for name in processes["protocol"]}
+    names = {*families, *processes["product"], *(f"{family} peers" for family in families)}
     works = {
-        (row["kind"], row["family"])
+        row["kind"]
         for row in read_data("vendors/remedies.csv")
-        if row["works"] != "no"
+        if row["works"] != "no" and row["family"] in (*families, "any")
     }
-    kinds = [
-        kind
-        for kind in chain.from_iterable(plans)
-        if any((kind, family) in works for family in (*families, "any"))
-    ]
-    return tuple(piece for kind in kinds for piece in snippets(kind, *names))
+    plans = remedies()[finding.remedy]["plan"].split(";") if finding.remedy else []
+    return [piece for kind in plans if kind in works for piece in snippets(kind, *names)]
 
 
-def told(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
+def as_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
     """Return what JSON says of a diagnosis."""
     answer = diagnosis.to_dict()
     for row, finding in zip(answer["findings"], diagnosis.findings, strict=True):
-        row["paste"] = [piece.to_dict() for piece in pasted(finding, capture)]
+        row["paste"] = [piece.to_dict() for piece in configuration(finding, capture)]
     return answer
 
 
 def show_answer(diagnosis: Diagnosis) -> None:
-    """Say how discovery is, why, and what to do; then all else that was found."""
+    """Say how discovery is, why, and what to do; then all other findings."""
     answer = diagnosis.summary()
-    _say(answer)
+    lines = [answer]
     for finding in diagnosis.findings:
-        if words.capitalized(finding.evidence) in answer:
-            continue
-        advice = "" if finding.about == "event" else f" {finding.advice}"
         evidence = words.capitalized(finding.evidence)
-        _say(f"- {words.capitalized(finding.what)}. {evidence}.{advice}")
-
-
-def _say(text: str) -> None:
+        if evidence not in answer:
+            advice = "" if finding.about == "event" else f" {finding.advice}"
+            lines.append(f"- {words.capitalized(finding.summary)}. {evidence}.{advice}")
     width = min(max(shutil.get_terminal_size().columns, 40), 79)
-    click.echo(visible(words.wrapped(text, width)))
+    for line in lines:
+        click.echo(visible(words.wrapped(line, width)))
 
 
 def show_tables(diagnosis: Diagnosis, output: Output) -> None:
     """Print a table with a row a host, and the pairs that never completed."""
-    hosts = diagnosis.hosts().reset_index()
+    hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
         click.echo()
-        rows = hosts.drop(columns=["sent_bytes", "received_bytes", "known_s"]).to_dict("records")
         print_rows(
-            rows,
+            hosts.reset_index().to_dict("records"),
             output,
             formats=dict.fromkeys(("announced_s", "knows_all_s"), _time),
             headings={
@@ -103,12 +93,12 @@ def show_tables(diagnosis: Diagnosis, output: Output) -> None:
             {
                 "known": f"{row['of']} {row['of_process'][:12]}",
                 "to": f"{row['by']} {row['by_process'][:12]}",
-                "answered": "never" if row["heard_s"] == math.inf else _time(row["heard_s"]),
-                "told": row["sent"],
+                "answered [s]": _time(row["heard_s"]),
+                "endpoints told": row["sent"],
             }
             for row in pairs.head(MOST).to_dict("records")
         ]
-        print_rows(rows, output, headings={"answered": "answered [s]", "told": "endpoints told"})
+        print_rows(rows, output)
         if len(pairs) > MOST:
             click.echo(f"and {len(pairs) - MOST} more; all are in the JSON")
     click.echo()

@@ -11,10 +11,10 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, cast
+from typing import TYPE_CHECKING, BinaryIO, cast
 
 import click
 
@@ -26,16 +26,27 @@ from discostorm.cli.output import BadInput, Output, bad_input, percent, print_ro
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
-    from discostorm_capture.live import Watch
+    from discostorm_capture.live import Packets, Watch
 
 #: What is captured; `words.RECORD` says the same for a file.
 FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
-#: How often it is shown, at the least time between two, and how many hosts and kinds [s], [1].
-EVERY, ROWS, KINDS = 1.0, 20, 8
-#: How lines begin with which dumpcap and tcpdump say that they begin.
+#: How often the table is renewed, and when it says that no packet came [s].
+EVERY, PATIENCE = 1.0, 10.0
+#: How many hosts and kinds it shows.
+ROWS, KINDS = 20, 8
+#: How each program writes packets to standard output as they come.
+PROGRAMS = {
+    "tcpdump": ("-U", "-s", "0", "-n", "-w", "-", FILTER),
+    "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", FILTER),
+}
+#: Starts a program, and interrupts it if standard input ends without a line, so that it never
+#: outlives this process, however that ends. (Linux's PR_SET_PDEATHSIG is lost where the program
+#: changes its user, as tcpdump does, or has capabilities.)
+GUARD = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
+#: What dumpcap and tcpdump say when they begin.
 GREETINGS = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
-#: How long a program has to say why it cannot capture [s].
-SAYS = 0.3
+#: How long a program has to say why it cannot capture, and to end [s].
+SAYS, ENDS = 0.3, 5.0
 
 
 @click.command()
@@ -85,35 +96,46 @@ def watch(
     target = None if text_file is None else Path(_checks.path("--text-file", text_file, "a file"))
     if target is not None and not target.absolute().parent.is_dir():
         raise BadInput(f"--text-file: {_checks.brief(str(target))}: there is no such folder")
-    told = Watch(wifi)
-    with bad_input(), _served(port, told), _source(interface) as source:
-        packets = Packets("standard input" if interface is None else str(interface))
-        _run(source, packets, told, seconds, target)
-        if interface is None and packets.cut:
+    state, packets = Watch(wifi), Packets(interface or "standard input")
+    with bad_input(), _signals() as received, _capturing(interface) as source, _served(port, state):
+        begin = shown = time.monotonic()
+        waiting = True
+        for data in _chunks(source):
+            for when, packet in packets.of(data):
+                state.add(when, packet)
+                if state.full:
+                    state.fold(packets.header)
+            now = time.monotonic()
+            if waiting and not state.packets and now - begin > PATIENCE:
+                click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
+                waiting = False
+            if now - shown >= EVERY:
+                shown = now
+                _renew(state, packets, target, last=False)
+            if received or (seconds is not None and now - begin >= seconds):
+                break
+        if packets.header:
+            _renew(state, packets, target, last=True)
+        elif received:
+            click.echo(f"No packet came before {received[0]} ended it.")
+        if interface is None and packets.cut and not received:
             raise BadInput(visible(packets.cut))
 
 
-def _run(
-    source: BinaryIO, packets: Any, told: Watch, seconds: float | None, target: Path | None
-) -> None:
-    begun = shown = time.monotonic()
-    for data in _chunks(source):
-        for when, packet in packets.of(data):
-            told.add(when, packet)
-            if told.full:
-                told.fold(packets.head)
-        now = time.monotonic()
-        if now - shown >= EVERY:
-            shown = now
-            told.fold(packets.head)
-            _show(told, clear=True)
-            _write(told, target)
-        if seconds is not None and now - begun >= seconds:
-            break
-    if packets.head:
-        told.fold(packets.head)
-        _show(told, clear=False)
-        _write(told, target)
+def _renew(state: Watch, packets: Packets, target: Path | None, last: bool) -> None:
+    """Count what is new, and show and write it; on a terminal in place until the last time."""
+    state.fold(packets.header)
+    if last or sys.stdout.isatty():
+        if not last:
+            click.clear()
+        _show(state)
+    if target is not None:
+        try:
+            with ds.figures.replacing(target) as part:
+                part.write_text(metrics(state), encoding="utf-8")
+        except OSError as error:
+            name = _checks.brief(str(target))
+            raise BadInput(f"--text-file: {name}: {error.strerror}") from error
 
 
 def _chunks(source: BinaryIO) -> Iterator[bytes]:
@@ -123,54 +145,52 @@ def _chunks(source: BinaryIO) -> Iterator[bytes]:
     except (OSError, AttributeError):  # not a file of the system
         yield from iter(lambda: source.read(1 << 16), b"")
         return
-    with contextlib.suppress(KeyboardInterrupt), _ends_alike():
-        while True:
-            ready, _, _ = select.select([number], [], [], EVERY / 4)
-            data = os.read(number, 1 << 16) if ready else b""
-            if ready and not data:
-                return
-            yield data
+    while True:
+        ready, _, _ = select.select([number], [], [], EVERY / 4)
+        data = os.read(number, 1 << 16) if ready else b""
+        if ready and not data:
+            return
+        yield data
 
 
 @contextlib.contextmanager
-def _ends_alike() -> Iterator[None]:
-    """Let a closed terminal or a service manager end it as Ctrl-C does, and what captures too."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def interrupt(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    before = [(number, signal.signal(number, interrupt)) for number in numbers]
+def _signals() -> Iterator[list[str]]:
+    """Give the names of the signals that came to end it: Ctrl-C, a terminal or a service."""
+    received: list[str] = []
+    before = {}
+    if threading.current_thread() is threading.main_thread():
+        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) != signal.SIG_IGN:  # as nohup does
+                handler = signal.signal(number, lambda *_, name=name: received.append(name))
+                before[number] = handler or signal.SIG_DFL
     try:
-        yield
+        yield received
     finally:
-        for number, handler in before:
-            signal.signal(number, handler or signal.SIG_DFL)
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 @contextlib.contextmanager
-def _source(interface: str | None) -> Iterator[BinaryIO]:
-    """Give what is captured, as pcap; end what captures."""
+def _capturing(interface: str | None) -> Iterator[BinaryIO]:
+    """Give what is captured, as pcap; end the program that captures."""
     if interface is None:
         yield standard_input()
         return
-    known = {"tcpdump": ["-U", "-s", "0", "-n"], "dumpcap": ["-P", "-q", "-s", "0"]}
-    program = next((name for name in known if shutil.which(name)), None)
+    program = next(filter(shutil.which, PROGRAMS), None)
     if program is None:
         raise BadInput(
             "neither tcpdump nor dumpcap is installed: apt-get install tcpdump; or capture "
             "elsewhere, and pipe it to discostorm watch -"
         )
-    what = [FILTER] if program == "tcpdump" else ["-f", FILTER]
-    command = [program, "-i", interface, *known[program], "-w", "-", *what]
+    command = ["/bin/sh", "-c", GUARD, "sh", program, "-i", interface, *PROGRAMS[program]]
     with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        command,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
     ) as running:
-        assert running.stdout is not None
-        assert running.stderr is not None
         try:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 running.wait(SAYS)
@@ -179,7 +199,7 @@ def _source(interface: str | None) -> Iterator[BinaryIO]:
             ended = running.poll()
             running.send_signal(signal.SIGINT)
             try:
-                said = running.communicate(timeout=5)[1].decode(errors="replace")
+                said = running.communicate(b"\n", timeout=ENDS)[1].decode(errors="replace")
             except subprocess.TimeoutExpired:
                 running.kill()
                 said = running.communicate()[1].decode(errors="replace")
@@ -189,8 +209,8 @@ def _source(interface: str | None) -> Iterator[BinaryIO]:
 
 def _why(program: str, interface: str, said: str) -> str:
     """Return why a program cannot capture, and what to do."""
-    lines = [line for line in said.strip().splitlines() if not line.startswith(GREETINGS)]
-    lines = [line for line in lines if "listening on" not in line]
+    lines = [line for line in said.strip().splitlines() if "listening on" not in line]
+    lines = [line for line in lines if not line.startswith(GREETINGS)]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
     hint = ""
@@ -204,99 +224,78 @@ def _why(program: str, interface: str, said: str) -> str:
     return f"{program} cannot capture on {_checks.brief(interface)}: {reason}{hint}"
 
 
-def _show(told: Watch, clear: bool) -> None:
-    """Show the table anew, in place on a terminal."""
-    if clear and not sys.stdout.isatty():
-        return
-    if clear:
-        click.clear()
+def _show(state: Watch) -> None:
+    """Print the sums, the diagnosis, and tables of messages and hosts."""
     output = Output(as_json=False, as_csv=False)
-    span = words.duration(max(told.end - told.begin, 0.0))
     click.echo(
-        f"{told.packets:,} packets in {span}; discovery and data take {percent(told.now)} of the "
-        f"time on {visible(told.wifi.name)} now, {percent(told.peak)} at peak"
+        f"{state.packets:,} packets in {words.duration(max(state.end - state.begin, 0.0))}; "
+        f"discovery and data take {percent(state.now)} of the time on {visible(state.wifi.name)} "
+        f"now, {percent(state.peak)} at peak"
     )
-    if told.diagnosis is not None:
-        click.echo(visible(words.wrapped(told.diagnosis.summary())))
-    for since, finding in told.certain.values():
-        sentence = f"- since {since:.0f} s: {finding.what}: {finding.evidence}"
+    said = [] if state.diagnosis is None else [state.diagnosis.summary()]
+    said += [
+        f"- since {since:.0f} s: {finding.summary}: {finding.evidence}"
+        for since, finding in state.certain.values()
+    ]
+    for sentence in said:
         click.echo(visible(words.wrapped(sentence)))
-    kinds = told.messages.most_common(KINDS)
-    if kinds:
+    kinds = [
+        {
+            "message": kind,
+            "per_second": f"{state.rates.get(kind, 0.0):,.1f}",
+            "messages": count,
+            "bytes": state.payload[kind],
+        }
+        for kind, count in state.messages.most_common(KINDS)
+    ]
+    hosts = [
+        {
+            "host": address,
+            "products": host.products,
+            "first": f"{host.first - state.begin:.1f}",
+            "last": f"{host.last - state.begin:.1f}",
+            "sent": host.messages,
+            "bytes": host.payload,
+        }
+        for address, host in sorted(list(state.hosts.items())[-ROWS:])
+    ]
+    for rows in filter(None, (kinds, hosts)):
         click.echo()
-        rows = [
-            {
-                "message": kind,
-                "per_second": f"{told.rates.get(kind, 0.0):,.1f}",
-                "messages": count,
-                "bytes": told.payload[kind],
-            }
-            for kind, count in kinds
-        ]
-        print_rows(rows, output)
-    if told.hosts:
-        click.echo()
-        latest = list(told.hosts.items())[-ROWS:]
-        rows = [
-            {
-                "host": name,
-                "products": host.products,
-                "first": f"{host.first - told.begin:.1f}",
-                "last": f"{host.last - told.begin:.1f}",
-                "sent": host.sent,
-                "bytes": host.payload,
-            }
-            for name, host in sorted(latest)
-        ]
         print_rows(rows, output, headings={"first": "first [s]", "last": "last [s]"})
 
 
-def metrics(told: Watch) -> str:
+def metrics(state: Watch) -> str:
     """Return what is known in the format of Prometheus (text, version 0.0.4)."""
-    lines = []
-
-    def tell(name: str, kind: str, text: str, values: dict[str, float]) -> None:
-        lines.append(f"# HELP discostorm_{name} {text}")
-        lines.append(f"# TYPE discostorm_{name} {kind}")
-        lines.extend(f"discostorm_{name}{label} {value:g}" for label, value in values.items())
-
-    def by(label: str, values: dict[str, Any]) -> dict[str, float]:
-        return {f'{{{label}="{_escaped(key)}"}}': float(value) for key, value in values.items()}
-
-    tell("packets_total", "counter", "Packets captured.", {"": told.packets})
-    tell("messages_total", "counter", "Messages, by kind.", by("kind", dict(told.messages)))
-    tell("bytes_total", "counter", "Payload of messages [B].", by("kind", dict(told.payload)))
-    tell("airtime_seconds_total", "counter", "Airtime of messages [s].", {"": told.airtime})
-    tell("airtime_ratio", "gauge", "Airtime now, of the time.", {"": told.now})
-    tell("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": told.peak})
-    tell("hosts", "gauge", "Hosts that were heard.", {"": len(told.hosts)})
-    diagnosis = told.diagnosis
+    rows: list[tuple[str, str, str, Mapping[str, float]]] = [
+        ("packets_total", "counter", "Packets captured.", {"": state.packets}),
+        ("messages_total", "counter", "Messages, by kind.", state.messages),
+        ("bytes_total", "counter", "Payload of messages [B].", state.payload),
+        ("airtime_seconds_total", "counter", "Airtime of messages [s].", {"": state.airtime}),
+        ("airtime_ratio", "gauge", "Airtime now, of the time.", {"": state.now}),
+        ("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": state.peak}),
+        ("hosts", "gauge", "Hosts that were heard.", {"": len(state.hosts)}),
+    ]
+    diagnosis = state.diagnosis
     if diagnosis is not None and diagnosis.complete is not None:
-        tell("complete", "gauge", "Whether discovery is complete.", {"": diagnosis.complete})
         lacking = len(diagnosis.incomplete())
-        tell("incomplete_pairs", "gauge", "Pairs that are not complete.", {"": lacking})
-    found = {key[0]: 1 for key in told.certain}
-    tell("finding", "gauge", "Findings that are certain.", by("kind", found))
+        rows += [
+            ("complete", "gauge", "Whether discovery is complete.", {"": diagnosis.complete}),
+            ("incomplete_pairs", "gauge", "Pairs that are not complete.", {"": lacking}),
+        ]
+    certain = {kind: 1 for kind, _ in state.certain}
+    rows.append(("finding", "gauge", "Findings that are certain.", certain))
+    lines = []
+    for name, type_, text, values in rows:
+        lines += [f"# HELP discostorm_{name} {text}", f"# TYPE discostorm_{name} {type_}"]
+        for kind, value in values.items():
+            escaped = kind.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+            label = f'{{kind="{escaped}"}}' if kind else ""
+            lines.append(f"discostorm_{name}{label} {float(value):.10g}")
     return "\n".join([*lines, ""])
 
 
-def _escaped(text: str) -> str:
-    return text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
-
-
-def _write(told: Watch, target: Path | None) -> None:
-    """Write the metrics to a file, which is never half-written."""
-    if target is None:
-        return
-    try:
-        with ds.figures.replacing(target) as beside:
-            beside.write_text(metrics(told), encoding="utf-8")
-    except OSError as error:
-        raise BadInput(f"--text-file: {_checks.brief(str(target))}: {error.strerror}") from error
-
-
 @contextlib.contextmanager
-def _served(port: int | None, told: Watch) -> Iterator[None]:
+def _served(port: int | None, state: Watch) -> Iterator[None]:
     """Serve the metrics while this runs."""
     if port is None:
         yield
@@ -307,7 +306,7 @@ def _served(port: int | None, told: Watch) -> Iterator[None]:
 
         def do_GET(self) -> None:
             """Send the metrics."""
-            content = metrics(told).encode()
+            content = metrics(state).encode()
             self.send_response(200)
             self.send_header("Content-Type", "text/plain; version=0.0.4; charset=utf-8")
             self.send_header("Content-Length", str(len(content)))

@@ -1,7 +1,13 @@
-"""What is wrong with discovery, by what a capture shows of it."""
+"""What is wrong with discovery, judged by what a capture shows of it."""
 
 from discostorm_capture.diagnosis.finding import Finding
-from discostorm_capture.diagnosis.observations import Seen, view_of, without_jumps
+from discostorm_capture.diagnosis.observations import (
+    Observations,
+    vantage_host,
+    without_clock_steps,
+)
 from discostorm_capture.diagnosis.result import Diagnosis, diagnose
 
-__all__ = ["Diagnosis", "Finding", "Seen", "diagnose", "view_of", "without_jumps"]
+__all__ = [
+    "Diagnosis", "Finding", "Observations", "diagnose", "vantage_host", "without_clock_steps"
+]  # fmt: skip

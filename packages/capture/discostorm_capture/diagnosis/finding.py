@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from discostorm import words
 from discostorm.data import read_data
+from discostorm_capture._bytes import Array
+
+#: So many addresses are named; of more, the number of the others.
+MAX_NAMES = 6
 
 
 @cache
 def kinds() -> dict[str, dict[str, str]]:
-    """Return what is known of each kind of finding, in the order in which they are told."""
+    """Return the rows of ``data/diagnosis/findings.csv`` by kind, in the order of findings."""
     return {row["kind"]: row for row in read_data("diagnosis/findings.csv", "discostorm_capture")}
 
 
 @cache
 def remedies() -> dict[str, dict[str, str]]:
-    """Return what to do, by the key that findings name."""
+    """Return the rows of ``data/diagnosis/remedies.csv`` by the key that findings name."""
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
+
+
+def listed(names: Sequence[str] | Array) -> str:
+    """Return names with commas; of many the first ones, and how many more there are."""
+    if len(names) > MAX_NAMES:
+        names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
+    return words.listed([*names])
 
 
 @dataclass(frozen=True)
@@ -42,53 +54,37 @@ class Finding:
 
     @property
     def about(self) -> str:
-        """What it is about: "fleet", what is wrong; "event", what happened; "capture"."""
+        """Whether it is about the "fleet", an "event" or the "capture"."""
         return kinds()[self.kind]["about"]
 
     @property
-    def what(self) -> str:
-        """What is the matter, in words; where it may be one of two things, both."""
-        what = kinds()[self.kind]["what"]
-        return (
-            what.replace("HOSTS", listed(self.hosts)) if self.hosts else what.split("HOSTS: ")[-1]
-        )
+    def summary(self) -> str:
+        """What is the matter; where it may be one of two things, both."""
+        summary = kinds()[self.kind]["summary"]
+        if not self.hosts:
+            return summary.removeprefix("HOSTS: ")
+        return summary.replace("HOSTS", listed(self.hosts))
 
     @property
     def remedy(self) -> str:
-        """The key of what to do, in ``data/diagnosis/remedies.csv``; empty if nothing."""
+        """The key of the remedy, in ``data/diagnosis/remedies.csv``; empty if there is none."""
         return kinds()[self.kind]["remedy"]
 
     @property
     def advice(self) -> str:
         """What to do, in words."""
-        row = remedies().get(self.remedy)
-        if row is None:
-            return ""
-        named = row["what"].replace("HOSTS", listed(self.hosts) or "all hosts")
-        return named.replace("RECORD", words.RECORD.format(file="discovery.pcap"))
+        advice = remedies()[self.remedy]["what"] if self.remedy else ""
+        advice = advice.replace("HOSTS", listed(self.hosts) or "all hosts")
+        return advice.replace("RECORD", words.RECORD.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold."""
         return {
             "kind": self.kind,
             "about": self.about,
-            "what": self.what,
+            "what": self.summary,
             "hosts": list(self.hosts),
             "evidence": self.evidence,
             "remedy": self.remedy,
             "advice": self.advice,
         }
-
-
-#: So many addresses are told by name; of more, the number of the others.
-_MOST = 6
-
-
-def listed(names: tuple[str, ...] | list[str], last: str = "and") -> str:
-    """Return names with commas; of many the first ones, and how many more there are."""
-    named = list(names)
-    if len(named) > _MOST:
-        named = [*named[: _MOST - 1], f"{len(named) - _MOST + 1} more"]
-    if len(named) < 2:
-        return "".join(named)
-    return f"{', '.join(named[:-1])} {last} {named[-1]}"

@@ -1,319 +1,268 @@
-"""Findings about the network: who does not hear whom, and why."""
+"""Findings about the network: which host does not hear which, and why."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
 
 import numpy as np
 
 from discostorm import words
+from discostorm_capture._bytes import Array
+from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import Seen
-from discostorm_capture.diagnosis.reachability import PATIENCE, Reach, reach, unheard
-from discostorm_capture.diagnosis.scopes import Team
+from discostorm_capture.diagnosis.observations import Observations, pairs_of
+from discostorm_capture.diagnosis.reachability import PATIENCE, Reachability, reachability
+from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")
-#: Fast DDS announces itself each 100 ms at first; sooner after the one before only if it found
-#: somebody (until 2.14.5; data/vendors/middleware_defaults.csv, initial_period) [s].
+#: Fast DDS announces itself each 100 ms at first; sooner after the time before only if it found
+#: another process (until 2.14.5; data/vendors/middleware_defaults.csv, initial_period) [s].
 SOONER = 0.05
-#: So often it does by itself in the first second or so [s].
-AT_FIRST, QUICK = 6, 1.5
-#: So often who asks for an address gets no answer.
-AGAIN = 3
+#: So often it does by itself in its first seconds [1], [s].
+INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 6, 1.5
+#: So many unanswered ARP requests show that unicast is dropped.
+ARP_REQUESTS = 3
 
 
-def network(seen: Seen, team: Team, holes: Collection[tuple[str, str]] = ()) -> Iterator[Finding]:
-    """Yield what is wrong between the hosts of a team; ``holes`` as in `reach`."""
-    yield from _interfaces(seen, team)
-    found = reach(seen, team, holes)
-    if len(found.hosts) < 2:
-        yield from _alone(seen, team, found)
-    elif not found.expected.any():
+def unreachable(evidence: Evidence) -> Iterator[Finding]:
+    """Yield what is wrong between the hosts of each scope."""
+    for scope in evidence.scopes:
+        found = reachability(evidence.obs, scope, evidence.missing_samples)
+        if len(found.hosts) < 2:
+            yield from _alone(evidence, scope, found)
+        elif (found.hears & found.observable).any():
+            yield from _deaf_hosts(evidence.obs, found)
+            yield from _without_unicast(evidence.obs, found)
+        elif found.observable.any():
+            yield from _no_host_hears(evidence.obs, scope, found)
+
+
+def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that announce addresses that they do not send from."""
+    obs = evidence.obs
+    working = {
+        pair.observer for pair in evidence.all_pairs if np.isfinite(pair.complete) and pair.sent
+    }
+    wrong: dict[str, tuple[str, ...]] = {}
+    for member in (member for scope in evidence.scopes for member in scope.members):
+        announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
+        senders = obs.messages["sender"][obs.sender_index == member].astype(str)
+        if announced and member not in working and not senders[-1:].isin(announced).all():
+            wrong[senders.iloc[-1]] = announced
+    for host, announced in wrong.items():
+        count = int(obs.isin("receiver", *announced).sum())
+        answers = f", to which others sent {count} messages" if count else ""
+        said = f"{host} announces itself as {listed(announced)}{answers}"
+        yield Finding("wrong interface", (host,), said)
+
+
+def two_domains(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that hosts are in different domains, if none is in both."""
+    domains = {scope.domain: scope.hosts for scope in evidence.scopes if scope.domain >= 0}
+    hosts = [host for members in domains.values() for host in members]
+    if len(domains) > 1 and len(hosts) == len(set(hosts)):
+        said = [f"domain {domain} has {listed(domains[domain])}" for domain in sorted(domains)]
+        yield Finding("two domains", tuple(hosts), listed(said))
+
+
+def _subnets(hosts: Sequence[str], bits: int) -> Array:
+    """Return a number for the network of each host, whose prefix has so many bits."""
+    addresses = map(ip_address, hosts)
+    return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
+
+
+def _alone(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
+    obs = evidence.obs
+    others = len(obs.host_first_last) > 1 or scope.pairs or evidence.silent_hosts
+    if not found.hosts or len({*scope.hosts} - obs.server_hosts) != 1 or others:
         return
-    elif not (found.heard | found.taken)[found.expected].any():
-        if elsewhere := _subnets(found):
-            yield elsewhere
-        if elsewhere is None or not _among(found):
-            yield _nobody_hears(seen, team, found)
-    else:
-        yield from _unheard(seen, found)
-        yield from _unicast(seen, found)
-
-
-def _subnets(found: Reach) -> Finding | None:
-    """Return that hosts are in different networks, where none answers any other one."""
-    part = [_network_of(host, 16) for host in found.hosts]
-    if len(set(part)) < 2:
-        return None
-    most = Counter(part).most_common(1)[0]
-    alone = tuple(
-        host for host, one in zip(found.hosts, part, strict=True) if one != most[0] or most[1] == 1
-    )
-    return Finding(
-        "other subnet",
-        alone,
-        f"{listed(found.hosts)} announce themselves from different networks, and none was answered "
-        "from another one",
-    )
-
-
-def _among(found: Reach) -> bool:
-    """Return whether different networks explain that nobody answers: few share one."""
-    part = [_network_of(host, 16) for host in found.hosts]
-    return max(Counter(part).values()) <= len(part) // 2 + 1
-
-
-def _network_of(address: str, bits: int) -> int:
-    told = ip_address(address)
-    return -1 if told.version == 6 else int(told) >> (32 - bits)
-
-
-def _alone(seen: Seen, team: Team, found: Reach) -> Iterator[Finding]:
-    hosts = set(team.hosts) - seen.serving
-    served = len({pair.of for pair in team.pairs}) > 0
-    if not found.hosts or len(hosts) != 1 or served or len(seen.host_life) > 1 or unheard(seen):
-        return
-    first, last = seen.host_life[found.hosts[0]]
+    (host,) = found.hosts
+    first, last = obs.host_first_last[host]
     if last - first >= PATIENCE:
-        rows = seen.rows[(seen.rows["sender"] == found.hosts[0]).to_numpy() & seen.multicast]
+        count = int((obs.isin("sender", host) & obs["multicast"]).sum())
         yield Finding(
             "alone",
-            found.hosts,
-            f"{found.hosts[0]} announced itself {len(rows)} times in {last - first:.1f} s, and "
-            "nothing came from another host",
+            (host,),
+            f"{host} announced itself {count} times in {last - first:.1f} s, and nothing came "
+            "from another host",
         )
 
 
-def _nobody_hears(seen: Seen, team: Team, found: Reach) -> Finding:
+def _no_host_hears(
+    obs: Observations, scope: DiscoveryScope, found: Reachability
+) -> Iterator[Finding]:
+    """Yield why no announcement is answered: most often different networks, or no multicast."""
     hosts = found.hosts
-    count = int((seen.of("kind", *ANNOUNCEMENTS) & seen.multicast).sum())
+    count = int((obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]).sum())
     said = f"{listed(hosts)} announced themselves {count} times by multicast"
-    ends = seen.rows[["sender", "receiver"]].drop_duplicates().astype(str)
-    spoke = set(ends.itertuples(index=False, name=None))
-    both = [a for a, b in spoke if (b, a) in spoke and a in hosts and b in hosts]
-    asks = seen.asides
-    taken = asks[(asks["kind"] == "connection").to_numpy()]
-    between = [
-        (a, b)
-        for a, b in zip(taken["sender"].astype(str), taken["receiver"].astype(str), strict=True)
-        if a in hosts and b in hosts
-    ]
-    if both or between:
-        return Finding(
-            "multicast filtered",
-            hosts,
-            f"{said}, and none answered, while {listed(both[:2] or between[0])} exchange unicast",
+    subnets = _subnets(hosts, 16).tolist()
+    ((largest, size),) = Counter(subnets).most_common(1)
+    if size < len(hosts):
+        outside = tuple(
+            host for host, one in zip(hosts, subnets, strict=True) if one != largest or size == 1
         )
-    if asked := _asked_in_vain(seen, hosts):
-        return Finding(
-            "client isolation",
-            hosts,
-            f"{said} and heard each other, as they ask by ARP for each other's addresses again and "
-            f"again ({asked}), but get no answer",
+        yield Finding(
+            "other subnet",
+            outside,
+            f"{listed(hosts)} announce themselves from different networks, and none was answered "
+            "from another one",
         )
-    if (pairs := _sooner(seen, team)) >= 2:
-        return Finding(
-            "capture lost part",
-            hosts,
-            f"{said}, at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
-            f"does when it has found another process ({pairs} processes); what they said to each "
-            "other then was not captured",
-        )
-    if seen.alone(ANNOUNCEMENTS):
-        return Finding(
-            "nobody hears, or filter",
-            hosts,
-            f"{said}, and no answer was captured, nor anything else at all",
-        )
-    return Finding("nobody hears", hosts, f"{said}, and none was ever answered")
+        if size <= len(hosts) // 2 + 1:
+            return  # which explains it
+    links = pairs_of(obs.messages)
+    links = {pair for pair in links if pair[::-1] in links} | pairs_of(obs.events("connection"))
+    unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
+    if unicast:
+        kind = "multicast filtered"
+        said += f", and none answered, while {listed(unicast[0])} exchange unicast"
+    elif asked := _asked_in_vain(obs, hosts):
+        kind = "client isolation"
+        said += " and heard each other, as they ask by ARP for each other's addresses again and "
+        said += f"again ({asked}), but get no answer"
+    elif (processes := _found_others(obs, scope)) >= 2:
+        kind = "capture lost part"
+        said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
+        said += f"does when it has found another process ({processes} processes); what they said "
+        said += "to each other then was not captured"
+    elif not any(obs.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
+        kind = "nobody hears, or filter"
+        said += ", and no answer was captured, nor anything else at all"
+    else:
+        kind = "nobody hears"
+        said += ", and none was ever answered"
+    yield Finding(kind, hosts, said)
 
 
-def _asked_in_vain(seen: Seen, hosts: tuple[str, ...]) -> str:
+def _asked_in_vain(obs: Observations, hosts: tuple[str, ...]) -> str:
     """Return who asks for whose address by ARP, again and again, without an answer."""
-    arp = seen.asides[seen.asides["kind"].isin(["ARP request", "ARP reply"])]
-    answers = arp[(arp["kind"] == "ARP reply").to_numpy()]
-    replied = set(zip(answers["receiver"].astype(str), answers["sender"].astype(str), strict=True))
-    asks = arp[(arp["kind"] == "ARP request").to_numpy()]
-    count = Counter(zip(asks["sender"].astype(str), asks["receiver"].astype(str), strict=True))
-    between = {pair: n for pair, n in count.items() if set(pair) <= set(hosts)}
-    if replied & set(between) or max(between.values(), default=0) < AGAIN:
+    requests = obs.events("ARP request")
+    asks = Counter(
+        zip(requests["sender"].astype(str), requests["receiver"].astype(str), strict=True)
+    )
+    among = {pair: count for pair, count in asks.items() if {*pair} <= {*hosts}}
+    replied = {(receiver, sender) for sender, receiver in pairs_of(obs.events("ARP reply"))}
+    if replied & {*among} or max(among.values(), default=0) < ARP_REQUESTS:
         return ""
-    return listed([f"{one} for {other} {n} times" for (one, other), n in between.items()])
+    return listed([f"{one} for {other} {count} times" for (one, other), count in among.items()])
 
 
-def _sooner(seen: Seen, team: Team) -> int:
-    """Return how many processes of Fast DDS announced themselves earlier than they do by itself."""
+def _found_others(obs: Observations, scope: DiscoveryScope) -> int:
+    """Return how many processes of Fast DDS announced themselves as if they had found others."""
     count = 0
-    product = seen.processes["product"].to_numpy(object)
-    announced = seen.of("kind", "SPDP") & seen.multicast
-    for one in team.members:
-        if product[one] == "Fast DDS":
-            times = np.sort(seen.time[announced & (seen.process == one)])
-            first = times[: np.searchsorted(times, times[:1].sum() + QUICK)]
-            # It finds those of its own host in any case.
-            beside = int((seen.host == seen.host[one]).sum()) - 1
-            count += len(first) > AT_FIRST + beside and bool(np.diff(first).min() < SOONER)
+    announced = obs.isin("kind", "SPDP") & obs["multicast"]
+    for member in scope.members:
+        times = obs.time[announced & (obs.sender_index == member)]
+        initial = times[times < times[:1].sum() + INITIAL_TIME]
+        # It finds those of its own host in any case.
+        local = int((obs.process_host == obs.process_host[member]).sum()) - 1
+        if obs.processes["product"].iloc[member] == "Fast DDS":
+            more = len(initial) > INITIAL_ANNOUNCEMENTS + local
+            count += more and bool(np.diff(initial).min() < SOONER)
     return count
 
 
-def _unheard(seen: Seen, found: Reach) -> Iterator[Finding]:
-    """Yield who hears no announcement of others, or whose none hears; then single pairs."""
-    hosts, missing = found.hosts, found.deaf.copy()
-    expected = found.expected
-    away = _outside(found)
-    if len(away):
+def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
+    """Yield the hosts that hear no other one, or that no other one hears; then single pairs."""
+    hosts, observable = np.array(found.hosts, object), found.observable
+    deaf = observable & ~found.hears
+    if (outside := _outside(found)).any():
         yield Finding(
             "other subnet",
-            tuple(hosts[index] for index in away),
-            f"{listed([hosts[index] for index in away])} and "
-            f"{listed([host for i, host in enumerate(hosts) if i not in away])} announce "
-            "themselves, and only hosts with addresses of one network answer each other",
+            tuple(hosts[outside]),
+            f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and only "
+            "hosts with addresses of one network answer each other",
         )
-        inside = np.isin(np.arange(len(hosts)), away)
-        missing &= inside[:, None] == inside
-    rows = missing.sum(axis=1)
-    full_row = (rows == expected.sum(axis=1)) & (rows > 0)
-    full_column = (missing.sum(axis=0) == expected.sum(axis=0)) & (missing.sum(axis=0) > 0)
-    several = expected.sum(axis=1) > 1
-    for index in np.flatnonzero(full_row & full_column & several):
-        yield Finding("cut off", (hosts[index],), _silent(seen, hosts[index], both=True))
-        missing[index, :] = missing[:, index] = False
-    for index in np.flatnonzero(full_row & several & missing.any(axis=1)):
-        # One host that nobody hears looks as if all others were deaf.
-        if full_column[missing[index]].any() and missing[index].sum() == 1:
+        deaf &= outside[:, None] == outside
+    several = observable.sum(axis=1) > 1
+    hears_none, unheard = (
+        (deaf.sum(axis) == observable.sum(axis)) & deaf.any(axis) for axis in (1, 0)
+    )
+    for index in np.flatnonzero(hears_none & unheard & several):
+        said = "announces itself, answers no other host, and none answers it"
+        yield Finding("cut off", (hosts[index],), f"{hosts[index]} {said}{_arp(obs, hosts[index])}")
+        deaf[index, :] = deaf[:, index] = False
+    for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
+        # One host that no other one hears looks as if all others were deaf.
+        if unheard[deaf[index]].any() and deaf[index].sum() == 1:
             continue
-        yield Finding("firewall", (hosts[index],), _silent(seen, hosts[index], both=False))
-        missing[index, :] = False
-    for index in np.flatnonzero(full_column & several & missing.any(axis=0)):
-        heard = [hosts[other] for other in np.flatnonzero(found.heard[index])]
+        sent = int(obs.isin("receiver", hosts[index]).sum())
+        said = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
+        said += f", but it never answered any{_arp(obs, hosts[index])}"
+        yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
+        deaf[index, :] = False
+    for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
+        answered = listed(hosts[found.multicast_ok[index]])
         yield Finding(
             "one direction",
             (hosts[index],),
-            f"{hosts[index]} answers {listed(heard)}, and none of them ever answered it"
-            if heard
+            f"{hosts[index]} answers {answered}, and none of them ever answered it"
+            if answered
             else f"none ever answered {hosts[index]}",
         )
-        missing[:, index] = False
-    yield from _pairs(found, missing, "never answered")
+        deaf[:, index] = False
+    yield from _single_pairs(found, deaf, "never answered")
 
 
-def _pairs(found: Reach, missing: np.ndarray, what: str) -> Iterator[Finding]:
-    hosts = found.hosts
-    left = [(hosts[row], hosts[column]) for row, column in np.argwhere(missing)]
-    if left:
-        told = listed([f"{one} {what} {other}" for one, other in left])
-        yield Finding("one direction of pairs", tuple(dict.fromkeys(one for one, _ in left)), told)
+def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
+    pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(matrix)]
+    if pairs:
+        said = listed([f"{one} {what} {other}" for one, other in pairs])
+        yield Finding("one direction of pairs", tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
-def _silent(seen: Seen, host: str, both: bool) -> str:
-    asked = seen.asides
-    replies = (asked["kind"] == "ARP reply").to_numpy() & (asked["sender"] == host).to_numpy()
-    here = (
-        f"; it answers ARP ({int(replies.sum())} times), so frames do get there"
-        if replies.any()
-        else ""
-    )
-    if both:
-        return f"{host} announces itself, answers no other host, and none answers it{here}"
-    sent = int(((seen.rows["receiver"] == host).to_numpy()).sum())
-    to_it = f", and others sent it {sent} messages" if sent else ""
-    return f"{host} announces itself{to_it}, but it never answered any{here}"
+def _arp(obs: Observations, host: str) -> str:
+    """Return that a host answers ARP, if it does."""
+    count = int((obs.events("ARP reply")["sender"] == host).sum())
+    return f"; it answers ARP ({count} times), so frames do get there" if count else ""
 
 
-def _outside(found: Reach) -> list[int]:
-    """Return the hosts of smaller networks, if hearing ends where networks do."""
+def _outside(found: Reachability) -> Array:
+    """Return which hosts are outside the largest network, if hearing ends where networks do."""
     for bits in (16, 24):
-        part = [_network_of(host, bits) for host in found.hosts]
-        if len(set(part)) < 2:
-            continue
-        same = np.equal.outer(part, part)
-        across, within = found.expected & ~same, found.expected & same
-        if across.any() and not (found.heard | found.taken)[across].any():
-            if within.any() and not (found.heard | found.taken)[within].any():
-                continue
-            most = Counter(part).most_common(1)[0][0]
-            return [index for index, one in enumerate(part) if one != most]
-    return []
+        subnet = _subnets(found.hosts, bits)
+        within = found.observable & (subnet[:, None] == subnet)
+        across = found.observable & ~within
+        heard_within = not within.any() or (found.hears & within).any()
+        if across.any() and not (found.hears & across).any() and heard_within:
+            outside: Array = subnet != Counter(subnet.tolist()).most_common(1)[0][0]
+            return outside
+    return np.zeros(len(found.hosts), bool)
 
 
-def _unicast(seen: Seen, found: Reach) -> Iterator[Finding]:
-    """Yield who hears announcements alone."""
-    apart, hosts = found.apart.copy(), found.hosts
-    if not apart.any() or _short(seen):
+def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
+    """Yield the hosts that hear announcements, and no unicast."""
+    apart, hosts = found.multicast_only, np.array(found.hosts, object)
+    if not apart.any() or obs.duration < PATIENCE:
         return
-    good = found.taken & found.expected
-    both = apart & apart.T
-    count = int(both.sum()) // 2
-    if both.any() and not (apart & ~both).any():
-        kept = [index for index in range(len(hosts)) if both[index].any()]
-        between = np.ix_(kept, kept)
-        if not good[between].any() and len(kept) > 1:
-            served = [hosts[i] for i in range(len(hosts)) if i not in kept and good[i, kept].all()]
+    if (apart == apart.T).all():
+        kept = apart.any(axis=1)
+        good = found.unicast_ok & found.observable
+        if not good[np.ix_(kept, kept)].any():
             said = (
-                f"{listed([hosts[index] for index in kept])} answer each other's announcements, "
-                f"but none of the unicast between them is ever confirmed "
-                f"({words.many(count, 'pair')})"
+                f"{listed(hosts[kept])} answer each other's announcements, but none of the unicast "
+                f"between them is ever confirmed ({words.many(int(apart.sum()) // 2, 'pair')})"
             )
-            if served and len(kept) > 1:
-                yield Finding(
-                    "client isolation",
-                    tuple(hosts[index] for index in kept),
-                    f"{said}, while {listed(served)} exchanges unicast with all of them",
-                )
-            elif len(kept) > 2 or len(hosts) == 2:
-                yield Finding("unicast dropped", tuple(hosts[index] for index in kept), said)
-            else:
-                yield from _pairs(found, apart, "gets nothing by unicast from")
+            served = listed(hosts[~kept & good[:, kept].all(axis=1)])
+            if served:
+                said += f", while {served} exchanges unicast with all of them"
+                yield Finding("client isolation", tuple(hosts[kept]), said)
+                return
+            if kept.sum() > 2 or len(hosts) == 2:
+                yield Finding("unicast dropped", tuple(hosts[kept]), said)
+                return
+            yield from _single_pairs(found, apart, "gets nothing by unicast from")
             return
-    several = found.expected.sum(axis=1) > 1
-    tried = found.tried & found.expected
-    for index in range(len(hosts)):
-        if several[index] and tried[index].any() and (apart[index] == tried[index]).all():
-            yield Finding(
-                "unicast firewall",
-                (hosts[index],),
-                f"{hosts[index]} answers announcements, but confirms no unicast from others",
-            )
-            apart[index] = False
-    for index in range(len(hosts)):
-        column = tried[:, index]
-        if several[index] and apart[:, index].any() and (apart[:, index] == column).all():
-            yield Finding(
-                "one direction",
-                (hosts[index],),
-                f"no other host confirms unicast from {hosts[index]}",
-            )
-            apart[:, index] = False
-    yield from _pairs(found, apart, "gets nothing by unicast from")
-
-
-def _short(seen: Seen) -> bool:
-    return seen.duration < PATIENCE
-
-
-def _interfaces(seen: Seen, team: Team) -> Iterator[Finding]:
-    """Yield hosts that announce addresses that they do not send from."""
-    told = seen.processes["announces"].to_numpy(object)
-    wrong: dict[str, tuple[str, ...]] = {}
-    for one in team.members:
-        announced = tuple(dict.fromkeys(told[one].split()))
-        senders = seen.rows["sender"][seen.process == one]
-        latest = str(senders.iloc[-1]) if len(senders) else ""
-        if announced and latest and latest not in announced and not _works(team, one):
-            wrong[latest] = announced
-    for host, announced in wrong.items():
-        count = int(seen.rows["receiver"].isin(announced).sum())
-        answers = f", to which others sent {count} messages" if count else ""
-        yield Finding(
-            "wrong interface", (host,), f"{host} announces itself as {listed(announced)}{answers}"
-        )
-
-
-def _works(team: Team, one: int) -> bool:
-    """Return whether a process knows another one whole, and is known so."""
-    return any(
-        np.isfinite(pair.complete) and pair.sent > 0 for pair in team.pairs if pair.by == one
-    )
+    several = found.observable.sum(axis=1) > 1
+    tried = found.unicast_tried & found.observable
+    for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
+        said = f"{hosts[index]} answers announcements, but confirms no unicast from others"
+        yield Finding("unicast firewall", (hosts[index],), said)
+        apart[index] = False
+    for index in np.flatnonzero(several & apart.any(axis=0) & (apart == tried).all(axis=0)):
+        said = f"no other host confirms unicast from {hosts[index]}"
+        yield Finding("one direction", (hosts[index],), said)
+        apart[:, index] = False
+    yield from _single_pairs(found, apart, "gets nothing by unicast from")

@@ -1,10 +1,11 @@
-"""What a capture shows, as the diagnosis reads it: rows of messages with numbers for names."""
+"""What a capture shows, as the diagnosis reads it: columns of messages, with numbers for names."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,161 +14,191 @@ from discostorm_capture._bytes import Array
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Of RTPS what SEDP's messages are called: samples, Heartbeats, acknowledgements.
+#: Kinds of RTPS about endpoints: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
-#: Of DDS Security: the handshake, the keys that follow it, and what these encrypt.
+#: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
-SECURED = (HANDSHAKE, KEYS, ENCRYPTED)
 
 
 @dataclass(frozen=True)
-class Seen:
-    """What a capture shows.
+class Observations:
+    """The messages between hosts in a capture, once each, and what else it shows.
 
-    Parameters
-    ----------
-    rows : pandas.DataFrame
-        The messages between hosts, once each, as `Capture.messages` has them; their ``time`` is
-        without jumps of the clock, and they are in its order.
-    processes, asides : pandas.DataFrame
-        As `Capture` has them, with such times.
-    duration : float
-        From the first packet to the last [s], without jumps of the clock.
-    view : str or None
-        The host whose unicast alone was captured.
-    serving : frozenset of str
-        Hosts with nothing but servers.
-    others : dict of str to int
-        How many packets there are of what is no message: of "ARP", "TCP", "UDP", "other".
-    jumps : tuple of tuple
-        See `Capture`.
-    lost : tuple of str
-        What the capture itself says that it lacks: cut packets, fragments that are missing.
-    cut : float
-        The share of its packets that were cut [1].
+    Tables have the columns of `Capture`, times without steps of the clock, and are in their order.
+    Arrays have a value per message unless they say otherwise.
     """
 
-    rows: pd.DataFrame
+    messages: pd.DataFrame
     processes: pd.DataFrame
-    asides: pd.DataFrame
+    network_events: pd.DataFrame
+    #: From the first packet to the last [s].
     duration: float
-    view: str | None
-    serving: frozenset[str]
-    others: dict[str, int]
-    jumps: tuple[tuple[int, float], ...]
-    lost: tuple[str, ...]
-    cut: float
+    #: The host whose unicast alone was captured, if there is one.
+    vantage_host: str | None
+    #: Hosts that run nothing but servers.
+    server_hosts: frozenset[str]
+    #: Packets without a message, by type: "ARP", "TCP", "UDP", "other".
+    other_packets: dict[str, int]
+    #: The packets at which the clock was set, and by how much [s].
+    clock_steps: tuple[tuple[int, float], ...]
+    #: What the capture itself says that it lacks, in words.
+    capture_gaps: tuple[str, ...]
+    #: The share of packets that were cut [1].
+    truncated: float
+
+    def __getitem__(self, column: str) -> Array:
+        """Return a column of the messages."""
+        return self.messages[column].to_numpy()
 
     @cached_property
     def time(self) -> Array:
         """When each message was captured [s]."""
-        return self.rows["time"].to_numpy(np.float64)
-
-    @cached_property
-    def process(self) -> Array:
-        """The place of each message's sender among the processes, -1 if it does not say."""
-        return self._places("process")
-
-    @cached_property
-    def peer(self) -> Array:
-        """The place of each message's receiver among the processes, -1 if it does not say."""
-        return self._places("peer")
-
-    def _places(self, column: str) -> Array:
-        words = self.rows[column].cat
-        places = self.processes.index.get_indexer(words.categories)
-        found: Array = (
-            places[words.codes.to_numpy()] if len(places) else np.full(len(self.rows), -1)
-        )
-        return found
-
-    @cached_property
-    def host(self) -> Array:
-        """The address of each process."""
-        return self.processes["host"].to_numpy(object)
-
-    def of(self, column: str, *values: str) -> Array:
-        """Return which messages have one of these values in a column of words."""
-        words = self.rows[column].cat
-        wanted = np.isin(words.categories.to_numpy(object), values)
-        found: Array = (
-            wanted[words.codes.to_numpy()] if len(wanted) else np.zeros(len(self.rows), bool)
-        )
-        return found
-
-    @cached_property
-    def multicast(self) -> Array:
-        """Which messages are multicast."""
-        return self.rows["multicast"].to_numpy(bool)
+        return self["time"].astype(np.float64)
 
     @cached_property
     def number(self) -> Array:
-        """The sequence number of each message."""
-        return self.rows["number"].to_numpy(np.int64)
+        """The sequence number that each message is about."""
+        return self["number"].astype(np.int64)
 
     @cached_property
-    def missing(self) -> Array:
-        """How many samples each message says that it lacks."""
-        return self.rows["missing"].to_numpy(np.int64)
+    def end(self) -> float:
+        """When the last message was captured [s]."""
+        return float(self.time.max(initial=0.0))
 
     @cached_property
-    def keyed(self) -> frozenset[tuple[int, int]]:
-        """Which process told which other one its keys."""
-        told = self.of("kind", KEYS) & (self.process >= 0) & (self.peer >= 0)
-        ends = np.unique(np.column_stack((self.process[told], self.peer[told])), axis=0)
-        return frozenset((one, other) for one, other in ends.tolist())
+    def sender_index(self) -> Array:
+        """The index of each sender among the processes, -1 if the message does not say."""
+        return self.index("process", self.processes.index)
 
     @cached_property
-    def secured(self) -> frozenset[int]:
+    def receiver_index(self) -> Array:
+        """The index of each receiver among the processes, -1 if the message does not say."""
+        return self.index("peer", self.processes.index)
+
+    @cached_property
+    def process_host(self) -> Array:
+        """The address of each process."""
+        return self.processes["host"].to_numpy(object)
+
+    @cached_property
+    def is_server(self) -> Array:
+        """Whether each process is a server or router."""
+        return self.processes["server"].to_numpy(bool)
+
+    @cached_property
+    def is_rtps(self) -> Array:
+        """Whether each process speaks RTPS."""
+        return (self.processes["protocol"] == "RTPS").to_numpy()
+
+    def index(self, column: str, values: Any) -> Array:
+        """Return the index of each message's value among `values`, -1 if it is none of them."""
+        import pandas as pd
+
+        words = self.messages[column].cat
+        indices = pd.Index(values, dtype=object).get_indexer(words.categories.astype(object))
+        return np.append(indices, -1)[words.codes.to_numpy()]
+
+    def isin(self, column: str, *values: str) -> Array:
+        """Return which messages have one of these values in a column of words."""
+        return self.index(column, values) >= 0
+
+    def events(self, *kinds: str) -> pd.DataFrame:
+        """Return the network events of these kinds."""
+        return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
+
+    def groups(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
+        """Return the rows of a mask, in their order, by the values of the keys."""
+        rows = np.flatnonzero(mask)
+        values = np.column_stack([key[rows] for key in keys]).astype(np.int64)
+        order = np.lexsort(values.T[::-1])
+        rows, values = rows[order], values[order]
+        begins = np.append(0, np.flatnonzero(np.diff(values, axis=0).any(axis=1)) + 1)[: len(rows)]
+        parts = np.split(rows, begins[1:])
+        return {
+            tuple(values[begin].tolist()): part for begin, part in zip(begins, parts, strict=False)
+        }
+
+    def senders(self, mask: Array) -> set[int]:
+        """Return the processes that sent a message of the mask."""
+        return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
+
+    def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
+        """Return the addresses of processes, once each."""
+        return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
+
+    def by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
+        """Return processes by their address."""
+        groups: dict[str, list[int]] = {}
+        for process in processes:
+            groups.setdefault(str(self.process_host[process]), []).append(process)
+        return groups
+
+    def links(self, mask: Array) -> set[tuple[str, str]]:
+        """Return the senders and receivers of the messages of a mask, as addresses."""
+        return pairs_of(self.messages[mask])
+
+    def visible(self, *hosts: str) -> bool:
+        """Return whether the capture has the unicast between hosts."""
+        return self.vantage_host is None or self.vantage_host in hosts
+
+    @cached_property
+    def key_exchanges(self) -> set[tuple[int, int]]:
+        """Which process sent which other one its keys."""
+        told = self.isin("kind", KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        return {
+            (sender, receiver)
+            for sender, receiver in self.groups(told, self.sender_index, self.receiver_index)
+        }
+
+    @cached_property
+    def secured(self) -> set[int]:
         """Which processes use DDS Security."""
-        return frozenset(np.unique(self.process[self.of("kind", *SECURED)]).tolist()) - {-1}
+        return self.senders(self.isin("kind", HANDSHAKE, KEYS, ENCRYPTED))
 
     @cached_property
-    def life(self) -> tuple[Array, Array]:
-        """When each process was heard first and last [s]; infinite if it never spoke."""
+    def first_last(self) -> tuple[Array, Array]:
+        """When each process sent its first and last message [s], infinite if it sent none."""
         first = np.full(len(self.processes), np.inf)
         last = np.full(len(self.processes), -np.inf)
-        spoke = self.process >= 0
-        np.minimum.at(first, self.process[spoke], self.time[spoke])
-        np.maximum.at(last, self.process[spoke], self.time[spoke])
+        spoke = self.sender_index >= 0
+        np.minimum.at(first, self.sender_index[spoke], self.time[spoke])
+        np.maximum.at(last, self.sender_index[spoke], self.time[spoke])
         return first, last
 
     @cached_property
-    def host_life(self) -> dict[str, tuple[float, float]]:
-        """When each host was heard first and last [s]."""
-        times = self.rows.groupby("sender", observed=True)["time"].agg(["min", "max"])
-        return {str(host): (low, high) for host, low, high in times.itertuples()}
-
-    def alone(self, kinds: tuple[str, ...]) -> bool:
-        """Return whether all that was captured are messages of these kinds."""
-        return not sum(self.others.values()) and bool(self.of("kind", *kinds).all())
+    def host_first_last(self) -> dict[str, tuple[float, float]]:
+        """When each host sent its first and last message [s]."""
+        times = self.messages.groupby("sender", observed=True)["time"].agg(["min", "max"])
+        return {str(host): (first, last) for host, first, last in times.itertuples()}
 
 
-def view_of(rows: pd.DataFrame, serving: frozenset[str]) -> str | None:
+def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
+    """Return the senders and receivers of a table's rows."""
+    ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
+    return set(ends.itertuples(index=False, name=None))
+
+
+def vantage_host(messages: pd.DataFrame, server_hosts: frozenset[str]) -> str | None:
     """Return the host whose unicast alone was captured, if there are at least three hosts.
 
     As `Capture.view`; hosts that only look for others count, too.
     """
-    hosts = set(rows["sender"].astype(str).unique())
-    unicast = rows[~rows["multicast"].to_numpy(bool)]
-    ends = unicast[["sender", "receiver"]].drop_duplicates().astype(str)
-    pairs = [set(pair) for pair in ends.itertuples(index=False, name=None)]
+    hosts = set(messages["sender"].astype(str).unique())
+    pairs = pairs_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
-    common = set.intersection(*pairs) & hosts - serving
+    common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
 
 
-def without_jumps(
-    times: Array, frames: Array, jumps: tuple[tuple[int, float], ...], start: float
+def without_clock_steps(
+    times: Array, frames: Array, steps: Sequence[tuple[int, float]], start: float
 ) -> Array:
-    """Return times since the first packet, as if the clock had not jumped.
+    """Return times since the first packet, as if the clock had not been set; a step takes no time.
 
-    A jump takes no time itself. The clock read ``start`` [s] when the first packet came.
+    The clock read `start` [s] when the first packet came.
     """
-    if not jumps:
-        return times - start
-    where, steps = np.array(jumps).T
-    before = np.append(0.0, np.cumsum(steps))
-    found: Array = times - start - before[np.searchsorted(where, frames, side="right")]
-    return found
+    first_frames, seconds = np.array(steps, float).reshape(-1, 2).T
+    before = np.append(0.0, np.cumsum(seconds))
+    elapsed: Array = times - start - before[np.searchsorted(first_frames, frames, side="right")]
+    return elapsed

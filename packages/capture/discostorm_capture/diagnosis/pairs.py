@@ -1,15 +1,22 @@
-"""Who knows whom since when: pairs of processes of different hosts, and what each lacks."""
+"""Which process knows which other one since when: ordered pairs of processes on two hosts."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Seen
+from discostorm_capture.diagnosis.observations import (
+    ACKNACK,
+    DATA,
+    HEARTBEAT,
+    Observations,
+    pairs_of,
+)
 
-#: Announcements that follow each other within this time are of one start [s].
+#: Announcements that follow each other within this time belong to one startup [s].
 TOGETHER = 5.0
 #: Two acknowledgements further apart than this did not just overtake each other [s].
 APART = 1.0
@@ -17,212 +24,147 @@ APART = 1.0
 
 @dataclass(frozen=True)
 class Pair:
-    """What one process knows of another one on another host.
+    """What one process, the observer, knows of another one, the subject."""
 
-    Parameters
-    ----------
-    of, by : int
-        Places among the processes: who is known, and who knows.
-    heard : float
-        When ``by`` first spoke to ``of``, which it can only if it heard of it [s]; infinite if
-        never.
-    complete : float
-        When ``by`` had been told all endpoints of ``of`` [s]: infinite if it never confirmed
-        that, NaN if the capture does not show it.
-    sent : int
-        How many endpoints ``of`` announced to it.
-    forgotten : tuple of float
-        When ``by`` began anew, having confirmed before [s].
-    """
-
-    of: int
-    by: int
-    heard: float
+    #: Indices of the processes.
+    subject: int
+    observer: int
+    #: When the observer first spoke to the subject, which it can only if it heard of it [s];
+    #: infinite if never.
+    first_contact: float
+    #: When the observer had been told all endpoints of the subject [s]: infinite if it never
+    #: confirmed that, NaN if the capture does not show it.
     complete: float
+    #: How many endpoints the subject announced to it.
     sent: int
+    #: When the observer began anew, having confirmed before [s].
     forgotten: tuple[float, ...] = ()
 
 
-def rtps_heard(seen: Seen) -> Array:
+def first_contacts(obs: Observations) -> Array:
     """Return when each process (row) first spoke to each other one (column) [s]."""
-    size = len(seen.processes)
-    first = np.full((size, size), np.inf)
-    told = (seen.process >= 0) & (seen.peer >= 0)
-    np.minimum.at(first, (seen.process[told], seen.peer[told]), seen.time[told])
+    first = np.full((len(obs.processes),) * 2, np.inf)
+    both = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    np.minimum.at(first, (obs.sender_index[both], obs.receiver_index[both]), obs.time[both])
     return first
 
 
-@dataclass(frozen=True)
-class _Told:
-    """What a process told by one of its writers: to whom, when, which samples."""
-
-    time: Array
-    number: Array
-    peer: Array
-    #: The last sample of the start, when it was first sent, and the last one of all.
-    of_start: int
-    last: int
+def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
+    """Return the rows of acknowledgements, by who confirms, whose samples, and of which writer."""
+    acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    return obs.groups(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
 
-def _writers(seen: Seen) -> dict[int, dict[int, _Told]]:
-    """Return, by process and writer, what was told of endpoints."""
-    spoken = (seen.process >= 0) & seen.of("kind", DATA, HEARTBEAT)
-    data = seen.of("kind", DATA) & (seen.number > 0)
-    writer = seen.rows["writer"].to_numpy(np.int64)
-    found: dict[int, dict[int, _Told]] = {}
-    for process, which, chosen in groups(spoken, seen.process, writer):
-        sent = chosen[data[chosen]]
-        last = int(seen.number[chosen].max(initial=0))
-        if not last:
-            continue
-        told = _Told(
-            seen.time[sent], seen.number[sent], seen.peer[sent], _of_start(seen, sent, last), last
-        )
-        found.setdefault(process, {})[which] = told
-    return found
+def samples(obs: Observations) -> dict[tuple[int, ...], Array]:
+    """Return the rows of endpoint announcements, by process and writer."""
+    data = obs.isin("kind", DATA) & (obs.sender_index >= 0) & (obs.number > 0)
+    return obs.groups(data, obs.sender_index, obs["writer"])
 
 
-def _of_start(seen: Seen, sent: Array, last: int) -> int:
-    """Return the last sample of those that were first told close together."""
-    if not len(sent):
-        return last
-    numbers, first = np.unique(seen.number[sent], return_index=True)
-    times = seen.time[sent][first]
-    order = np.argsort(times, kind="stable")
-    breaks = np.flatnonzero(np.diff(times[order]) > TOGETHER)
-    upto = int(breaks[0]) + 1 if len(breaks) else len(order)
-    return int(numbers[order[:upto]].max())
+def times_apart(times: Iterable[float]) -> list[float]:
+    """Return the times that are not within a startup of the one before."""
+    apart: list[float] = []
+    for time in sorted(times):
+        if not apart or time - apart[-1] > TOGETHER:
+            apart.append(float(time))
+    return apart
 
 
-def groups(chosen: Array, *keys: Array) -> list[tuple[int, int, Array]]:
-    """Return, for each two keys of the chosen rows, these rows in their order."""
-    rows = np.flatnonzero(chosen)
-    one, two = (key[rows] for key in keys)
-    order = np.lexsort((two, one))
-    rows, one, two = rows[order], one[order], two[order]
-    if not len(rows):
-        return []
-    begins = np.append(0, np.flatnonzero((np.diff(one) != 0) | (np.diff(two) != 0)) + 1)
-    return [
-        (int(one[begin]), int(two[begin]), part)
-        for begin, part in zip(begins, np.split(rows, begins[1:]), strict=True)
-    ]
+def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
+    """Return, by process and writer, its samples' rows, and the last sample of its startup."""
+    spoken = (obs.sender_index >= 0) & obs.isin("kind", DATA, HEARTBEAT)
+    sent = samples(obs)
+    writers: dict[int, dict[int, tuple[Array, int]]] = {}
+    for key, chosen in obs.groups(spoken, obs.sender_index, obs["writer"]).items():
+        rows = sent.get(key, chosen[:0])
+        last = int(obs.number[chosen].max(initial=0))
+        if len(rows):
+            numbers, first = np.unique(obs.number[rows], return_index=True)
+            times = obs.time[rows][first]
+            order = np.argsort(times, kind="stable")
+            breaks = np.flatnonzero(np.diff(times[order]) > TOGETHER)
+            last = int(numbers[order[: breaks[0] + 1 if len(breaks) else None]].max())
+        if last:
+            writers.setdefault(key[0], {})[key[1]] = rows, last
+    return writers
 
 
-Acks = dict[tuple[int, int, int], tuple[Array, Array]]
-
-
-def acknowledgements(seen: Seen) -> Acks:
-    """Return by who confirms, whose writer's and which: when, and the first sample it lacks."""
-    chosen = seen.of("kind", ACKNACK) & (seen.process >= 0) & (seen.peer >= 0)
-    writer = seen.rows["writer"].to_numpy(np.int64)
-    size = len(seen.processes)
-    found: Acks = {}
-    ends = seen.process * size + seen.peer
-    for both, which, rows in groups(chosen, ends, writer):
-        found[both // size, both % size, which] = (seen.time[rows], seen.number[rows])
-    return found
-
-
-def rtps_pairs(seen: Seen, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return what is known of ordered pairs: of whom, by whom."""
-    heard = rtps_heard(seen)
-    writers, acks = _writers(seen), acknowledgements(seen)
-    nothing = np.zeros(0), np.zeros(0, np.int64)
+def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
+    """Return what is known of subjects by observers that speak RTPS."""
+    contact, spoke = first_contacts(obs), _anonymous_links(obs)
+    writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
-    spoke = _spoke(seen)
-    for of, by in wanted:
-        complete, sent, forgotten = heard[by, of], 0, set[float]()
-        if complete == np.inf and (seen.host[by], seen.host[of]) in spoke:
+    for subject, observer in wanted:
+        first, back = contact[observer, subject], contact[subject, observer]
+        ends = str(obs.process_host[subject]), str(obs.process_host[observer])
+        complete, sent, forgotten = first, 0, set[float]()
+        if complete == np.inf and ends[::-1] in spoke:
             complete = np.nan  # before the capture, if it did
-        tells = writers.get(of, {})
-        if {of, by} & seen.secured and not tells:
-            # What it tells is encrypted, and told to nobody without keys.
-            complete = np.nan if (of, by) in seen.keyed else np.inf
-        elif not tells and not np.isnan(complete):
-            # Nothing to tell, if it knew to whom.
-            back = (seen.host[of], seen.host[by]) in spoke and np.isinf(heard[of, by])
-            complete = np.nan if back else max(complete, heard[of, by])
-        for which, told in tells.items():
-            times, bases = acks.get((by, of, which), nothing)
-            confirmed = np.flatnonzero(bases > told.of_start)
-            forgotten |= set(_begun_anew(times, bases))
-            mine = (told.peer == by) | (told.peer < 0)
-            sent += len(np.unique(told.number[mine]))
-            if not len(confirmed):
+        announced = writers.get(subject, {})
+        if {subject, observer} & obs.secured and not announced:
+            # Its announcements are encrypted, and sent to no process without keys.
+            complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
+        elif not announced and not np.isnan(complete):
+            # It has nothing to announce, if it knew to whom.
+            complete = np.nan if ends in spoke and np.isinf(back) else max(complete, back)
+        for writer, (rows, last) in announced.items():
+            confirms = acks.get((observer, subject, writer), rows[:0])
+            forgotten |= set(_begun_anew(obs, confirms).tolist())
+            mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
+            sent += len(np.unique(obs.number[mine]))
+            whole = obs.time[confirms[obs.number[confirms] > last]]
+            if not len(whole):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
-            at = times[confirmed[0]]
-            before = told.time[mine & (told.number <= told.of_start) & (told.time <= at)]
-            # What was confirmed, and not told here, was told before the capture.
-            complete = max(complete, before.max(initial=0.0))
-        pairs.append(Pair(of, by, heard[by, of], float(complete), sent, _apart(forgotten)))
+            # What was confirmed, and is not in the capture, was announced before it.
+            before = mine[(obs.number[mine] <= last) & (obs.time[mine] <= whole[0])]
+            complete = max(complete, obs.time[before].max(initial=0.0))
+        anew = tuple(times_apart(forgotten))
+        pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
 
 
-def _spoke(seen: Seen) -> set[tuple[str, str]]:
-    """Return which host sent which what does not say of or for which process it is."""
-    nobodys = ((seen.process < 0) | (seen.peer < 0)) & ~seen.multicast & ~seen.of("kind", "Hello")
-    ends = seen.rows.loc[nobodys, ["sender", "receiver"]].drop_duplicates()
-    return set(zip(ends["sender"].astype(str), ends["receiver"].astype(str), strict=True))
+def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:
+    """Return the hosts that sent others unicast that does not name both processes."""
+    anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
+    return obs.links(anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello"))
 
 
-def _exchanged(seen: Seen) -> set[tuple[str, str]]:
-    """Return which hosts exchange what cannot be read, as it began before the capture."""
-    rows = seen.asides[(seen.asides["kind"] == "exchange").to_numpy()]
-    return set(zip(rows["sender"].astype(str), rows["receiver"].astype(str), strict=True))
-
-
-def _begun_anew(times: Array, bases: Array) -> list[float]:
-    """Return when acknowledgements begin anew, having got somewhere before."""
-    got = np.flatnonzero(bases > 1)
+def _begun_anew(obs: Observations, confirms: Array) -> Array:
+    """Return when acknowledgements begin anew, having got somewhere before [s]."""
+    times, got = obs.time[confirms], np.flatnonzero(obs.number[confirms] > 1)
     if not len(got):
-        return []
-    again = np.flatnonzero((bases <= 1) & (np.arange(len(bases)) > got[0]))
+        return times[:0]
+    again = got[0] + np.flatnonzero(obs.number[confirms[got[0] :]] <= 1)
     # The last time that something was confirmed before.
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: list[float] = times[again][times[again] - before > APART].tolist()
+    anew: Array = times[again][times[again] - before > APART]
     return anew
 
 
-def _apart(times: set[float]) -> tuple[float, ...]:
-    """Return times that are not within a start of each other."""
-    found: list[float] = []
-    for time in sorted(times):
-        if not found or time - found[-1] > TOGETHER:
-            found.append(time)
-    return tuple(found)
-
-
-def zenoh_pairs(seen: Seen, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return what is known of ordered pairs of Zenoh: a session is open, and what was declared."""
-    size = len(seen.processes)
-    told = (seen.process >= 0) & (seen.peer >= 0)
-    both = seen.process * size + seen.peer
-    opened: dict[int, Array] = {}
-    declared: dict[int, Array] = {}
-    heard: dict[int, float] = {}
-    for mask, found in (
-        (seen.of("submessage", "OpenAck"), opened),
-        (seen.of("kind", "Declare"), declared),
-    ):
-        for ends, _, rows in groups(mask & told, both, np.zeros(len(both), np.int64)):
-            found[ends] = seen.time[rows]
-    for ends, _, rows in groups(told, both, np.zeros(len(both), np.int64)):
-        heard[ends] = float(seen.time[rows[0]])
+def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
+    """Return what is known of subjects by observers of Zenoh: a session, and declarations."""
+    named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    opened, declared = (
+        obs.groups(named & mask, obs.sender_index, obs.receiver_index)
+        for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
+    )
+    contact = first_contacts(obs)
+    # Sessions that cannot be read, as they began before the capture.
+    spoke = _anonymous_links(obs) | pairs_of(obs.events("exchange"))
     pairs = []
-    nothing = np.zeros(0)
-    spoke = _spoke(seen) | _exchanged(seen)
-    for of, by in wanted:
-        there, back = of * size + by, by * size + of
-        acks = np.sort(np.append(opened.get(there, nothing), opened.get(back, nothing)))
-        times = declared.get(there, nothing)
+    nothing = np.zeros(0, np.int64)
+    for there in wanted:
+        back = there[::-1]
+        acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
+        times = obs.time[declared.get(there, nothing)]
         complete = np.inf
         if len(acks):
-            of_start = times[: 1 + int(np.argmax(np.append(np.diff(times) > TOGETHER, True)))]
-            complete = max(acks[0], of_start.max(initial=0.0))
-        elif (there in heard and back in heard) or (seen.host[of], seen.host[by]) in spoke:
+            later = np.flatnonzero(np.diff(times) > TOGETHER)
+            startup = times[: later[0] + 1] if len(later) else times
+            complete = max(acks[0], startup.max(initial=0.0))
+        elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:
             complete = np.nan
-        anew = tuple(acks[1:][np.diff(acks) > TOGETHER].tolist())
-        pairs.append(Pair(of, by, heard.get(back, np.inf), float(complete), len(times), anew))
+        anew = tuple(times_apart(acks)[1:])
+        pairs.append(Pair(*there, contact[back], float(complete), len(times), anew))
     return pairs

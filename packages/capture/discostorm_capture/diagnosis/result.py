@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from discostorm import _checks, words
-from discostorm_capture.diagnosis import tables
-from discostorm_capture.diagnosis.capture_quality import (
-    asked_no_more,
-    began_late,
-    ended_early,
-    holes_of,
-    record,
-    unconfirmed,
-    unread,
+from discostorm_capture.diagnosis import (
+    capture_quality,
+    gaps,
+    lifecycle,
+    network,
+    tables,
+    traffic,
 )
+from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, kinds, listed
-from discostorm_capture.diagnosis.lifecycle import events, lives, restarted
-from discostorm_capture.diagnosis.network import network
-from discostorm_capture.diagnosis.observations import DATA, Seen
-from discostorm_capture.diagnosis.pairs import Pair
-from discostorm_capture.diagnosis.reachability import unheard
-from discostorm_capture.diagnosis.scopes import Team, teams
-from discostorm_capture.diagnosis.traffic import loss, servers, storm
+from discostorm_capture.diagnosis.observations import DATA, Observations
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -33,16 +28,31 @@ if TYPE_CHECKING:
 #: What is quiet for so long at the end of a capture is over [s].
 QUIET = 1.0
 #: From this share of cut packets on, what is missing tells nothing [1].
-MOST_CUT = 0.1
+MAX_TRUNCATED = 0.1
 #: What to do if there is no discovery in a capture.
 RECORD_ANEW = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
     f"the filter: {words.RECORD.format(file='discovery.pcap')}."
 )
-#: So many rows what was sent has at most, in JSON [1].
+#: So many rows a timeline has at most, in JSON [1].
 TIMELINE = 2000
-#: What is told of endpoints, and said to open sessions.
-TELLING = (DATA, "Declare", "Init", "Open")
+#: Kinds of messages that announce endpoints and open sessions.
+ANNOUNCING = (DATA, "Declare", "Init", "Open")
+
+Rule = Callable[[Evidence], Iterator[Finding]]
+#: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
+#: what happened to processes, and what the capture cannot show.
+CAUSES: tuple[Rule, ...] = (
+    network.wrong_interface, network.unreachable, network.two_domains, traffic.server_down
+)  # fmt: skip
+EVENTS: tuple[Rule, ...] = (
+    lifecycle.restart, lifecycle.ended, lifecycle.late_joiners, lifecycle.forgotten
+)  # fmt: skip
+LIMITS: tuple[Rule, ...] = (
+    capture_quality.encrypted, capture_quality.began_late, capture_quality.lost_part,
+    capture_quality.one_view, capture_quality.clock_set, capture_quality.ended_early,
+    capture_quality.unconfirmed,
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -58,17 +68,13 @@ class Diagnosis:
         Whether all processes that ought to know each other do, for as long as they were there
         together; None if the capture does not show it.
     over : bool or None
-        Whether nothing was told of endpoints any more when the capture ended; None if it shows
-        no discovery.
+        Whether no endpoints were announced any more when the capture ended; None if it shows no
+        discovery.
     complete_at : float
-        When the last pair completed, since the earliest packet and without jumps of the clock [s];
+        When the last pair completed, since the earliest packet and without steps of the clock [s];
         infinite if one never did, NaN if that is not known.
     pairs : int
         How many ordered pairs of processes on different hosts ought to be complete [1].
-    _hosts, _incomplete : pandas.DataFrame
-        What `hosts` and `incomplete` return copies of.
-    _rows : pandas.DataFrame
-        The messages that were diagnosed, of which `timeline` tells.
     """
 
     findings: tuple[Finding, ...]
@@ -76,21 +82,21 @@ class Diagnosis:
     over: bool | None
     complete_at: float
     pairs: int
-    _hosts: pd.DataFrame = field(compare=False, repr=False)
-    _incomplete: pd.DataFrame = field(compare=False, repr=False)
-    _rows: pd.DataFrame = field(compare=False, repr=False)
+    _evidence: Evidence = field(compare=False, repr=False)
 
     @property
     def wrong(self) -> tuple[Finding, ...]:
-        """What is wrong with the fleet; empty if nothing that the capture shows."""
+        """What is wrong with the fleet; empty if the capture shows nothing."""
         return tuple(finding for finding in self.findings if finding.about == "fleet")
 
     @property
     def healthy(self) -> bool | None:
         """Whether nothing is wrong; None if the capture does not show that discovery worked."""
-        if self.wrong or self.complete is False:
-            return False
-        return True if self.complete else None
+        return False if self.wrong or self.complete is False else self.complete
+
+    @cached_property
+    def _hosts(self) -> pd.DataFrame:
+        return tables.hosts(self._evidence)
 
     def hosts(self) -> pd.DataFrame:
         """Return a row for each host.
@@ -112,11 +118,11 @@ class Diagnosis:
         Returns
         -------
         pandas.DataFrame
-            A row a pair: the host ``of`` whom is told, the host ``by`` whom it ought to be known,
-            ``of_process`` and ``by_process``; ``heard_s``, when the one first spoke to the other
-            [s], infinite if never, and how many endpoints were ``sent`` to it [1].
+            A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to
+            be known, ``of_process`` and ``by_process``; ``heard_s``, when the one first spoke to
+            the other [s], infinite if never, and how many endpoints were ``sent`` to it [1].
         """
-        return self._incomplete.copy()
+        return tables.incomplete(self._evidence)
 
     def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
         """Return who sent what when, until a little after the startup.
@@ -128,54 +134,50 @@ class Diagnosis:
         ----------
         most : int
             The rows that it may have [1]. If there are more, messages are put together in steps of
-            time, as short as that allows, and whom they are sent to is left out.
+            time, as short as that allows, and their receivers are left out.
 
         Returns
         -------
         pandas.DataFrame
             A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
             was captured [s]; ``host``, who sent them; ``receiver``, an address, and whether it is
-            ``multicast``, None in steps; ``ends``, whether they take back what they are about or
+            ``multicast``, None in steps; ``ends``, whether they take back an announcement or
             end a connection; ``messages`` [1] and ``bytes`` [B]. In its ``attrs``: ``until_s``,
             when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
             messages it leaves out [1], as even the hosts and kinds were too many.
         """
         _checks.whole("most", most, 1)
-        found, told = tables.timeline(self._rows, self.complete_at, most)
-        found.attrs |= told
-        return found
+        return tables.timeline(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
         """Return in one to three sentences how discovery is, why, and what to do."""
+        crashes = [one for one in self.findings if one.kind == "crash"]
+        limits = [one for one in self.findings if one.about == "capture"]
+        limits = [one for one in limits if not one.kind.startswith("clock")]
+        if self.complete is not None and len(self._hosts) > 1:
+            limits = []
+        told = [*self.wrong, *crashes, *limits]
         sentences = [self._state()]
-        if self.wrong:
-            first = self.wrong[0]
-            sentences += [_sentence(first.evidence), _sentence(first.advice)]
-        else:
-            limits = [one for one in self.findings if one.about == "capture"]
-            limits = [one for one in limits if not one.kind.startswith("clock")]
-            gone = [one for one in self.findings if one.kind == "crash"]
-            if gone:
-                sentences += [_sentence(gone[0].evidence), _sentence(gone[0].advice)]
-            elif limits and (self.complete is None or len(self._hosts) < 2):
-                sentences += [_sentence(limits[0].evidence), _sentence(limits[0].advice)]
-            elif self.complete is None:
-                sentences.append(RECORD_ANEW)
+        if told:
+            sentences += [_sentence(told[0].evidence), _sentence(told[0].advice)]
+        elif self.complete is None:
+            sentences.append(RECORD_ANEW)
         return " ".join(filter(None, sentences))
 
     def _state(self) -> str:
+        """Return the first sentence: how discovery is."""
         processes = words.many(int(self._hosts["processes"].sum()), "process", "es")
         count = f"{processes} on {words.many(len(self._hosts), 'host')}"
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
-            good = good if self.complete else ""
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
-            return f"Discovery is {good}not {' and not '.join(bad)}: {self.wrong[0].what}{also}."
+            state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
+            return f"Discovery is {state}: {self.wrong[0].summary}{also}."
         if self.complete is False:
-            lacking = f"{len(self._incomplete)} of {self.pairs} pairs of processes"
+            lacking = f"{len(self._evidence.incomplete)} of {self.pairs} pairs of processes"
             return f"Discovery is not complete: {lacking} do not know all of each other."
         if self.complete is None:
             if not len(self._hosts):
@@ -183,13 +185,13 @@ class Diagnosis:
             return f"The capture does not show whether discovery is complete ({count})."
         state = "healthy, complete and over" if self.over else "healthy and complete, but not over"
         when = f" {_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
-        return f"Discovery is {state}: {count} know each other{when}{self._last()}."
+        return f"Discovery is {state}: {count} know each other{when}{self._last_host()}."
 
-    def _last(self) -> str:
+    def _last_host(self) -> str:
         """Return which host was much later than the others, if any."""
         times = self._hosts["knows_all_s"]
         times = times[np.isfinite(times)].sort_values()
-        if len(times) < 2 or times.iloc[-1] < 2 * times.iloc[-2] or times.iloc[-1] < 1.0:
+        if len(times) < 2 or times.iloc[-1] < max(2 * times.iloc[-2], 1.0):
             return ""
         return f" ({times.index[-1]} as the last; without it after {times.iloc[-2]:.1f} s)"
 
@@ -205,7 +207,7 @@ class Diagnosis:
             "pairs": self.pairs,
             "findings": [finding.to_dict() for finding in self.findings],
             "hosts": _records(self._hosts.reset_index()),
-            "incomplete": _records(self._incomplete),
+            "incomplete": _records(self.incomplete()),
             "timeline": timeline.attrs | {"rows": _records(timeline)},
         }
 
@@ -232,121 +234,76 @@ def _sentence(text: str) -> str:
     return f"{text[:1].upper()}{text[1:].rstrip('.')}." if text else ""
 
 
-def diagnose(seen: Seen) -> Diagnosis:
+def diagnose(obs: Observations) -> Diagnosis:
     """Return the diagnosis of what a capture shows."""
-    late = began_late(seen)
-    found_teams = tuple(
-        replace(team, pairs=tuple(_shown(pair, late) for pair in team.pairs))
-        for team in teams(seen)
+    evidence = Evidence(obs)
+    causes, events, limits = (
+        [finding for rule in rules for finding in rule(evidence)]
+        for rules in (CAUSES, EVENTS, LIMITS)
     )
-    alive = lives(seen)
-    gone = {one for starts in restarted(seen, alive).values() for one in starts[:-1]}
-    happened = list(events(seen, found_teams, late))
-    holes = holes_of(seen, late)
-    wrong = [finding for team in found_teams for finding in network(seen, team, holes)]
-    wrong += _domains(found_teams)
-    wrong += [*servers(seen)]
-    limits = list(record(seen, late))
-    pairs = [
-        pair for team in found_teams for pair in team.pairs if tables.due(seen, pair, alive, gone)
-    ]
-    lacking = [pair for pair in pairs if pair.complete == np.inf]
-    late_ones = [
-        pair
-        for team in found_teams
-        for pair in team.pairs
-        if tables.pending(seen, pair, alive, gone)
-    ]
-    limits += ended_early(seen, late_ones)
-    if lacking and all(asked_no_more(seen, pair) for pair in lacking):
-        limits += unconfirmed(seen, lacking)
-    wrong += [one for one in happened if one.about == "fleet"]
-    lossy = list(loss(seen))
-    if seen.cut > MOST_CUT:
-        wrong, lossy = _domains(found_teams), []
-    if any(one.kind == "heavy loss" for one in lossy):
+    causes += [one for one in events if one.about == "fleet"]
+    losses = list(traffic.loss(evidence))
+    if obs.truncated > MAX_TRUNCATED:
+        causes, losses = list(network.two_domains(evidence)), []
+    if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
-        wrong = [one for one in wrong if one.kind != "one direction of pairs"]
-    strange = [pair for pair in lacking if {pair.of, pair.by} & seen.secured]
-    if strange and not wrong:
-        wrong.append(_strange(seen, strange, len(pairs)))
-    if lacking and not wrong and not lossy and not limits:
-        wrong.append(_incomplete(seen, lacking, len(pairs)))
-    wrong += [*lossy, *storm(seen)]
-    wrong.sort(key=lambda one: list(kinds()).index(one.kind))
-    limits += [one for one in wrong if one.about == "capture"]
-    wrong = [one for one in wrong if one.about == "fleet"]
-    times = [pair.complete for pair in pairs if not np.isnan(pair.complete)]
-    telling = seen.time[seen.of("kind", *TELLING)]
-    end = float(seen.time.max(initial=0.0))
+        causes = [one for one in causes if one.kind != "one direction of pairs"]
+    causes = causes or list(not_authenticated(evidence))
+    if not (causes or losses or limits):
+        causes = list(incomplete(evidence))
+    found = [*causes, *losses, *traffic.storm(evidence)]
+    found.sort(key=lambda one: list(kinds()).index(one.kind))
+    wrong = [one for one in found if one.about == "fleet"]
+    limits += [one for one in found if one.about == "capture"]
+    times = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
+    announced = obs.time[obs.isin("kind", *ANNOUNCING)]
+    over = obs.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
-        findings=(*wrong, *(one for one in happened if one.about == "event"), *limits),
-        complete=None
-        if not wrong and (unheard(seen) or unread(seen))
-        else _complete(pairs, lacking, bool(wrong), limits),
-        over=bool(seen.duration - telling.max(initial=0.0) > QUIET and end > 0)
-        if len(telling) or pairs
-        else None,
-        complete_at=max(times) if times else np.nan,
-        pairs=len(pairs),
-        _hosts=tables.hosts(seen, found_teams, alive),
-        _incomplete=tables.incomplete(seen, lacking),
-        _rows=seen.rows,
+        findings=(*wrong, *(one for one in events if one.about == "event"), *limits),
+        complete=_complete(evidence, times, bool(wrong), {one.kind for one in limits}),
+        over=bool(over) if len(announced) or evidence.pairs else None,
+        complete_at=max(times, default=np.nan),
+        pairs=len(evidence.pairs),
+        _evidence=evidence,
     )
 
 
-def _shown(pair: Pair, late: set[int]) -> Pair:
-    """Return a pair without a time if the capture shows nothing of what was told before it."""
-    untold = pair.of in late and not pair.sent and pair.complete > 0
-    return replace(pair, complete=np.nan) if untold else pair
-
-
-def _complete(
-    pairs: list[Pair], lacking: list[Pair], wrong: bool, limits: list[Finding]
-) -> bool | None:
+def _complete(evidence: Evidence, times: list[float], wrong: bool, limits: set[str]) -> bool | None:
     """Return whether all pairs are complete, None if the capture does not show it."""
-    if all(np.isnan(pair.complete) for pair in pairs):
+    lacking = bool(evidence.incomplete)
+    if not times:
         return None
-    lost = any(one.kind in ("capture lost part", "capture began late") for one in limits)
-    if wrong:
-        return not lacking
-    began = any(one.kind in ("capture began late", "capture ended early") for one in limits)
-    if began or (lacking and lost):
-        return None
+    if not wrong:
+        lost = {"capture began late", "capture ended early"} & limits
+        if lost or (lacking and "capture lost part" in limits):
+            return None
+        if evidence.silent_hosts or gaps.unread_hosts(evidence.obs):
+            return None
     return not lacking
 
 
-def _strange(seen: Seen, strange: list[Pair], pairs: int) -> Finding:
-    by = dict.fromkeys(
-        f"{seen.host[min(pair.of, pair.by)]} with {seen.host[max(pair.of, pair.by)]}"
-        for pair in strange
-    )
-    return Finding(
-        "not authenticated",
-        tuple(dict.fromkeys(str(seen.host[one]) for pair in strange for one in (pair.of, pair.by))),
-        f"in {len(strange)} of {pairs} pairs of processes one process never sent the other "
-        f"its keys: {listed([*by])}",
-    )
+def not_authenticated(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
+    obs = evidence.obs
+    pairs = [one for one in evidence.incomplete if {one.subject, one.observer} & obs.secured]
+    ends = [obs.hosts_of(sorted((pair.subject, pair.observer))) for pair in pairs]
+    if pairs:
+        yield Finding(
+            "not authenticated",
+            obs.hosts_of(one for pair in pairs for one in (pair.subject, pair.observer)),
+            f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never sent "
+            f"the other its keys: {listed([*dict.fromkeys(' with '.join(two) for two in ends)])}",
+        )
 
 
-def _incomplete(seen: Seen, lacking: list[Pair], pairs: int) -> Finding:
-    by = listed(
-        list(dict.fromkeys(f"{seen.host[one.by]} of {seen.host[one.of]}" for one in lacking))
-    )
-    return Finding(
-        "incomplete",
-        tuple(dict.fromkeys(str(seen.host[one.by]) for one in lacking)),
-        f"{len(lacking)} of {pairs} pairs of processes never completed: {by}",
-    )
-
-
-def _domains(found_teams: tuple[Team, ...]) -> list[Finding]:
-    """Return that hosts are in different domains, if none is in both."""
-    of = {team.domain: team.hosts for team in found_teams if team.domain >= 0}
-    hosts = [host for members in of.values() for host in members]
-    if len(of) < 2 or len(hosts) != len(set(hosts)):
-        return []
-    told = listed(
-        [f"domain {domain} has {listed(members)}" for domain, members in sorted(of.items())]
-    )
-    return [Finding("two domains", tuple(dict.fromkeys(hosts)), told)]
+def incomplete(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the pairs that did not complete, where nothing at all explains it."""
+    obs, pairs = evidence.obs, evidence.incomplete
+    ends = [obs.hosts_of((pair.observer, pair.subject)) for pair in pairs]
+    if pairs:
+        yield Finding(
+            "incomplete",
+            obs.hosts_of(pair.observer for pair in pairs),
+            f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed: "
+            f"{listed([*dict.fromkeys(' of '.join(two) for two in ends)])}",
+        )

@@ -1,122 +1,97 @@
-"""Who ought to know whom: processes of one protocol and domain, with servers or without."""
+"""Which processes ought to know each other: those of one protocol and domain."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import permutations
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import Seen
-from discostorm_capture.diagnosis.pairs import Pair, rtps_heard, rtps_pairs, zenoh_pairs
+from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.pairs import Pair, first_contacts, rtps_pairs, zenoh_pairs
 
-#: What a client of a Discovery Server sends of SPDP, which is reliable between the two.
+#: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
 CLIENT = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
-PORT = 7447
 
 
 @dataclass(frozen=True)
-class Team:
-    """Processes that ought to know each other.
+class DiscoveryScope:
+    """Processes that ought to know each other."""
 
-    Parameters
-    ----------
-    protocol : str
-        "RTPS" or "Zenoh".
-    domain : int
-        The domain of RTPS; -1 if not known.
-    hosts : tuple of str
-        Where they run; also hosts that only announce.
-    members : tuple of int
-        Places among the processes.
-    pairs : tuple of Pair
-        What is known of those on different hosts that ought to know each other.
-    """
-
+    #: "RTPS" or "Zenoh".
     protocol: str
+    #: The domain of RTPS; -1 if not known.
     domain: int
+    #: Where they run; also hosts that only announce.
     hosts: tuple[str, ...]
+    #: Their indices among the processes.
     members: tuple[int, ...]
+    #: What is known of those on different hosts that ought to know each other.
     pairs: tuple[Pair, ...]
 
 
-def teams(seen: Seen) -> tuple[Team, ...]:
-    """Return the teams of a capture."""
-    return (*_of_rtps(seen), *_of_zenoh(seen))
+def scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
+    """Return the scopes of a capture: one for each domain of RTPS, and one of Zenoh."""
+    return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
-def clients(seen: Seen) -> set[int]:
+def clients(obs: Observations) -> set[int]:
     """Return the processes of RTPS that use a Discovery Server."""
-    of_server = seen.of("kind", *CLIENT) & (seen.process >= 0)
-    found = set(np.unique(seen.process[of_server]).tolist())
-    serves = seen.processes["server"].to_numpy(bool)
-    return {one for one in found if not serves[one]}
+    return obs.senders(obs.isin("kind", *CLIENT)) - set(np.flatnonzero(obs.is_server).tolist())
 
 
-def _of_rtps(seen: Seen) -> Iterable[Team]:
-    table = seen.processes
-    mine = np.flatnonzero((table["protocol"] == "RTPS").to_numpy() & (seen.host != ""))
-    if not len(mine):
-        return
-    served, serves = clients(seen), table["server"].to_numpy(bool)
-    domain = table["domain"].to_numpy(np.int64).copy()
-    known = np.unique(domain[mine][domain[mine] >= 0])
-    if len(known) == 1:
-        domain[mine] = known[0]
-    heard = rtps_heard(seen)
-    for number in np.unique(domain[mine]).tolist():
-        members = [one for one in mine.tolist() if domain[one] == number]
-        wanted = [
-            (of, by)
-            for of, by in permutations(members, 2)
-            if seen.host[of] != seen.host[by] and _ought(of, by, served, serves, heard)
-        ]
-        pairs = tuple(rtps_pairs(seen, [pair for pair in wanted if _visible(seen, *pair)]))
-        yield Team("RTPS", number, _hosts(seen, members), tuple(members), pairs)
-
-
-def _ought(of: int, by: int, served: set[int], serves: Array, heard: Array) -> bool:
-    """Return whether one process of RTPS ought to know another one directly."""
-    if of in served or by in served or serves[of] or serves[by]:
-        # Clients know each other through their servers alone; servers, whom they are told of.
-        between = bool(serves[of]) != bool(serves[by])
-        return between and bool(np.isfinite([heard[of, by], heard[by, of]]).any())
-    return True
-
-
-def _visible(seen: Seen, of: int, by: int) -> bool:
-    return seen.view is None or seen.view in (seen.host[of], seen.host[by])
-
-
-def _hosts(seen: Seen, members: Iterable[int]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(str(seen.host[one]) for one in members))
-
-
-def scouting(seen: Seen) -> tuple[str, ...]:
+def scouting(obs: Observations) -> tuple[str, ...]:
     """Return the hosts that look for others of Zenoh by multicast."""
-    rows = seen.rows[seen.of("kind", "Scout") & seen.multicast]
+    rows = obs.messages[obs.isin("kind", "Scout") & obs["multicast"]]
     return tuple(map(str, rows["sender"].unique()))
 
 
-def _of_zenoh(seen: Seen) -> Iterable[Team]:
-    table = seen.processes
-    mine = np.flatnonzero((table["protocol"] == "Zenoh").to_numpy() & (seen.host != ""))
-    scouts = scouting(seen)
-    members = mine.tolist()
-    hosts = tuple(dict.fromkeys((*_hosts(seen, members), *scouts)))
+def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
+    mine = np.flatnonzero(obs.is_rtps)
+    domain = obs.processes["domain"].to_numpy(np.int64).copy()
+    known = np.unique(domain[mine][domain[mine] >= 0])
+    if len(known) == 1:
+        domain[mine] = known[0]
+    served, serves, contact = clients(obs), obs.is_server, first_contacts(obs)
+
+    def ought(subject: int, observer: int) -> bool:
+        """Tell whether a process of RTPS ought to know another one directly."""
+        if {subject, observer} & served or serves[subject] or serves[observer]:
+            # Clients know each other through their servers alone; servers, whom they are told of.
+            between = bool(serves[subject] != serves[observer])
+            spoke = np.isfinite([contact[subject, observer], contact[observer, subject]])
+            return between and bool(spoke.any())
+        return True
+
+    for number in np.unique(domain[mine]).tolist():
+        members = tuple(mine[domain[mine] == number].tolist())
+        wanted = [pair for pair in _observable(obs, members) if ought(*pair)]
+        pairs = tuple(rtps_pairs(obs, wanted))
+        yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
+
+
+def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
+    members = tuple(np.flatnonzero((obs.processes["protocol"] == "Zenoh").to_numpy()).tolist())
+    scouts = scouting(obs)
+    hosts = tuple(dict.fromkeys((*obs.hosts_of(members), *scouts)))
     if not hosts:
         return
-    serves = table["server"].to_numpy(bool)
-    client = (table["product"] == "Zenoh client").to_numpy()
-    spoke = set(zip(seen.process.tolist(), seen.peer.tolist(), strict=True))
-    wanted = []
-    for of, by in permutations(members, 2):
-        if seen.host[of] == seen.host[by] or not _visible(seen, of, by):
-            continue
-        linked = (of, by) in spoke or (by, of) in spoke
-        peers = not (client[of] or client[by] or serves[of] or serves[by])
-        if linked or (peers and seen.host[of] in scouts and seen.host[by] in scouts):
-            wanted.append((of, by))
-    yield Team("Zenoh", -1, hosts, tuple(members), tuple(zenoh_pairs(seen, wanted)))
+    calls_router = obs.is_server | (obs.processes["product"] == "Zenoh client").to_numpy()
+    links = set(zip(obs.sender_index.tolist(), obs.receiver_index.tolist(), strict=True))
+    wanted = [
+        pair
+        for pair in _observable(obs, members)
+        if pair in links
+        or pair[::-1] in links
+        or (not calls_router[[*pair]].any() and {*obs.hosts_of(pair)} <= {*scouts})
+    ]
+    yield DiscoveryScope("Zenoh", -1, hosts, members, tuple(zenoh_pairs(obs, wanted)))
+
+
+def _observable(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
+    """Yield the ordered pairs on different hosts whose unicast the capture has."""
+    for pair in permutations(members, 2):
+        hosts = obs.hosts_of(pair)
+        if len(hosts) == 2 and obs.visible(*hosts):
+            yield pair

@@ -1,0 +1,115 @@
+"""What a capture itself lacks: a startup before it began, samples, hosts, confirmations."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+
+from discostorm_capture._bytes import Array
+from discostorm_capture.diagnosis.observations import (
+    DATA,
+    ENCRYPTED,
+    HANDSHAKE,
+    HEARTBEAT,
+    KEYS,
+    Observations,
+)
+from discostorm_capture.diagnosis.pairs import Pair, acknowledgements, samples
+
+#: What a process announces so long after its first message is not of its startup [s].
+LONG_AFTER = 1.0
+#: A writer that waits for a confirmation asks again after two of the pauses before, soon, and at
+#: the latest after this [s].
+PAUSES, MIN_PAUSE, MAX_PAUSE = 2.5, 3.0, 9.0
+#: So many answers to a host tell that it spoke.
+MIN_ANSWERS = 3
+
+
+def began_late(obs: Observations) -> set[int]:
+    """Return the processes that had announced their endpoints before the capture began.
+
+    Others confirm samples that the capture does not show, and did not begin with the first one.
+    """
+    # What a process announces long after its first message, and not from its first sample on,
+    # comes after a startup that the capture lacks.
+    startup = {
+        key
+        for key, rows in samples(obs).items()
+        if obs.number[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < LONG_AFTER
+    }
+    unseen = {
+        subject
+        for (_, subject, writer), rows in acknowledgements(obs).items()
+        if obs.number[rows[0]] > 1 and (subject, writer) not in startup
+    }
+    # Others know these, and they send nothing of a startup: Heartbeats or acknowledgements of
+    # endpoints, an acknowledgement of nothing yet, or a handshake.
+    starts = obs.isin("kind", DATA, HEARTBEAT, HANDSHAKE)
+    starts |= obs.isin("submessage", "ACKNACK") & (obs.number <= 1)
+    settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
+    return unseen | settled
+
+
+def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:
+    """Return, by host and who confirms, how many samples were confirmed that the capture lacks.
+
+    Processes that began before the capture are left out, and so is what a Gap jumps over.
+    """
+    gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
+    jumped = obs.groups(gaps, obs.sender_index, obs["writer"])
+    sent = samples(obs)
+    found: dict[tuple[str, str], int] = {}
+    for (observer, subject, writer), acks in acknowledgements(obs).items():
+        if subject in late or (subject, writer) in jumped:
+            continue
+        rows, lacks = sent.get((subject, writer), acks[:0]), obs.number[acks]
+        if lacks.min() > 1 and not len(rows):
+            continue
+        mine = obs.number[rows[np.isin(obs.receiver_index[rows], (observer, -1))]]
+        missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
+        if missing > 0:
+            ends = str(obs.process_host[subject]), str(obs.process_host[observer])
+            found[ends] = max(found.get(ends, 0), missing)
+    return found
+
+
+def replies(obs: Observations) -> Array:
+    """Return which messages show that their sender heard their receiver before."""
+    first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
+    found: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
+    return found
+
+
+def silent_hosts(obs: Observations) -> dict[str, int]:
+    """Return the hosts of which the capture shows nothing, with how many answers they got."""
+    answers = obs.isin("submessage", "ACKNACK") & (obs.number > 1)
+    answers |= obs.isin("kind", KEYS, ENCRYPTED)
+    answers |= replies(obs) & (obs.sender_index >= 0)
+    spoke = {*obs.host_first_last, *obs.process_host}
+    counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
+    return {
+        str(host): int(count)
+        for host, count in counts.items()
+        if host not in spoke and count >= MIN_ANSWERS
+    }
+
+
+def unread_hosts(obs: Observations) -> set[str]:
+    """Return the hosts that speak in sessions of Zenoh, none of whose processes are known."""
+    sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
+    return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}
+
+
+def stopped_asking(obs: Observations, pair: Pair) -> bool:
+    """Tell whether a process announced all it has, and stopped asking whether that arrived.
+
+    Its Heartbeats go on until all is confirmed: if they end, a confirmation is not in the capture.
+    """
+    beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
+    times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
+    if not pair.sent or not len(times):
+        return False
+    end = obs.first_last[1][[pair.subject, pair.observer]].min()
+    pause = float(np.diff(times).max(initial=0.0))
+    return bool(end - times[-1] > (max(PAUSES * pause, MIN_PAUSE) if pause else MAX_PAUSE))

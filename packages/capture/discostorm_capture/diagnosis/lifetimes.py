@@ -1,0 +1,119 @@
+"""From when to when each process spoke, how it ended, and which ones follow each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.scopes import CLIENT
+
+#: A process is silent after so many of its own longest pauses, and for this long [s]: of RTPS,
+#: which repeats announcements, and of Zenoh, whose sessions end with TCP's connections.
+SILENCE_FACTOR, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
+#: A process that sent so many messages without a pause of a second has stopped after this time [s].
+MIN_MESSAGES, STOPPED = 10, 4.0
+#: How long other hosts must speak on before a process counts as silent [s].
+OTHERS_SPEAK = 3.0
+#: What a process sends so soon after its goodbye is late delivery [s].
+DELIVERY = 1.0
+#: Network events of a host that asks for a connection.
+CALLS = ("connection", "half", "refused", "unanswered")
+
+
+@dataclass(frozen=True)
+class Lifetime:
+    """When a process spoke first and last [s], and how it ended."""
+
+    first: float
+    last: float
+    #: "left" after a goodbye, "silent" without one, "" if it goes on or this cannot be told.
+    end: str
+
+
+def lifetimes(obs: Observations) -> list[Lifetime]:
+    """Return the lifetime of each process."""
+    closed = _closed(obs)
+    # Processes that call a server on their own host alone announce nothing that crosses the
+    # network; what else they send may end at any time.
+    announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT))
+    found = []
+    for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
+        rtps = obs.is_rtps[process]
+        when, end = closed.get(process, (np.inf, ""))
+        if not end or last - when >= DELIVERY:
+            enough = RTPS_SILENCE if rtps else ZENOH_SILENCE
+            silent = _is_quiet(obs, process, enough) and _others_speak(obs, process, last)
+            end = "silent" if silent and (process in announced or not rtps) else ""
+        found.append(Lifetime(first, last, end))
+    return found
+
+
+def _is_quiet(obs: Observations, process: int, enough: float) -> bool:
+    """Tell whether a process was quiet at the end for so long, and longer than it paused before."""
+    times = obs.time[obs.sender_index == process]
+    pause = float(np.diff(times).max(initial=0.0))
+    last = times[-1] if len(times) else -np.inf
+    return bool(obs.end - last > max(SILENCE_FACTOR * pause, enough))
+
+
+def _others_speak(obs: Observations, process: int, since: float) -> bool:
+    """Tell whether other hosts spoke on after a time."""
+    others = ~obs.isin("sender", obs.process_host[process])
+    return bool((obs.time[others] > since + OTHERS_SPEAK).any())
+
+
+def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
+    """Return when and how processes end: by a goodbye, or as their kernel closes a connection.
+
+    The first one to close a connection ends, unless its host calls others afterwards.
+    """
+    closed: dict[int, tuple[float, str]] = {}
+    sender, receiver = obs.sender_index, obs.receiver_index
+    calls = obs.events(*CALLS)
+    closing = obs["ends"] & obs.isin("protocol", "TCP") & (sender >= 0) & (receiver >= 0)
+    ends = np.minimum(sender, receiver), np.maximum(sender, receiver)
+    for rows in obs.groups(closing, *ends).values():
+        process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
+        host = obs.process_host[process]
+        restarted = (obs.process_host == host) & (obs.first_last[0] > when)
+        called = (calls["sender"] == host) & (calls["time"] > when)
+        if (restarted.any() or not called.any()) and _others_speak(obs, process, when):
+            closed[process] = when, "silent"
+    goodbye = (obs["ends"] & obs.isin("kind", "SPDP")) | obs.isin("kind", "Close")
+    for row in np.flatnonzero(goodbye & (sender >= 0)).tolist():
+        closed[int(sender[row])] = float(obs.time[row]), "left"
+    return closed
+
+
+def restarts(obs: Observations, lifetimes: list[Lifetime]) -> dict[str, list[int]]:
+    """Return, by host, processes that follow each other: each began after the one before ended."""
+    chains: dict[str, list[int]] = {}
+    product = obs.processes["product"].to_numpy(object)
+    for host, processes in obs.by_host(range(len(lifetimes))).items():
+        spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
+        spoke.sort(key=lambda process: lifetimes[process].first)
+        ended = [one for one in spoke if lifetimes[one].end == "silent" or _stopped(obs, one)]
+        chain: list[int] = []
+        for process in spoke:
+            before = [
+                other
+                for other in ended
+                if lifetimes[other].last < lifetimes[process].first
+                and product[other] == product[process]
+            ]
+            if before:
+                last = max(before, key=lambda other: lifetimes[other].last)
+                ended.remove(last)
+                chain += [last] * (last not in chain) + [process]
+        if chain:
+            chains[host] = chain
+    return chains
+
+
+def _stopped(obs: Observations, process: int) -> bool:
+    """Tell whether a process that spoke all the time has stopped."""
+    times = obs.time[obs.sender_index == process]
+    steady = len(times) >= MIN_MESSAGES and np.diff(times).max() <= 1.0
+    return bool(steady and times[-1] - times[0] >= 1.5) and _is_quiet(obs, process, STOPPED)

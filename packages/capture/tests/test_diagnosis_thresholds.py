@@ -1,0 +1,172 @@
+"""Each threshold of the diagnosis lies where it is said to: just below and just above it."""
+
+import io
+from collections.abc import Iterable
+
+import numpy as np
+import pytest
+from handmade_captures import (
+    Packet,
+    acknowledge,
+    announce,
+    endpoint,
+    packets,
+    pcap,
+    startup,
+)
+
+import discostorm as ds
+from discostorm_capture.diagnosis import Diagnosis
+from discostorm_capture.live import Packets, Watch
+
+
+def diagnosed(found: Iterable[Packet]) -> Diagnosis:
+    return ds.read_capture(io.BytesIO(pcap(sorted(found, key=lambda one: one[0])))).diagnosis()
+
+
+def regularly(host: int, until: float, since: float = 0.0) -> list[Packet]:
+    return [announce(float(time), host) for time in np.arange(since, until, 2.0)]
+
+
+def kinds(diagnosis: Diagnosis, host: int = 0) -> set[str]:
+    return {
+        one.kind
+        for one in diagnosis.findings
+        if not host or any(name.endswith(f".{host}") for name in one.hosts)
+    }
+
+
+def test_a_startup_made_by_hand_is_healthy() -> None:
+    diagnosis = diagnosed([*startup(0.0, 1, 2, 3), *regularly(1, 10), *regularly(2, 10)])
+    assert diagnosis.findings == ()
+    assert (diagnosis.healthy, diagnosis.over, diagnosis.pairs) == (True, True, 6)
+
+
+def rtps_silence(quiet: float) -> bool:
+    """Whether the second host is silent, this long after its last announcement."""
+    found = [*startup(0.0, 1, 2), *regularly(2, 10.1), *regularly(1, 10.1)]
+    return "crash" in kinds(diagnosed([*found, announce(10.0 + quiet, 1)]), 2)
+
+
+def zenoh_silence(quiet: float) -> bool:
+    """Whether a host is silent, this long after its last message."""
+    found = packets("zenoh_data")
+    found = [one for one in found if one[0] < found[0][0] + 3 * 10**9]
+    last = max(time for time, data, _ in found if data[26:30] == bytes([10, 77, 0, 2]))
+    scout = next(
+        one
+        for one in found
+        if one[1][26:30] == bytes([10, 77, 0, 1]) and one[1][30:34] == bytes([224, 0, 0, 224])
+    )
+    times = [*np.arange(10.0, quiet, 10.0), quiet]  # a longer pause of all hosts would be a jump
+    found += [(last + round(time * 1e9), *scout[1:]) for time in times]
+    return "crash" in kinds(diagnosed(found), 2)
+
+
+def rare_announcements(later: float) -> bool:
+    """Whether two hosts ought to hear each other, if one announces itself once, one so late on."""
+    found = diagnosed([announce(0.0, 2), *regularly(1, 20, later)])
+    return bool(kinds(found) & {"nobody hears", "nobody hears, or filter"})
+
+
+def heavy_loss(share: float) -> bool:
+    """Whether loss is heavy, if the last 4 samples of so many are asked for again."""
+    count = round(4 / share)
+    found = [*startup(0.0, 1, 2)]
+    found += [endpoint(2.0 + 0.1 * one, 1, 2, one) for one in range(2, count + 2)]
+    found += [acknowledge(2.05 + 0.1 * one, 2, 1, one, 1) for one in range(count - 2, count + 2)]
+    losses = kinds(diagnosed([*found, acknowledge(2.2 + 0.1 * count, 2, 1, count + 2)]))
+    assert losses & {"loss", "heavy loss"}
+    return "heavy loss" in losses
+
+
+def some_loss(lost: int) -> bool:
+    """Whether samples are lost, if so many are asked for again."""
+    found = [*startup(0.0, 1, 2)]
+    found += [endpoint(2.0 + 0.1 * one, 1, 2, one) for one in range(2, 22)]
+    found += [acknowledge(2.05 + 0.1 * one, 2, 1, one, 1) for one in range(2, 2 + lost)]
+    found += [acknowledge(5.0, 2, 1, 22)]
+    return bool(kinds(diagnosed(found)) & {"loss", "heavy loss"})
+
+
+def reading(late: float) -> bool:
+    """Whether samples are lost that are asked for so long after they were sent."""
+    found = [*startup(0.0, 1, 2)]
+    found += [endpoint(2.0 + one, 1, 2, one) for one in range(2, 5)]
+    found += [acknowledge(2.0 + one + late, 2, 1, one, 1) for one in range(2, 5)]
+    found += [acknowledge(8.0, 2, 1, 5)]
+    return bool(kinds(diagnosed(found)) & {"loss", "heavy loss"})
+
+
+def quiet_end(quiet: float) -> bool:
+    """Whether discovery is over, so long after the last endpoint was announced."""
+    found = [*startup(0.0, 1, 2), endpoint(3.0, 1, 2, 2), acknowledge(3.01, 2, 1, 3)]
+    return bool(diagnosed([*found, announce(3.0 + quiet, 1)]).over)
+
+
+def late_begin(later: float) -> bool:
+    """Whether the capture began late, if samples from the fifth on come so late."""
+    found = [announce(0.0, 1), announce(0.0, 2)]
+    found += [endpoint(later, 1, 2, 5), acknowledge(later + 0.01, 2, 1, 6)]
+    found += [endpoint(later, 2, 1, 5), acknowledge(later + 0.01, 1, 2, 6)]
+    return "capture began late" in kinds(diagnosed(found))
+
+
+def sooner(pause: float) -> bool:
+    """Whether processes found others, as they announce themselves so soon again."""
+    times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.5 + pause, 6.0]
+    found = [announce(time, host) for host in (1, 2) for time in times]
+    return "capture lost part" in kinds(diagnosed(found))
+
+
+def patience(together: float) -> bool:
+    """Whether two hosts ought to hear each other after this time."""
+    found = diagnosed([announce(time, host) for host in (1, 2) for time in (0.0, together)])
+    return bool(kinds(found) & {"nobody hears", "nobody hears, or filter"})
+
+
+def late_joiner(later: float) -> bool:
+    """Whether a host joined later."""
+    found = [*startup(0.0, 1, 2), *startup(later, 1, 2, 3), *regularly(1, 20), *regularly(2, 20)]
+    return "late joiner" in kinds(diagnosed(found), 3)
+
+
+@pytest.mark.parametrize(
+    ("holds", "below", "above"),
+    [
+        (rtps_silence, 11.9, 12.1),
+        (zenoh_silence, 74.0, 76.0),
+        (heavy_loss, 0.0152, 0.0168),
+        (some_loss, 1, 2),
+        (reading, 0.019, 0.021),
+        (quiet_end, 0.95, 1.05),
+        (late_begin, 0.95, 1.05),
+        (patience, 3.95, 4.05),
+        (late_joiner, 4.9, 5.1),
+    ],
+)
+def test_above_its_threshold_it_is_a_finding(holds, below, above) -> None:  # type: ignore[no-untyped-def]
+    assert (holds(below), holds(above)) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("holds", "below", "above"), [(rare_announcements, 5.9, 6.1), (sooner, 0.049, 0.051)]
+)
+def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # type: ignore[no-untyped-def]
+    assert (holds(below), holds(above)) == (True, False)
+
+
+def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
+    content = pcap(announce(0.01 * number, 1) for number in range(1100))
+    stream, state = Packets("x"), Watch(kept=20_000)
+    for number, (when, packet) in enumerate(stream.of(content)):
+        # Each packet is from another address.
+        source = bytes([10, 9, number >> 8, number & 255])
+        state.add(when, packet[:42] + source + packet[46:])
+        if state.full:
+            state.fold(stream.header)
+    state.fold(stream.header)
+    numbers = [
+        int(high) * 256 + int(low) for _, _, high, low in (name.split(".") for name in state.hosts)
+    ]
+    assert sorted(numbers) == list(range(1100 - 1024, 1100))
