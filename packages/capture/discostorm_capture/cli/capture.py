@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shlex
 from collections.abc import Sequence
@@ -13,19 +14,20 @@ import click
 import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.calculator_link import Link, link_of
-from discostorm.cli.fleet_options import called, compared, robot_option, standard_input
+from discostorm.cli.fleet_options import compared, display_name, robot_option, standard_input
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
     Output,
     Rows,
-    as_text,
     bad_input,
     percent,
     plain,
     print_rows,
+    to_json,
     visible,
     working,
+    write_file,
 )
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli.diagnosis_output import (
@@ -142,21 +144,20 @@ def capture(
         if written is not None:
             if is_encrypted(diagnosis):
                 raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
-            _write_fleet(written, seen or found.fleet(wired=on_wires), called(file))
+            content = _fleet_file(seen or found.fleet(wired=on_wires), display_name(file))
+            write_file("--write-fleet", written, content.encode(), file, fleet)
         link = None if seen is None or is_encrypted(diagnosis) else link_of(seen, spoken_by(found))
         groups = () if members is not None or seen is None else seen.groups
         if picture is not None:
-            path = Path(_checks.path("--picture", picture, "a file"))
-            try:
-                with ds.figures.replacing(path) as beside:
-                    found.picture(wired=on_wires).savefig(beside, format=path.suffix[1:].lower())
-            except OSError as error:
-                raise BadInput(f"--picture: {_checks.brief(picture)}: {error.strerror}") from error
+            drawing = io.BytesIO()
+            kind = Path(picture).suffix[1:].lower()
+            found.picture(wired=on_wires).savefig(drawing, format=kind)
+            write_file("--picture", picture, drawing.getvalue(), file, fleet)
     if output.as_csv and rows:
         print_rows(rows, output)
     elif output.as_json:
         answer = {
-            "file": called(file),
+            "file": display_name(file),
             "diagnosis": told(diagnosis, found),
             "packets": found.packets,
             "duration_s": found.duration,
@@ -171,7 +172,7 @@ def capture(
             "notes": list(found.notes),
             "calculator": None if link is None else link.address,
         }
-        click.echo(as_text(answer))
+        click.echo(to_json(answer))
     elif output.for_people:
         show_answer(diagnosis)
         show_tables(diagnosis, output)
@@ -210,22 +211,15 @@ def _whole_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
     return table.astype(object).where(table.notna(), None).to_dict("records")
 
 
-def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
-    """Write a fleet file that `plan` and the others take; all of it, or nothing."""
-    if name == "-":
-        raise BadInput("--write-fleet: - is no file; give a name, such as fleet.toml")
-    path = Path(_checks.path("--write-fleet", name, "a file"))
+def _fleet_file(fleet: ds.Fleet, source: str) -> str:
+    """Return a fleet file that `plan` and the others take."""
     lines = [f"# Seen in {visible(_checks.brief(source))}."]
     for group in fleet.described():
         lines += ["", "[[groups]]"]
         # A capture does not tell what matches by ROS 2's own names: `shared` is left to the reader.
         known = {key: value for key, value in group.items() if key != "shared"}
         lines += [f"{key} = {_toml(value)}" for key, value in known.items()]
-    try:
-        with ds.figures.replacing(path) as beside:
-            beside.write_text("\n".join([*lines, ""]), encoding="utf-8")
-    except OSError as error:
-        raise BadInput(f"--write-fleet: {_checks.brief(name)}: {error.strerror}") from error
+    return "\n".join([*lines, ""])
 
 
 def _toml(value: str | float | bool) -> str:

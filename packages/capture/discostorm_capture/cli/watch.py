@@ -18,11 +18,18 @@ from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
 import click
 
-import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import A_FILE, wifi_options
-from discostorm.cli.output import BadInput, Output, bad_input, percent, print_rows, visible
+from discostorm.cli.output import (
+    BadInput,
+    Output,
+    bad_input,
+    percent,
+    print_rows,
+    visible,
+    write_file,
+)
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -82,19 +89,18 @@ def watch(
         raise click.UsageError("either -i with an interface, or - for standard input")
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
-    target = None if text_file is None else Path(_checks.path("--text-file", text_file, "a file"))
-    if target is not None and not target.absolute().parent.is_dir():
-        raise BadInput(f"--text-file: {_checks.brief(str(target))}: there is no such folder")
+    if text_file is not None and not Path(text_file).absolute().parent.is_dir():
+        raise BadInput(f"--text-file: {_checks.brief(text_file)}: there is no such folder")
     told = Watch(wifi)
     with bad_input(), _served(port, told), _source(interface) as source:
         packets = Packets("standard input" if interface is None else str(interface))
-        _run(source, packets, told, seconds, target)
+        _run(source, packets, told, seconds, text_file)
         if interface is None and packets.cut:
             raise BadInput(visible(packets.cut))
 
 
 def _run(
-    source: BinaryIO, packets: Any, told: Watch, seconds: float | None, target: Path | None
+    source: BinaryIO, packets: Any, told: Watch, seconds: float | None, text_file: str | None
 ) -> None:
     begun = shown = time.monotonic()
     for data in _chunks(source):
@@ -107,13 +113,13 @@ def _run(
             shown = now
             told.fold(packets.head)
             _show(told, clear=True)
-            _write(told, target)
+            _write(told, text_file)
         if seconds is not None and now - begun >= seconds:
             break
     if packets.head:
         told.fold(packets.head)
         _show(told, clear=False)
-        _write(told, target)
+        _write(told, text_file)
 
 
 def _chunks(source: BinaryIO) -> Iterator[bytes]:
@@ -284,15 +290,10 @@ def _escaped(text: str) -> str:
     return text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
 
 
-def _write(told: Watch, target: Path | None) -> None:
+def _write(told: Watch, text_file: str | None) -> None:
     """Write the metrics to a file, which is never half-written."""
-    if target is None:
-        return
-    try:
-        with ds.figures.replacing(target) as beside:
-            beside.write_text(metrics(told), encoding="utf-8")
-    except OSError as error:
-        raise BadInput(f"--text-file: {_checks.brief(str(target))}: {error.strerror}") from error
+    if text_file is not None:
+        write_file("--text-file", text_file, metrics(told).encode(), "-")
 
 
 @contextlib.contextmanager
