@@ -85,7 +85,7 @@ def read_fleet(file: str) -> ds.Fleet:
     return ds.Fleet.from_toml(file)
 
 
-def ready_made(name: str, hosts: float = 1) -> HostGroup:
+def ready_made(name: str, hosts: Any = 1) -> HostGroup:
     """Return hosts that are the ready-made robot of ``--robot``."""
     try:
         return replace(robots.robot(name), hosts=hosts)
@@ -203,7 +203,7 @@ def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool
 
 def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
     """Print below a table the errors of measured models where they were not fitted."""
-    sentences = {}
+    sentences: dict[str, None] = {}
     for protocol, fleet in cases:
         if protocol.captured and (error := band(protocol.name, fleet, protocol.captured)):
             hosts, processes, endpoints = protocol.captured

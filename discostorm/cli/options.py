@@ -126,7 +126,7 @@ def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
             must, _, _ = str(error).rpartition("; got ")
             si = "bit/s" if quantity == "rate" else "s"
             raise ValueError(f"{cast} {must} {si}; got {value:g} {unit}") from error
-    return Wifi("own channel", **links)
+    return Wifi("own channel", links["unicast"], links["multicast"])
 
 
 def _radio(channel: str, **given: float | None) -> Wifi:

@@ -199,6 +199,8 @@ def _saturation_hosts(
     group: VariedGroup, limit: float, protocol: ds.Protocol, wifi: Wifi
 ) -> float | None:
     """Return at how many hosts of a group the channel is full; None if one is too many."""
+    if is_all_wired(group.fleet):
+        return math.inf
     if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
         return None
     return float(

@@ -1,6 +1,7 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -88,9 +89,8 @@ _SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
 
 
 def _write(
-    axis: Axes, text: str, point: tuple[float, float], offset: tuple[float, float], color: object,
-    **look: object,
-) -> None:  # fmt: skip
+    axis: Axes, text: str, point: Any, offset: tuple[float, float], color: Any, **look: Any
+) -> None:
     axis.annotate(text, point, offset, textcoords="offset points", color=color, **look)
 
 
@@ -146,7 +146,7 @@ def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
         # The phase of the endpoints comes last, and is right of the total.
         curve = rows[rows["phase"] == ("total" if ha == "right" else protocol.phases[-1])]
         end = tuple(curve.iloc[-1][["hosts", "utilization"]])
-        look = {"ha": ha, "fontsize": 9, "annotation_clip": False}
+        look: dict[str, Any] = {"ha": ha, "fontsize": 9, "annotation_clip": False}
         color = color_of(protocol)
         _write(axis, protocol.name, end, (across, 0), color, va="center", weight="bold", **look)
         text, shift = f"dashed:\n{protocol.phases[-1]}", 28 if ha == "right" else 0
