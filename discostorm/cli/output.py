@@ -184,11 +184,12 @@ def aligned(rows: Rows, columns: Sequence[Column]) -> str:
 def _listed(rows: Sequence[Sequence[str]]) -> str:
     """Return rows, the headings first, as blocks of lines: a heading and a cell."""
     headings, *others = rows
-    indent = min(max(map(len, headings)) + 2, _width() // 2)
+    indent = min(max(map(len, headings)) + 2, max(_width() - 12, 8))
     fill = functools.partial(textwrap.fill, width=_width(), subsequent_indent=" " * indent)
     return "\n\n".join(
         "\n".join(
-            fill(f"{heading:<{indent}}{cell}") for heading, cell in zip(headings, row, strict=True)
+            fill(f"{heading + '  ':<{indent}}{cell}")
+            for heading, cell in zip(headings, row, strict=True)
         )
         for row in others
     )
