@@ -18,30 +18,14 @@ _COMMENTS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
 
 @dataclass(frozen=True)
 class Snippet:
-    """A piece of configuration.
+    """A piece of configuration, and where it comes from and goes."""
 
-    Parameters
-    ----------
-    file : str
-        Name of its file, whose suffix says the language.
-    where : str
-        Where it goes.
-    version : str
-        The product and version that it is for.
-    source : str
-        Where its settings are documented.
-    load : str
-        How it is loaded: file name, environment variable, process.
-    run_here : bool
-        Whether a test of ours has the product load it.
-    """
-
-    file: str
-    where: str
-    version: str
-    source: str
-    load: str
-    run_here: bool
+    file: str  #: its name; the suffix says the language
+    where: str  #: place of the piece
+    version: str  #: product and version
+    source: str  #: documentation of its settings
+    load: str  #: file name, environment variable, process
+    run_here: bool  #: whether a test has the product load it
 
     @property
     def text(self) -> str:

@@ -113,7 +113,9 @@ def test_the_input_is_never_written(folder: Path) -> None:
     source.write_bytes(b"input")
     (folder / "link").symlink_to("source")
     for name in ("source", "link", str(source)):
-        with pytest.raises(click.ClickException, match=r"--out: .* is the input; name another file"):
+        with pytest.raises(
+            click.ClickException, match=r"--out: .* is the input; name another file"
+        ):
             output.write_file("--out", name, b"gone", None, "source")
     with pytest.raises(click.ClickException, match="--out: - is no file"):
         output.write_file("--out", "-", b"")
