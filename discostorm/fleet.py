@@ -6,7 +6,6 @@ from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,13 @@ import sympy as sp
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, plain
-from discostorm.fleet_file import COUNTS as COUNTS, LEAST as LEAST, fleet_tables, told_of
+from discostorm.fleet_file import (
+    COUNTS as COUNTS,
+    LEAST as LEAST,
+    fleet_tables,
+    read_fleet_file,
+    told_of,
+)
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
 
@@ -279,7 +284,7 @@ class Fleet:
             If `path` is neither text nor path-like.
         """
         name = _checks.path("path", path, "a TOML file")
-        return cls.from_bytes(Path(name).read_bytes(), name)
+        return cls.from_bytes(read_fleet_file(name), name)
 
     @classmethod
     def from_bytes(cls, content: bytes | bytearray | memoryview, name: str) -> "Fleet":

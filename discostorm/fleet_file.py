@@ -5,31 +5,36 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from discostorm import _checks, _names
+from discostorm import _checks, _names, files
 
-#: What each group counts, and the least that is allowed; the most is `_checks.MOST`.
+#: What each group counts, and its minimum; the maximum is `_checks.MOST`.
 LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(LEAST)
+#: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.
+MAX_BYTES, MAX_POINTS = 1_000_000, 256
+
+
+def read_fleet_file(path: str) -> bytes:
+    """Return the content of a file, one byte more than allowed if it is too large."""
+    with files.open_input(path) as file:
+        return file.read(MAX_BYTES + 1)
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
-    """Return what the content of a fleet file holds: ``groups``, perhaps ``matching``.
-
-    Raises
-    ------
-    ValueError
-        If it is not TOML, a key is missing or unknown, or a value is of a wrong type.
-    TypeError
-        If the content is not made of bytes, or the name is not text.
-    """
+    """Return the tables of a fleet file: ``groups``, perhaps ``matching``."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         raise TypeError(
             f"content must be bytes, a bytearray or a memoryview; got {_checks.short(content)}"
         )
     _checks.instance("name", name, str)
+    content = bytes(content)
+    if len(content) > MAX_BYTES:
+        raise ValueError(f"{name} must be a TOML file of at most {MAX_BYTES:,} bytes; it has more")
+    if max(line.count(b".") for line in content.split(b"\n")) > MAX_POINTS:
+        raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} points in a line")
     try:
         # With a byte order mark, too, as Windows' editors write it.
-        tables = tomllib.loads(bytes(content).decode("utf-8-sig").replace("\r\n", "\n"))
+        tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error
     except RecursionError:
@@ -37,7 +42,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     except ValueError:  # more digits than Python reads
         raise ValueError(f"{name} must be a TOML file of numbers with fewer digits") from None
     try:
-        _check(tables)
+        _check_tables(tables)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name}: {error}") from error
     return tables
@@ -49,17 +54,17 @@ def told_of(number: int, table: Any, what: str = "group") -> Iterator[None]:
     try:
         yield
     except (TypeError, ValueError) as error:
-        told = table.get("name") or table.get("topic") if isinstance(table, dict) else None
-        name = f" ({told})" if told else ""
+        label = table.get("name") or table.get("topic") if isinstance(table, dict) else None
+        name = f" ({label})" if label else ""
         raise ValueError(f"{what} {number}{_checks.brief(name)}: {error}") from error
 
 
-def _check(tables: dict[str, Any]) -> None:
-    _only_keys(tables, ("groups", "matching"))
+def _check_tables(tables: dict[str, Any]) -> None:
+    _check_keys(tables, ("groups", "matching"))
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(f"it must have at least one [[groups]] table; got {_checks.short(groups)}")
-    _number(tables, "matching", _checks.wanted(0, 1))
+    _check_number(tables, "matching", 0, 1)
     for number, table in enumerate(groups, start=1):
         with told_of(number, table):
             _check_group(table)
@@ -68,29 +73,34 @@ def _check(tables: dict[str, Any]) -> None:
 def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {_checks.short(table)}")
-    _only_keys(table, (*COUNTS, "name", "nodes", "shared", "wired", "data"))
-    for key, least in LEAST.items():
-        allowed = _checks.wanted(least, _checks.MOST)
+    _check_keys(table, (*COUNTS, "name", "nodes", "shared", "wired", "data"))
+    for key, minimum in LEAST.items():
         if key not in table:
+            allowed = _checks.wanted(minimum, _checks.MOST)
             raise ValueError(f"{key} is missing; it must be {allowed}")
-        _number(table, key, allowed)
+        _check_number(table, key, minimum)
     for key in ("nodes", "shared"):
-        _number(table, key, _checks.wanted(0, _checks.MOST))
-    if not isinstance(table.get("wired", False), bool):
-        raise TypeError(f"wired must be true or false; got {_checks.short(table['wired'])}")
-    if not isinstance(table.get("data", []), list):
-        raise TypeError(f"data must be tables [[groups.data]]; got {_checks.short(table['data'])}")
+        _check_number(table, key, 0)
+    for key, kind, what in (
+        ("wired", bool, "true or false"),
+        ("data", list, "tables [[groups.data]]"),
+    ):
+        if not isinstance(table.get(key, kind()), kind):
+            raise TypeError(f"{key} must be {what}; got {_checks.short(table[key])}")
 
 
-def _number(table: dict[str, Any], key: str, allowed: str) -> None:
+def _check_number(
+    table: dict[str, Any], key: str, minimum: float, maximum: float = _checks.MOST
+) -> None:
     if type(table.get(key, 0)) not in (int, float):
+        allowed = _checks.wanted(minimum, maximum)
         raise TypeError(f"{key} must be {allowed}; got {_checks.short(table[key])}")
 
 
-def _only_keys(table: dict[str, Any], known: tuple[str, ...]) -> None:
+def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
     for key, value in table.items():
-        if key not in known:
+        if key not in valid:
             raise ValueError(
-                f"key must be {' or '.join(known)}; got {_checks.brief(key)} = "
-                f"{_checks.short(value)}{_names.did_you_mean(key, known)}"
+                f"key must be {' or '.join(valid)}; got {_checks.brief(key)} = "
+                f"{_checks.short(value)}{_names.did_you_mean(key, valid)}"
             )

@@ -12,15 +12,10 @@ from discostorm.data import read_data
 
 @dataclass(frozen=True)
 class Color:
-    """A row of the palette.
+    """A row of the palette: what it colors, and its hex codes on light and dark ground.
 
-    Parameters
-    ----------
-    group, key : str
-        What it is the color of, such as "product" and "Fast DDS".
-    light, dark : str
-        The color on a light and on a dark ground, as "#0072B2". Figures are drawn for light
-        ground; what only they have is "" for dark, as the book's style sheet inverts them.
+    Only figures use a row with "" for dark: they are drawn for light ground, and the book's style
+    sheet inverts them.
     """
 
     group: str

@@ -1,9 +1,8 @@
-"""What to paste for a remedy: pieces of configuration, each for a version of a product.
+"""Configuration to copy for a remedy: pieces, each for a version of a product.
 
-The pieces are files of ``data/vendors/snippets/``; ``data/vendors/snippets.csv`` says for which
-remedy each is, where it goes, how it is loaded, whether its product runs here and where its
-settings are documented. What runs here is loaded by the product itself in
-``tests/lab/test_snippets.py``; the rest is compared with documentation, and says so.
+The pieces are files of ``data/vendors/snippets/``; ``data/vendors/snippets.csv`` has for each its
+remedy, place, loading, source, and whether its product loads it in ``tests/lab/test_snippets.py``.
+The other pieces are compared with documentation, and say so.
 """
 
 import textwrap
@@ -12,69 +11,42 @@ from typing import Any
 
 from discostorm.data import data_path, read_data
 
-#: How wide a comment is, and what one says of a product that does not run here.
-_WIDTH, _NOT_RUN = 90, "not run here: compared with its documentation"
-#: How a comment begins and ends, by the end of the file's name; of others as in a shell.
-_COMMENTS = {".xml": ("<!-- ", " -->"), ".json5": ("// ", ""), ".cpp": ("// ", "")}
+_NOT_RUN = "not run here: compared with its documentation"
+#: How a comment begins and ends, by the suffix of the file; else as in a shell.
+_COMMENTS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
 
 
 @dataclass(frozen=True)
 class Snippet:
-    """A piece of configuration.
+    """A piece of configuration, and where it comes from and goes."""
 
-    Parameters
-    ----------
-    file : str
-        Name of its file, whose end says the language.
-    where : str
-        Where it goes.
-    version : str
-        The product and version that it is for.
-    source : str
-        Where its settings are documented.
-    load : str
-        How it is loaded: file name, environment variable, process.
-    run_here : bool
-        Whether a test of ours has the product load it.
-    """
-
-    file: str
-    where: str
-    version: str
-    source: str
-    load: str
-    run_here: bool
+    file: str  #: its name; the suffix says the language
+    where: str  #: place of the piece
+    version: str  #: product and version
+    source: str  #: documentation of its settings
+    load: str  #: file name, environment variable, process
+    run_here: bool  #: whether a test has the product load it
 
     @property
     def text(self) -> str:
-        """What to paste; its first lines say for what and where it is, and how it is loaded."""
-        end = f".{self.file.rsplit('.', 1)[-1]}"
-        begins, ends = _COMMENTS.get(end, ("# ", ""))
+        """The piece, below comments on its version, its place and how it is loaded."""
+        begin, end = _COMMENTS.get(self.file.rpartition(".")[2], ("# ", ""))
+        comments = [f"{self.version}: {self.where}", *textwrap.wrap(f"Load: {self.load}", 90)]
+        comments += [] if self.run_here else [_NOT_RUN.capitalize()]
         content = data_path(f"vendors/snippets/{self.file}").read_text(encoding="utf-8")
-        said = [f"{self.version}: {self.where}", *textwrap.wrap(f"Load: {self.load}", _WIDTH)]
-        said += [] if self.run_here else [_NOT_RUN.capitalize()]
-        return "".join(f"{begins}{line}{ends}\n" for line in said) + content
+        return "".join(f"{begin}{line}{end}\n" for line in comments) + content
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON says of it."""
-        return {
-            "where": self.where,
-            "version": self.version,
-            "load": self.load,
-            "checked": "loaded by the product in a test" if self.run_here else _NOT_RUN,
-            "text": self.text,
-        }
+        """Return the keys of a piece in JSON."""
+        checked = "loaded by the product in a test" if self.run_here else _NOT_RUN
+        keys = {name: getattr(self, name) for name in ("where", "version", "load")}
+        return keys | {"checked": checked, "text": self.text}
 
 
 def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
-    """Return what to paste for a kind of remedy.
+    """Return the pieces for a kind of ``data/vendors/remedies.csv``.
 
-    Parameters
-    ----------
-    kind : str
-        A kind of ``data/vendors/remedies.csv``.
-    *names : str
-        What it is for, such as a family, a product or a radio; what is for any is always there.
+    ``names`` are families, products or radios; pieces for any of them always come.
 
     Examples
     --------
@@ -94,11 +66,7 @@ def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     """
     return tuple(
         Snippet(
-            file=row["file"],
-            where=row["where"],
-            version=row["version"],
-            source=row["source"],
-            load=row["load"],
+            **{key: row[key] for key in ("file", "where", "version", "source", "load")},
             run_here=row["run_here"] == "yes",
         )
         for row in read_data("vendors/snippets.csv")

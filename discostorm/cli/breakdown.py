@@ -9,25 +9,48 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleet_options import Members, says_what_matches, swarm_options
+from discostorm.cli.fleet_options import (
+    FleetInput,
+    describe_matching,
+    print_fleet_note,
+    swarm_options,
+)
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
+    Column,
     Output,
     bad_input,
     percent,
     plain,
     print_channel,
-    print_rows,
+    print_table,
+    say,
     working,
 )
 from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
-#: What a delivery is called where there is little room.
-CASTS = {"unicast": "uni", "multicast": "multi"}
+
+def _count(value: float) -> str:
+    return f"{value:,.0f}" if 10 <= value < words.HUGE else plain(float(f"{value:.2g}"))
 
 
-@says_what_matches
+def _seconds(value: float) -> str:
+    return f"{value:,.4f}" if value < words.HUGE else f"{value:.3g}"
+
+
+COLUMNS = (
+    Column("message"),
+    Column("cast", format={"unicast": "uni", "multicast": "multi"}.__getitem__),
+    Column("frame_bytes", "frame", "{:,.0f}".format, "B"),
+    Column("uplink_messages", "messages", _count),
+    Column("uplink_s", "up", _seconds, "s"),
+    Column("downlink_s", "down", _seconds, "s"),
+    Column("share", format=percent),
+)
+
+
+@describe_matching
 @click.command()
 @swarm_options
 @protocol_option
@@ -42,7 +65,7 @@ CASTS = {"unicast": "uni", "multicast": "multi"}
 )
 @output_options
 def breakdown(
-    members: Members,
+    members: FleetInput,
     protocols: tuple[ds.Protocol, ...],
     wifi: Wifi,
     window: float,
@@ -58,69 +81,34 @@ def breakdown(
       discostorm breakdown --robot turtlebot4 --hosts 12
       discostorm breakdown fleet.toml --csv
     """
-    rows: list[dict[str, Any]] = []
     with bad_input(), working("computing"):
-        fleet = members.fleet
         _checks.number("--window", window, _checks.LEAST_SECONDS, _checks.MOST_SECONDS)
-        for chosen in protocols:
-            costs = _in_all(message_costs(chosen, fleet, wifi, window), chosen, fleet, window)
-            whole = math.fsum(row["uplink_s"] + row["downlink_s"] for row in costs)
-            rows += [
-                {"protocol": chosen.name}
-                | row
-                | {"share": (row["uplink_s"] + row["downlink_s"]) / whole}
-                for row in costs
-            ]
-    if output.for_people:  # without what would make the lines too long
-        payload = math.fsum(row["payload_bytes"] for row in rows)
-        without = {"phase", "payload_bytes"}
-        if len(protocols) == 1:
-            click.echo(f"Protocol: {protocols[0].name}\n")
-            without |= {"protocol"}
-        sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
-        rows = [{name: row[name] for name in row if name not in without} for row in sent or rows]
-    print_rows(
-        rows,
-        output,
-        {
-            "cast": CASTS.__getitem__,
-            "frame_bytes": "{:,.0f}".format,
-            "uplink_messages": _count,
-            "uplink_s": _seconds,
-            "downlink_s": _seconds,
-            "share": percent,
-        },
-        {
-            "frame_bytes": "frame [B]",
-            "uplink_messages": "messages",
-            "uplink_s": "up [s]",
-            "downlink_s": "down [s]",
-        },
-    )
-    print_channel(wifi, output)
+        rows = [row for each in protocols for row in _rows(each, members.fleet, wifi, window)]
+    columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
+    if output.for_people and len(protocols) == 1:
+        click.echo(f"Protocol: {protocols[0].name}\n")
+        columns = COLUMNS
+    sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
+    print_table(sent or rows if output.for_people else rows, output, columns)
     if output.for_people:
-        click.echo(
-            f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
-        )
-        members.tell_alone()
+        print_channel(wifi, output)
+        payload = math.fsum(row["payload_bytes"] for row in rows)
+        say(f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload.")
+        print_fleet_note(members.fleet)
 
 
-def _count(value: float) -> str:
-    return f"{value:,.0f}" if 10 <= value < words.HUGE else plain(float(f"{value:.2g}"))
-
-
-def _seconds(value: float) -> str:
-    return f"{value:,.4f}" if value < words.HUGE else f"{value:.3g}"
-
-
-def _in_all(
-    costs: list[dict[str, Any]], protocol: ds.Protocol, fleet: ds.Fleet, window: float
+def _rows(
+    protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, window: float
 ) -> list[dict[str, Any]]:
-    """Return rows of what an average second costs as those of the whole window, with bytes."""
-    columns = ("uplink_messages", "uplink_s", "downlink_s")
+    """Return the cost of each message in the whole window, and its share of the sum."""
     rows = []
-    for row, message in zip(costs, protocol.messages, strict=True):
+    costs = message_costs(protocol, fleet, wifi, window)  # in a mean second of the window
+    for message, cost in zip(protocol.messages, costs, strict=True):
         count = float(message.load(fleet)) * float(message.schedule.mean(window)) * window
-        sent = {key: row[key] * window for key in columns}
-        rows.append(row | sent | {"payload_bytes": count * message.payload.nominal})
-    return rows
+        for key in ("uplink_messages", "uplink_s", "downlink_s"):
+            cost[key] *= window
+        payload = {"payload_bytes": count * message.payload.nominal}
+        rows.append({"protocol": protocol.name} | cost | payload)
+    airtimes = [row["uplink_s"] + row["downlink_s"] for row in rows]
+    total = math.fsum(airtimes) or 1.0  # nothing is sent by a single host, or by wired hosts
+    return [row | {"share": each / total} for row, each in zip(rows, airtimes, strict=True)]

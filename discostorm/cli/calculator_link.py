@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 from urllib.parse import urlencode
 
 import discostorm as ds
 from discostorm.fleet import COUNTS
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
 
 #: The calculator in the book.
 PAGE = "book/calculator.html"
@@ -19,7 +15,7 @@ PAGE = "book/calculator.html"
 
 @dataclass(frozen=True)
 class Link:
-    """A link, and what of the fleet the calculator cannot take."""
+    """A link, and notes on what the calculator cannot take of the fleet."""
 
     address: str
     middleware: str | None
@@ -27,7 +23,7 @@ class Link:
 
 
 def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
-    """Return the link of a fleet: its largest group are the robots; None if all are wired."""
+    """Return the link of a fleet whose largest group are the robots; None if all are wired."""
     notes = []
     if wired := sum(group.hosts for group in fleet.groups if group.wired):
         left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
@@ -36,9 +32,9 @@ def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
     if not groups:
         return None
     robots, *others = groups
-    entries = {"robot": "own", **_counts([robots]), "beside": "own" if others else "none"}
+    entries = {"robot": "own", **_means([robots]), "beside": "own" if others else "none"}
     if others:
-        entries |= {f"beside_{name}": value for name, value in _counts(others).items()}
+        entries |= {f"beside_{name}": value for name, value in _means(others).items()}
     if len(others) > 1:
         notes.append(f"the means of {len(others)} groups stand beside the largest one")
     if middleware is not None:
@@ -47,8 +43,8 @@ def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
     return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
 
 
-def _counts(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
-    """Return hosts, processes of a host and endpoints of a process, the latter as means."""
+def _means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
+    """Return the hosts, and the means of processes per host and endpoints per process."""
     hosts = sum(group.hosts for group in groups)
     processes = sum(group.hosts * group.processes for group in groups)
     endpoints = sum(group.hosts * group.processes * group.endpoints for group in groups)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import NoReturn
 
 import click
 
 from discostorm import _checks
 from discostorm.cli.options import completes, output_options
-from discostorm.cli.output import BadInput, Output, bad_input, print_rows, visible, working
+from discostorm.cli.output import BadInput, Output, bad_input, print_table, visible, working
 
 
 @click.command()
@@ -32,25 +31,18 @@ def figures(out: str, output: Output) -> None:
         _checks.path("--out", out, "a folder")
     with working("loading"):
         from discostorm import figures as drawing
-    paths: list[str] = []
-    count = drawing.files_of_all()
-    files = drawing.save_all(Path(out))
+    paths = []
+    files, count = drawing.save_all(Path(out)), len(drawing.FILES)
     while True:
         try:
             path = next(files, None)
         except OSError as error:
-            _not_written(out, error)
+            message = f"--out must be a folder to write to; got {_checks.brief(out)!r}"
+            raise BadInput(visible(f"{message}: {error.strerror}")) from error
         if path is None:
             break
-        paths.append(str(path))
-        click.echo(
-            visible(f"[{len(paths):{len(str(count))}}/{count}] {path}"), err=not output.for_people
-        )
+        paths.append({"path": str(path)})
+        line = f"[{len(paths):{len(str(count))}}/{count}] {path}"
+        click.echo(visible(line), err=not output.for_people)
     if not output.for_people:
-        print_rows([{"path": path} for path in paths], output)
-
-
-def _not_written(out: str, error: OSError) -> NoReturn:
-    raise BadInput(
-        visible(f"--out must be a folder to write to; got {_checks.brief(out)!r}: {error.strerror}")
-    ) from error
+        print_table(paths, output, ())

@@ -1,9 +1,9 @@
-"""Who is on the channel: a fleet file, ready-made robots, or hosts, processes and endpoints."""
+"""The fleet of a command: a fleet file, ready-made robots, or hosts, processes and endpoints."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
@@ -11,9 +11,10 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, _names, robots, words
-from discostorm.cli.options import A_FILE, numbers, packed
-from discostorm.cli.output import Output
+from discostorm.cli.options import A_FILE, numbers, option_group
+from discostorm.cli.output import Output, Rows, say
 from discostorm.fleet import HostGroup
+from discostorm.fleet_file import MAX_BYTES
 from discostorm.measured import band
 
 _MATCHING = (
@@ -21,54 +22,47 @@ _MATCHING = (
     "--robot share ROS 2's own topics, unless the file says `shared`. Hosts given by --processes "
     "and --endpoints share no topic."
 )
-
-#: So many tables get a sentence on how far they were off.
-_BANDS = 3
+#: Maximum number of tables whose error is printed.
+_MAX_BANDS = 3
 
 
 @dataclass(frozen=True)
-class Members:
-    """Who is on the channel: the fleet, and columns that name it."""
+class FleetInput:
+    """A fleet, with the columns that name it."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet
 
     @property
-    def alone(self) -> bool:
-        """Whether it is a single host."""
-        hosts = self.fleet.hosts()
-        return isinstance(hosts, float) and hosts == 1
-
-    @property
-    def told(self) -> str:
-        """How messages begin that are about a fleet file; nothing where there is none."""
+    def error_prefix(self) -> str:
+        """The start of messages about a fleet file; empty where there is none."""
         return f"{self.columns['fleet']}: " if "fleet" in self.columns else ""
 
-    def tell_alone(self) -> None:
-        """Say that one is alone."""
-        if self.alone:
-            click.echo(f"\n{words.ALONE}")
+
+def is_all_wired(fleet: ds.Fleet) -> bool:
+    """Return whether no host of a fleet uses the Wi-Fi."""
+    return all(group.wired for group in fleet.groups)
 
 
-def without_robot(rows: list[dict[Any, Any]], output: Output) -> list[dict[Any, Any]]:
-    """Return rows for people, above which the ready-made robot is named once for all."""
-    if not (output.for_people and "robot" in rows[0]):
-        return rows
-    click.echo(f"Robot: {rows[0]['robot']}\n")
-    return [{name: row[name] for name in row if name != "robot"} for row in rows]
+def print_fleet_note(fleet: ds.Fleet) -> None:
+    """Say why a fleet of one host, or without Wi-Fi, needs little or no airtime."""
+    if is_all_wired(fleet):
+        click.echo()
+        say(words.ALL_WIRED)
+    elif fleet.hosts() == 1:
+        click.echo()
+        say(words.ALONE)
 
 
-def read(file: str) -> ds.Fleet:
-    """Return the fleet of a file, or of standard input for ``-``."""
-    if file == "-":
-        return ds.Fleet.from_bytes(standard_input().read(), called(file))
-    return ds.Fleet.from_toml(file)
+def print_robot(rows: Rows, output: Output) -> None:
+    """Name a ready-made robot once above a table for people."""
+    if output.for_people and "robot" in rows[0]:
+        click.echo(f"Robot: {rows[0]['robot']}\n")
 
 
-def says_what_matches(command: click.Command) -> click.Command:
-    """Say in the help of a command, in the place of ``{matching}``, what matches in a fleet."""
-    assert command.help
-    command.help = command.help.replace("{matching}", _MATCHING)
+def describe_matching(command: click.Command) -> click.Command:
+    """Replace ``{matching}`` in the help of a command by what matches in a fleet."""
+    command.help = (command.help or "").replace("{matching}", _MATCHING)
     return command
 
 
@@ -79,23 +73,22 @@ def standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def called(file: str) -> str:
-    """Return what messages call a file."""
+def display_name(file: str) -> str:
+    """Return the name of a file in messages."""
     return "standard input" if file == "-" else file
 
 
-def _one_file(fleet: str | None, file: str | None) -> str | None:
-    if fleet is not None and file is not None:
-        raise click.UsageError(
-            f"one fleet at a time; got {_checks.brief(file)!r} and --fleet {_checks.brief(fleet)!r}"
-        )
-    return file if fleet is None else fleet
+def read_fleet(file: str) -> ds.Fleet:
+    """Return the fleet of a file, or of standard input for ``-``."""
+    if file == "-":
+        return ds.Fleet.from_bytes(standard_input().read(MAX_BYTES + 1), display_name(file))
+    return ds.Fleet.from_toml(file)
 
 
-def ready_made(name: str) -> HostGroup:
-    """Return one host of the ready-made robot of ``--robot``."""
+def ready_made(name: str, hosts: Any = 1) -> HostGroup:
+    """Return hosts that are the ready-made robot of ``--robot``."""
     try:
-        return robots.robot(name)
+        return replace(robots.robot(name), hosts=hosts)
     except ValueError:
         like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases()))
         raise click.UsageError(
@@ -104,32 +97,26 @@ def ready_made(name: str) -> HostGroup:
         ) from None
 
 
-@dataclass(frozen=True)
-class Who:
-    """One way to say who is on the channel: a file, a ready-made robot, or counts of our own."""
+def fleet_source(
+    fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]
+) -> str | None:
+    """Return the fleet file, or None for a robot or counts, which are needed without a file.
 
-    file: str | None
-    robot: str | None
-
-
-def who(fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]) -> Who:
-    """Return which way it is; ``counts`` has what the command must have without a file.
-
-    Raises
-    ------
-    click.UsageError
-        If it is none, or more than one.
+    Raise a UsageError if a fleet is given in no way, or in more than one.
     """
-    chosen = _one_file(fleet, file)
     given = [f"--{name}" for name, value in counts.items() if value is not None]
-    if chosen is not None:
+    if fleet is not None and file is not None:
+        raise click.UsageError(
+            f"one fleet at a time; got {_checks.brief(file)!r} and --fleet {_checks.brief(fleet)!r}"
+        )
+    if fleet is not None or file is not None:
         if robot is not None or given:
-            more = [f"--{name}" for name in counts]
-            raise click.UsageError(f"--fleet goes without {words.listed([*more, '--robot'])}")
+            flags = words.listed([*(f"--{name}" for name in counts), "--robot"])
+            raise click.UsageError(f"--fleet goes without {flags}")
     elif robot is not None:
-        if own := [name for name in given if name != "--hosts"]:
+        if others := [flag for flag in given if flag != "--hosts"]:
             raise click.UsageError(
-                f"--robot says how many there are of each; it goes without {words.listed(own)}"
+                f"--robot says how many there are of each; it goes without {words.listed(others)}"
             )
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--hosts must be given with --robot: how many of them there are")
@@ -137,38 +124,36 @@ def who(fleet: str | None, file: str | None, robot: str | None, counts: Mapping[
         raise click.UsageError(
             f"{', '.join(missing)} must be given, or --fleet FILE, or --robot NAME"
         )
-    return Who(chosen, robot)
+    return file if fleet is None else fleet
 
 
-def _several(
+def _fleet_inputs(
     hosts: float | list[float] | None,
     processes: float | None,
     endpoints: float | None,
     robot: str | None,
     fleet: str | None,
     file: str | None,
-) -> list[Members]:
+) -> list[FleetInput]:
     counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    way = who(fleet, file, robot, counts)
-    if way.file is not None:
-        return [Members({"fleet": called(way.file)}, read(way.file))]
-    each = hosts if isinstance(hosts, list) else [hosts]
-    if way.robot is not None:
-        one = ready_made(way.robot)
-        return [
-            Members({"robot": one.name, "hosts": many}, ds.Fleet((replace(one, hosts=many),)))
-            for many in each
-        ]
-    return [
-        Members(counts | {"hosts": many}, ds.Fleet.swarm(many, processes, endpoints))
-        for many in each
-    ]
+    source = fleet_source(fleet, file, robot, counts)
+    if source is not None:
+        return [FleetInput({"fleet": display_name(source)}, read_fleet(source))]
+    inputs = []
+    for count in hosts if isinstance(hosts, list) else [hosts]:
+        if robot is None:
+            swarm = ds.Fleet.swarm(count, processes, endpoints)
+            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
+        else:
+            group = ready_made(robot, count)
+            inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))
+    return inputs
 
 
-def _one(hosts: float | list[float] | None, **given: Any) -> Members:
+def _fleet_input(hosts: float | list[float] | None, **given: Any) -> FleetInput:
     if isinstance(hosts, list):
         raise click.UsageError("--hosts must be one number here")
-    return _several(hosts, **given)[0]
+    return _fleet_inputs(hosts, **given)[0]
 
 
 def compared(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
@@ -177,11 +162,8 @@ def compared(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fl
         if hosts is not None:
             raise click.UsageError("--hosts goes with --robot")
         return None
-    way = who(fleet, None, robot, {"hosts": hosts})
-    if way.file is not None:
-        return read(way.file)
-    assert way.robot is not None
-    return ds.Fleet((replace(ready_made(way.robot), hosts=hosts),))
+    source = fleet_source(fleet, None, robot, {"hosts": hosts})
+    return ds.Fleet((ready_made(str(robot), hosts),)) if source is None else read_fleet(source)
 
 
 file_options = (
@@ -199,43 +181,38 @@ count_options = (
     click.option("--endpoints", type=float, metavar="N", help="Endpoints in each process."),
     robot_option,
 )
-
-
-def _hosts_option(metavar: str, told: str) -> Callable[[Any], Any]:
-    return click.option("--hosts", callback=numbers, metavar=metavar, help=told)
-
-
-hosts_option = _hosts_option("N", "Hosts.")
-swarm_options = packed("members", _one, hosts_option, *count_options, *file_options)
-several_swarms_options = packed(
+hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
+swarm_options = option_group("members", _fleet_input, hosts_option, *count_options, *file_options)
+several_swarms_options = option_group(
     "members",
-    _several,
-    _hosts_option("N[,N...]", "Hosts; several give a row each."),
+    _fleet_inputs,
+    click.option(
+        "--hosts", callback=numbers, metavar="N[,N...]", help="Hosts; several give a row each."
+    ),
     *count_options,
     *file_options,
 )
 
 
 def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return between which multiples of what a table says captures lay; see `measured.Band`."""
-    known = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
-    return {
-        "band_low": known.low if known else None,
-        "band_high": known.high if known else None,
-        "band_beyond": known.beyond if known else None,
-    }
+    """Return the range of the measured airtime as multiples of a model's; see `measured.Band`."""
+    error = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
+    keys = ("low", "high", "beyond")
+    return {f"band_{key}": None if error is None else getattr(error, key) for key in keys}
 
 
-def say_bands(asked: Iterable[tuple[ds.Protocol, ds.Fleet]], output: Output) -> None:
-    """Say below a table how far measured tables were off where they were not fitted."""
-    if not output.for_people:
-        return
-    told = {
-        f"We captured {table.name} with up to {words.many(table.captured[0], 'host')}, "
-        f"{words.many(table.captured[1], 'process', 'es')} and "
-        f"{words.many(table.captured[2], 'endpoint')} per process. {known.sentence()}": None
-        for table, fleet in asked
-        if table.captured and (known := band(table.name, fleet, table.captured))
-    }
-    if 0 < len(told) <= _BANDS:
-        click.echo("\n" + "\n".join(words.wrapped(sentence) for sentence in told))
+def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
+    """Print below a table the errors of measured models where they were not fitted."""
+    sentences: dict[str, None] = {}
+    for protocol, fleet in cases:
+        if protocol.captured and (error := band(protocol.name, fleet, protocol.captured)):
+            hosts, processes, endpoints = protocol.captured
+            sentences[
+                f"We captured {protocol.name} with up to {words.many(hosts, 'host')}, "
+                f"{words.many(processes, 'process', 'es')} and "
+                f"{words.many(endpoints, 'endpoint')} per process. {error.sentence()}"
+            ] = None
+    if 0 < len(sentences) <= _MAX_BANDS:
+        click.echo()
+        for sentence in sentences:
+            say(sentence)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import io
+import logging
 import os
 import sys
 from functools import cache
@@ -38,12 +39,12 @@ def installed() -> dict[str, EntryPoint]:
     return {point.name: point for point in sorted(entry_points(group="discostorm.commands"))}
 
 
-def _line(extra: str) -> str:
-    return f"pip install 'discostorm[{extra}]'"
+def _install(name: str) -> str:
+    return f"pip install 'discostorm[{COMMANDS[name][0]}]'"
 
 
 class Commands(click.Group):
-    """Commands whose output may fail: a full disk is told, a closed pipe is not."""
+    """Commands that are loaded when they are run, and answer an output that fails."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """Return the names of the commands; see `click.Group.list_commands`."""
@@ -51,44 +52,42 @@ class Commands(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         """Return the command of that name; see `click.Group.get_command`."""
-        if cmd_name not in installed():
-            return None
-        command: click.Command = installed()[cmd_name].load()
-        return command
+        point = installed().get(cmd_name)
+        return None if point is None else point.load()
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command that is meant, with its arguments, none of which may be dropped."""
+        """Return the command with its arguments; say how to install it, or what its name may be."""
+        name = args[0]
+        if name in COMMANDS and name not in installed():
+            raise click.UsageError(f"{name!r} is not installed; to get it: {_install(name)}", ctx)
         try:
-            name, command, rest = super().resolve_command(ctx, args)
+            _, command, rest = super().resolve_command(ctx, args)
         except click.UsageError as error:
-            if args[0] in COMMANDS:
-                extra, _ = COMMANDS[args[0]]
-                message = f"{args[0]!r} is not installed; to get it: {_line(extra)}"
-                raise click.UsageError(message, ctx) from error
-            like = _names.did_you_mean(args[0], installed())
-            raise click.UsageError(f"No such command {args[0][:99]!r}{like}", ctx) from error
+            like = _names.did_you_mean(name, installed())
+            raise click.UsageError(f"No such command {name[:99]!r}{like}", ctx) from error
         if command is not None and not ctx.resilient_parsing:
-            _refuse_repeated(command, click.Context(command, ctx, name), rest)
+            _refuse_repeated(click.Context(command, ctx, name), rest)
         return name, command, rest
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """Write what each command does, without loading it."""
+        """Write the line of each command, without loading it."""
         with formatter.section("Commands"):
-            formatter.write_dl([(name, _help(name)) for name in installed()])
-        if rest := [name for name in COMMANDS if name not in installed()]:
+            formatter.write_dl([(name, COMMANDS.get(name, ("", ""))[1]) for name in installed()])
+        if missing := [name for name in COMMANDS if name not in installed()]:
             with formatter.section("Not installed"):
-                formatter.write_dl([(name, _line(COMMANDS[name][0])) for name in rest])
+                formatter.write_dl([(name, _install(name)) for name in missing])
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
         """Run a command; see `click.Group.main`."""
+        logging.getLogger("matplotlib").setLevel(logging.ERROR)  # no warnings of its cache's folder
         for stream in (sys.stdout, sys.stderr):
             # What the terminal cannot show is escaped.
             if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
                 stream.reconfigure(errors="backslashreplace")
         try:
-            if sys.stdout is None:  # closed before the start: click would write to nobody
+            if sys.stdout is None:  # closed before the start: click would print nothing
                 raise OSError(errno.EBADF, os.strerror(errno.EBADF))
             return super().main(*args, **kwargs)
         except OSError as error:  # click itself answers a closed pipe
@@ -97,27 +96,21 @@ class Commands(click.Group):
             sys.exit(1)
 
 
-def _help(name: str) -> str:
-    if name in COMMANDS:
-        return COMMANDS[name][1]
-    command: click.Command = installed()[name].load()
-    return command.get_short_help_str(80)
-
-
-def _refuse_repeated(command: click.Command, ctx: click.Context, args: list[str]) -> None:
-    """Raise a UsageError if an option that is taken once is given again, which click drops."""
-    ctx.resilient_parsing = True  # what else is wrong is answered where the command is run
-    _, _, order = command.make_parser(ctx).parse_args(list(args))
-    for option in dict.fromkeys(order):
-        if isinstance(option, click.Option) and not (option.multiple or option.is_flag):
-            many = order.count(option)
-            if many > 1:
-                ctx.resilient_parsing = False
-                listed = "," in str(option.metavar)
-                several = "; several values go in one, with commas between" if listed else ""
-                raise click.UsageError(
-                    f"{option.opts[0]} is given {many} times; give it once{several}", ctx
-                )
+def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
+    """Raise a UsageError if an option that takes one value is repeated, which click drops."""
+    parser = ctx.command.make_parser(ctx)
+    ctx.resilient_parsing = True  # other errors are answered where the command runs
+    _, _, given = parser.parse_args(list(args))
+    ctx.resilient_parsing = False
+    for option in given:
+        once = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
+        if once and (count := given.count(option)) > 1:
+            hint = "; several values go in one, with commas between"
+            raise click.UsageError(
+                f"{option.opts[0]} is given {count} times; give it once"
+                f"{hint if ',' in str(option.metavar) else ''}",
+                ctx,
+            )
 
 
 @click.group(

@@ -1,4 +1,4 @@
-"""Options that several commands have: the form of the answer, the channel, the protocol."""
+"""Options that several commands have: the format of the answer, the channel, the protocol."""
 
 from __future__ import annotations
 
@@ -19,110 +19,89 @@ from discostorm.wifi.radio import radio_named
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
-#: What commands take unless told otherwise: what ROS 2 uses by default, as it was measured.
+#: The default of ROS 2, as it was measured.
 DEFAULT = "Fast DDS"
-
-#: Words that stand for several protocols; `both` is what 0.2.0 called the paper's.
-SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH), "both": (ds.DDS, ds.ZENOH)}
-
-#: What an option replaces of a channel, and in which unit.
+#: Words that stand for several protocols.
+SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH)}
+#: Options that change a link: which link and quantity, in which unit, and the unit in SI.
 LINK_OPTIONS = {
-    "unicast_rate": ("unicast", "rate", "Mbit/s"),
-    "unicast_overhead": ("unicast", "overhead", "µs"),
-    "multicast_rate": ("multicast", "rate", "Mbit/s"),
-    "multicast_overhead": ("multicast", "overhead", "µs"),
+    "unicast_rate": ("unicast", "rate", "Mbit/s", 1e6),
+    "unicast_overhead": ("unicast", "overhead", "µs", 1e-6),
+    "multicast_rate": ("multicast", "rate", "Mbit/s", 1e6),
+    "multicast_overhead": ("multicast", "overhead", "µs", 1e-6),
 }
-#: Units in SI.
-UNITS = {"Mbit/s": 1e6, "µs": 1e-6}
 
 
 def completes(kind: str) -> Callable[..., list[CompletionItem]]:
-    """Return what lets the shell complete the names of files (``file``) or folders (``dir``)."""
-    return lambda _context, _parameter, begun: [CompletionItem(begun, type=kind)]
+    """Let the shell complete the names of files (``file``) or folders (``dir``)."""
+    return lambda _context, _parameter, incomplete: [CompletionItem(incomplete, type=kind)]
 
 
-#: Of an option or argument that names a file, or a folder.
+#: Arguments of an option that names a file.
 A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": completes("file")}
 
 
-def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
-    """Return the numbers of a comma-separated list, a single one as a float."""
-    if value is None:
-        return None
-    try:
-        found = [float(part) for part in value.split(",")]
-    except ValueError:
-        raise click.BadParameter(
-            f"must be a number, or several with commas between; got {_checks.brief(value)!r}"
-        ) from None
-    return found[0] if len(found) == 1 else found
-
-
-def listing(
-    names: Iterable[str],
-) -> Callable[[click.Context, click.Parameter, str | None], str | None]:
-    """Return what prints these names where ``list`` is given instead of one of them."""
-
-    def callback(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
-        if value is not None and value.lower() == "list":
-            click.echo("\n".join(names))
-            context.exit()
-        return value
-
-    return callback
-
-
-def packed(
+def option_group(
     name: str, make: Callable[..., Any], *options: Callable[[Any], Any]
 ) -> Callable[[Command], Command]:
-    """Return a decorator that adds options, of which a command gets one thing that is made."""
+    """Return a decorator that adds options; the command gets what is made of their values."""
 
     def decorate(command: Command) -> Command:
-        known: list[click.Parameter] = []
-
         @functools.wraps(command)
-        def call(**given: Any) -> Any:
-            own = {str(option.name): given.pop(str(option.name)) for option in known}
+        def call(**values: Any) -> Any:
+            own = {key: values.pop(key) for key in keys}
             with bad_input():
                 made = make(**own)
-            return command(**{name: made}, **given)
+            return command(**{name: made}, **values)
 
         for option in reversed(options):
             option(call)
-            known.append(vars(call)["__click_params__"][-1])
-        packed: Any = call
-        return packed  # type: ignore[no-any-return]
+        keys = [str(option.name) for option in vars(call)["__click_params__"][-len(options) :]]
+        decorated: Any = call
+        return decorated  # type: ignore[no-any-return]
 
     return decorate
 
 
-def _one_format(context: click.Context, _: click.Parameter, value: bool) -> bool:
-    if value and (context.params.get("as_json") or context.params.get("as_csv")):
-        raise click.UsageError("--json and --csv exclude each other")
+def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
+    """Return the numbers of a comma-separated list, a single number as a float."""
+    if value is None:
+        return None
+    try:
+        parts = [float(part) for part in value.split(",")]
+    except ValueError:
+        raise click.BadParameter(
+            f"must be a number, or several with commas between; got {_checks.brief(value)!r}"
+        ) from None
+    return parts[0] if len(parts) == 1 else parts
+
+
+def _list_on_request(context: click.Context, value: str, names: Iterable[str]) -> str:
+    """Print names and exit if ``list`` is given instead of a name."""
+    if value.lower() == "list":
+        click.echo("\n".join(names))
+        context.exit()
     return value
 
 
-output_options = packed(
+def _output(as_json: bool, as_csv: bool) -> Output:
+    if as_json and as_csv:
+        raise click.UsageError("--json and --csv exclude each other")
+    return Output(as_json, as_csv)
+
+
+output_options = option_group(
     "output",
-    Output,
-    click.option(
-        "--json",
-        "as_json",
-        is_flag=True,
-        callback=_one_format,
-        help="Print JSON instead of a table.",
-    ),
-    click.option(
-        "--csv", "as_csv", is_flag=True, callback=_one_format, help="Print CSV instead of a table."
-    ),
+    _output,
+    click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table."),
+    click.option("--csv", "as_csv", is_flag=True, help="Print CSV instead of a table."),
 )
 
 
 def _wifi(channel: str, **given: float | None) -> Wifi:
-    """Return the channel of a name, with other rates and overheads."""
     changes = {option: value for option, value in given.items() if value is not None}
     if channel.lower() == "paper":
-        return _own_channel(changes) if changes else ds.PAPER
+        return _change_paper_channel(changes) if changes else ds.PAPER
     try:
         radio = radio_named(channel)
     except ValueError as error:
@@ -130,69 +109,69 @@ def _wifi(channel: str, **given: float | None) -> Wifi:
             f"--wifi must be 'paper' or a radio; '--wifi list' lists some: {error}"
         ) from None
     rate = changes.pop("multicast_rate", None)
-    if changes:
-        option = next(iter(changes)).replace("_", "-")
-        raise click.UsageError(f"--{option} goes with --wifi paper alone; got --wifi {channel!r}")
+    for option in changes:
+        flag = option.replace("_", "-")
+        raise click.UsageError(f"--{flag} goes with --wifi paper alone; got --wifi {channel!r}")
     return (radio if rate is None else replace(radio, multicast_rate=rate * 1e6)).wifi()
 
 
-def _own_channel(changes: Mapping[str, float]) -> Wifi:
+def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
     links = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
     for option, value in changes.items():
-        cast, quantity, unit = LINK_OPTIONS[option]
+        cast, quantity, unit, in_si = LINK_OPTIONS[option]
+        change: dict[str, Any] = {quantity: value * in_si}
         try:
-            change: dict[str, Any] = {quantity: value * UNITS[unit]}
             links[cast] = replace(links[cast], **change)
         except ValueError as error:
-            si = "bit/s" if quantity == "rate" else "s"
             must, _, _ = str(error).rpartition("; got ")
+            si = "bit/s" if quantity == "rate" else "s"
             raise ValueError(f"{cast} {must} {si}; got {value:g} {unit}") from error
     return Wifi("own channel", links["unicast"], links["multicast"])
 
 
 def _radio(channel: str, **given: float | None) -> Wifi:
-    """Return the channel of a name with its radio, with another multicast rate."""
     wifi = _wifi(channel, **given)
     if wifi.radio is None:
         raise click.UsageError(f"--multicast-rate goes with a radio here; got --wifi {channel!r}")
     return wifi
 
 
-def _wifi_options(make: Callable[..., Wifi], *options: str) -> Callable[[Any], Any]:
-    return packed(
-        "wifi",
-        make,
+def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[Any], Any]:
+    options = [
         click.option(
             "--wifi",
             "channel",
             default="paper",
             show_default=True,
             metavar="NAME",
-            callback=listing(("paper", *ds.WIFI)),
+            callback=lambda context, _, value: _list_on_request(
+                context, value, ("paper", *ds.WIFI)
+            ),
             help="Channel: 'paper', or a radio such as '802.11ac 80 MHz' or "
             "'802.11n 20 MHz 2x2, A-MPDU 64'. 'list' shows more.",
-        ),
-        *(
+        )
+    ]
+    for option in link_options:
+        name = option.replace("_", " ").capitalize()
+        origin = "channel" if option == "multicast_rate" else "paper"
+        options.append(
             click.option(
                 f"--{option.replace('_', '-')}",
                 type=float,
                 metavar=LINK_OPTIONS[option][2],
-                help="Multicast rate; default: that of the channel."
-                if option == "multicast_rate"
-                else f"{option.replace('_', ' ').capitalize()}; default: that of the paper.",
+                help=f"{name}; default: that of the {origin}.",
             )
-            for option in options
-        ),
-    )
+        )
+    return option_group("wifi", make, *options)
 
 
 wifi_options = _wifi_options(_wifi, *LINK_OPTIONS)
-#: Of what needs more of a channel than rates and overheads.
+#: For a command that needs a radio, not only rates and overheads.
 radio_options = _wifi_options(_radio, "multicast_rate")
 
 
-def _listed() -> list[str]:
-    """Return the lines of ``--protocol list``: names, in brackets what else they are called."""
+def _protocol_lines() -> list[str]:
+    """Return the names of protocols, with their aliases in brackets."""
     lines = []
     for protocol in offered():
         others = [alias for alias, name in aliases().items() if name == protocol.name]
@@ -200,17 +179,11 @@ def _listed() -> list[str]:
     return lines
 
 
-def _several_listed() -> list[str]:
-    told = {"all": "all of these", "paper": words.listed([one.name for one in SEVERAL["paper"]])}
-    return [*_listed(), *(f"{name} ({what})" for name, what in told.items())]
-
-
-def _one_protocol(value: str) -> ds.Protocol:
+def _protocol(value: str) -> ds.Protocol:
     try:
         return named(value)
     except ValueError:
-        known = (*ds.PROTOCOLS, *aliases(), *SEVERAL)
-        like = _names.did_you_mean(value, known)
+        like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *SEVERAL))
         raise click.BadParameter(
             f"{_checks.brief(value)!r} is no product or table{like or '.'} "
             f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'."
@@ -221,26 +194,23 @@ def _protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
 ) -> tuple[ds.Protocol, ...]:
     """Return the protocols that are named, each once, in the order of the calculator."""
+    papers = words.listed([protocol.name for protocol in SEVERAL["paper"]])
     chosen: list[ds.Protocol] = []
     for value in values:
-        if value.lower() == "list":
-            click.echo("\n".join(_several_listed()))
-            context.exit()
-        chosen += SEVERAL.get(_names.key(value)) or (_one_protocol(value),)
+        _list_on_request(
+            context, value, [*_protocol_lines(), "all (all of these)", f"paper ({papers})"]
+        )
+        chosen += SEVERAL.get(_names.key(value)) or (_protocol(value),)
     return tuple(protocol for protocol in offered() if protocol in chosen)
 
 
 def _protocol_name(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
-    """Return the name of the protocol that is meant."""
     if value is None:
         return None
-    if value.lower() == "list":
-        click.echo("\n".join(_listed()))
-        context.exit()
-    return _one_protocol(value).name
+    return _protocol(_list_on_request(context, value, _protocol_lines())).name
 
 
-def protocol_option_of(flag: str, default: str | None, told: str) -> Callable[[Any], Any]:
+def protocol_option_of(flag: str, default: str | None, subject: str) -> Callable[[Any], Any]:
     """Return an option that takes the name of a protocol."""
     return click.option(
         flag,
@@ -248,7 +218,7 @@ def protocol_option_of(flag: str, default: str | None, told: str) -> Callable[[A
         default=default,
         show_default=True,
         callback=_protocol_name,
-        help=f"{told}, such as fastdds or rmw_cyclonedds_cpp; 'list' lists the names.",
+        help=f"{subject}, such as fastdds or rmw_cyclonedds_cpp; 'list' lists the names.",
     )
 
 

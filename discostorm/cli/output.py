@@ -1,4 +1,4 @@
-"""What an answer is printed as: a table for people, JSON or CSV for machines."""
+"""What an answer is printed as: a table for people, JSON or CSV for machines; and files."""
 
 from __future__ import annotations
 
@@ -9,17 +9,20 @@ import json
 import math
 import os
 import shutil
+import stat
 import sys
 import textwrap
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import click
 
 from discostorm import _checks, words
+from discostorm.files import atomic_write
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 
@@ -52,7 +55,7 @@ def bad_input() -> Iterator[None]:
 
 
 def visible(text: str) -> str:
-    """Return a text with escapes for what a terminal would act on."""
+    """Escape the characters that a terminal would act on."""
     return "".join(
         ascii(character)[1:-1]
         if unicodedata.category(character) in ("Cc", "Cf", "Cs") and character != "\n"
@@ -63,7 +66,7 @@ def visible(text: str) -> str:
 
 @dataclass(frozen=True)
 class Output:
-    """What an answer is printed as."""
+    """The format of an answer."""
 
     as_json: bool
     as_csv: bool
@@ -74,118 +77,191 @@ class Output:
         return not (self.as_json or self.as_csv)
 
 
-def _width() -> int:
-    """Return the characters in a line, if a table can be made as narrow."""
-    return max(shutil.get_terminal_size().columns - 1, 40)
+# Cells
 
 
 def plain(value: Any) -> str:
-    """Return a cell of a table, with escapes for what a terminal would act on."""
+    """Format a cell with all digits that matter, and without what a terminal would act on."""
     if not isinstance(value, float):
         return visible(str(value)).replace("\n", "\\n")
     return f"{value:,.10g}" if value < 1e10 else f"{value:.3g}"
 
 
 def percent(value: float) -> str:
-    """Return a fraction in percent, to one decimal."""
+    """Format a fraction in percent, to one decimal."""
     return words.percent(value, decimals=1, below="<")
 
 
 def yes(value: bool) -> str:
-    """Return a truth in words."""
+    """Format a truth value."""
     return "yes" if value else "no"
 
 
 def seconds(value: float) -> str:
-    """Return seconds to the microsecond, from ten on to the tenth."""
+    """Format seconds to the microsecond, from ten on to the tenth."""
     if value < 10:
         return f"{value:.6f}"
     return f"{value:,.1f}" if value < words.HUGE else f"{value:.3g}"
 
 
-def print_rows(
-    rows: Rows,
-    output: Output,
-    formats: dict[str, Format] | None = None,
-    headings: dict[str, str] | None = None,
-) -> None:
-    """Print a table for people, or all its digits for machines."""
+# Tables
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table for people: its key in the rows, heading, format and unit."""
+
+    key: str
+    heading: str = ""
+    format: Format = plain
+    unit: str = ""
+
+    @property
+    def title(self) -> str:
+        """The heading with its unit; without a heading the key."""
+        title = self.heading or self.key.replace("_", " ")
+        return f"{title} [{self.unit}]" if self.unit else title
+
+
+def print_table(rows: Rows, output: Output, columns: Sequence[Column]) -> None:
+    """Print the columns that the rows have for people, or all keys and digits for machines."""
     if output.as_json:
-        click.echo(as_text(rows))
+        click.echo(to_json(rows))
     elif output.as_csv:
         text = io.StringIO()
         writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        for row in rows:  # what is null in JSON, which has no infinity, is empty
-            writer.writerow(
-                {key: None if value == math.inf else value for key, value in row.items()}
-            )
+        writer.writerows(_without_infinity(rows))
         click.echo(text.getvalue(), nl=False)
     else:
-        click.echo(aligned(rows, formats or {}, headings or {}))
+        click.echo(aligned(rows, [column for column in columns if column.key in rows[0]]))
 
 
-def print_channel(wifi: Wifi, output: Output) -> None:
-    """Say below a table for which channel it holds, and for what kind of network."""
-    if output.for_people:
-        click.echo(f"\nChannel: {visible(wifi.name)}, {TOPOLOGY}.")
+def print_rows(
+    rows: Rows,
+    output: Output,
+    formats: Mapping[str, Format] | None = None,
+    headings: Mapping[str, str] | None = None,
+) -> None:
+    """Print all keys of the rows; `print_table` takes the columns."""
+    formats, headings = formats or {}, headings or {}
+    print_table(
+        rows,
+        output,
+        [Column(key, headings.get(key, ""), formats.get(key, plain)) for key in rows[0]],
+    )
 
 
-def as_text(value: Any) -> str:
-    """Return JSON that every reader takes, in letters that the output can hold."""
-    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
-    text = functools.partial(json.dumps, value, indent=2, default=str, allow_nan=False)
-    found = text(ensure_ascii=False)
-    try:
-        found.encode(encoding)
-    except UnicodeEncodeError:
-        return text(ensure_ascii=True)
-    return found
-
-
-def aligned(rows: Rows, formats: dict[str, Format], headings: dict[str, str]) -> str:
+def aligned(rows: Rows, columns: Sequence[Column]) -> str:
     """Return a table with aligned columns: numbers to the right, words to the left.
 
-    Long words in the last column are broken into lines. A table that is too wide for a terminal all
-    the same comes as a list: a line for each cell of a row, and a blank line between rows.
+    Long words in the last column are broken into lines. A table that is still wider than the
+    terminal becomes a list: a line for each cell, and a blank line between rows.
     """
-    columns = []
-    for name in rows[0]:
-        values = [row[name] for row in rows]
-        cells = [formats.get(name, plain)(value) for value in values]
-        heading = headings.get(name, name.replace("_", " "))
-        width = max(map(len, [heading, *cells]))
-        there = [value for value in values if value is not None]
-        number = all(type(value) in (int, float) for value in there)  # a truth is a word
-        columns.append(
-            [cell.rjust(width) if number else cell.ljust(width) for cell in (heading, *cells)]
-        )
-    start = sum(len(column[0]) + 2 for column in columns[:-1])
+    cells = [
+        [column.title, *(column.format(row[column.key]) for row in rows)] for column in columns
+    ]
+    numeric = [  # a truth value is a word
+        all(type(row[column.key]) in (int, float, type(None)) for row in rows) for column in columns
+    ]
+    widths = [max(map(len, column)) for column in cells]
+    start = sum(widths[:-1]) + 2 * len(widths[:-1])
     lines: list[str] = []
-    for *row, last in zip(*columns, strict=True):
-        parts = textwrap.wrap(last.rstrip(), max(_width() - start, 20)) or [""]
-        if last != last.lstrip():
-            parts = [last]  # a number, already in its place
-        lines.append(("  ".join([*row, parts[0]])).rstrip())
+    for row in zip(*cells, strict=True):
+        *others, last = (
+            cell.rjust(width) if number else cell.ljust(width)
+            for cell, width, number in zip(row, widths, numeric, strict=True)
+        )
+        parts = [last] if numeric[-1] else textwrap.wrap(last, max(_width() - start, 20)) or [""]
+        lines.append("  ".join([*others, parts[0]]).rstrip())
         lines += [" " * start + part for part in parts[1:]]
     if max(map(len, lines)) > shutil.get_terminal_size((10_000, 0)).columns:
-        return _listed([[cell.strip() for cell in row] for row in zip(*columns, strict=True)])
+        return _listed(list(zip(*cells, strict=True)))
     lines.insert(1, "-" * max(map(len, lines)))
     return "\n".join(lines)
 
 
-def _listed(rows: list[list[str]]) -> str:
+def _listed(rows: Sequence[Sequence[str]]) -> str:
     """Return rows, the headings first, as blocks of lines: a heading and a cell."""
     headings, *others = rows
-    start = max(map(len, headings)) + 2
-    fill = functools.partial(
-        textwrap.fill, width=max(_width(), start + 20), subsequent_indent=" " * start
-    )
-    blocks = (
-        "\n".join(fill(f"{name:<{start}}{cell}") for name, cell in zip(headings, row, strict=True))
+    indent = min(max(map(len, headings)) + 2, max(_width() - 12, 8))
+    fill = functools.partial(textwrap.fill, width=_width(), subsequent_indent=" " * indent)
+    return "\n\n".join(
+        "\n".join(
+            fill(f"{heading + '  ':<{indent}}{cell}")
+            for heading, cell in zip(headings, row, strict=True)
+        )
         for row in others
     )
-    return "\n\n".join(blocks)
+
+
+def _width() -> int:
+    """Return the number of characters in a line of the terminal, at least 19."""
+    return max(shutil.get_terminal_size().columns, 20) - 1
+
+
+# Text, JSON and files
+
+
+def say(text: str) -> None:
+    """Print a paragraph that fits the terminal, and at most 79 characters."""
+    click.echo(visible(words.wrapped(text, min(_width(), 79))))
+
+
+def print_channel(wifi: Wifi, output: Output) -> None:
+    """Print below a table the channel and the kind of network that it holds for."""
+    if output.for_people:
+        click.echo()
+        say(f"Channel: {wifi.name}, {TOPOLOGY}.")
+
+
+def _without_infinity(value: Any) -> Any:
+    """Return rows and their values with None for infinity and NaN, which JSON does not have."""
+    if isinstance(value, Mapping):
+        return {key: _without_infinity(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_without_infinity(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def to_json(value: Any) -> str:
+    """Return JSON that every reader takes, in letters that the output can hold."""
+    dump = functools.partial(
+        json.dumps, _without_infinity(value), indent=2, default=str, allow_nan=False
+    )
+    text = dump(ensure_ascii=False)
+    try:
+        text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
+    except UnicodeEncodeError:
+        return dump(ensure_ascii=True)
+    return text
+
+
+def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> None:
+    """Write the file that an option names, but not over an input; ``-`` is standard input."""
+    if name == "-":
+        raise BadInput(f"{option}: - is no file; give the name of one")
+    path = Path(_checks.path(option, name, "a file"))
+    try:
+        if any(_is_input(path, each) for each in inputs if each is not None):
+            raise BadInput(
+                visible(f"{option}: {_checks.brief(name)} is the input; name another file")
+            )
+        atomic_write(path, content)
+    except OSError as error:
+        raise BadInput(visible(f"{option}: {_checks.brief(name)}: {error.strerror}")) from error
+
+
+def _is_input(path: Path, name: str) -> bool:
+    try:
+        status = path.stat()
+        source = os.fstat(0) if name == "-" else Path(name).stat()
+    except (OSError, ValueError):
+        return False
+    return stat.S_ISREG(status.st_mode) and os.path.samestat(status, source)
+
+
+# Progress
 
 
 def live() -> bool:
@@ -194,13 +270,13 @@ def live() -> bool:
 
 
 @contextmanager
-def working(what: str) -> Iterator[None]:
-    """Say on a terminal what takes its time, and wipe it out afterwards."""
+def working(task: str) -> Iterator[None]:
+    """Show a slow task on a terminal, and wipe it out afterwards."""
     shown = live()
     if shown:
-        click.echo(f"{what} ...", err=True, nl=False)
+        click.echo(f"{task} ...", err=True, nl=False)
     try:
         yield
     finally:
         if shown:
-            click.echo("\r" + " " * (len(what) + 4) + "\r", err=True, nl=False)
+            click.echo("\r" + " " * (len(task) + 4) + "\r", err=True, nl=False)

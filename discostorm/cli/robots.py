@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import click
 
-from discostorm import robots as ready_made, words
+from discostorm import robots as ready_made
 from discostorm.cli.options import output_options
-from discostorm.cli.output import Output, print_rows
+from discostorm.cli.output import Column, Output, print_table, say
 from discostorm.data import read_data
+
+COLUMNS = (
+    Column("robot"),
+    Column("processes"),
+    Column("endpoints", format="{:,.4g}".format),
+    Column("nodes", format="{:.3g}".format),
+    Column("numbers"),
+)
 
 
 @click.command()
@@ -23,37 +31,27 @@ def robots(output: Output) -> None:
       discostorm robots
       discostorm plan --robot turtlebot4 --hosts 12
     """
-    parts = read_data("fleets/robots.csv")
-    rows = []
+    rows, aliases = [], []
     for name, host in ready_made.robots().items():
-        own = [part for part in parts if part["robot"] == name]
+        parts = [part for part in read_data("fleets/robots.csv") if part["robot"] == name]
+        own = [alias for alias, robot in ready_made.aliases().items() if robot == name]
+        aliases.append(" or ".join(own))
         rows.append(
             {
                 "robot": name,
                 "processes": float(host.processes),
                 "endpoints": float(host.endpoints),
                 "nodes": float(host.processes * (host.nodes or 0)),
-                "numbers": ", ".join(dict.fromkeys(part["kind"] for part in own)),
-                "also": ", ".join(_aliases(name)),
-                "source": "; ".join(f"{part['part']}: {part['source']}" for part in own),
+                "numbers": ", ".join(dict.fromkeys(part["kind"] for part in parts)),
+                "also": ", ".join(own),
+                "source": "; ".join(f"{part['part']}: {part['source']}" for part in parts),
             }
         )
-    if not output.for_people:
-        print_rows(rows, output)
-        return
-    shown = ["robot", "processes", "endpoints", "nodes", "numbers"]
-    print_rows(
-        [{name: row[name] for name in shown} for row in rows],
-        output,
-        {"endpoints": "{:,.4g}".format, "nodes": "{:.3g}".format},
-    )
-    short = "; ".join(" or ".join(_aliases(row["robot"])) for row in rows)
-    told = (
-        "Endpoints of each process, nodes of the whole robot. --robot takes shorter names, too, in "
-        f"this order: {short}. Case, spaces and hyphens don't matter: turtlebot4."
-    )
-    click.echo(f"\n{words.wrapped(told)}")
-
-
-def _aliases(name: object) -> list[str]:
-    return [also for also, of in ready_made.aliases().items() if of == name]
+    print_table(rows, output, COLUMNS)
+    if output.for_people:
+        click.echo()
+        say(
+            "Endpoints of each process, nodes of the whole robot. --robot takes shorter names, "
+            f"too, in this order: {'; '.join(aliases)}. Case, spaces and hyphens don't matter: "
+            "turtlebot4."
+        )

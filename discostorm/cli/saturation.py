@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,23 +13,31 @@ import discostorm as ds
 from discostorm import words
 from discostorm.cli.fleet_options import (
     count_options,
+    describe_matching,
     error_band,
     file_options,
-    read,
+    fleet_source,
+    is_all_wired,
+    print_error_bands,
+    print_robot,
+    read_fleet,
     ready_made,
-    say_bands,
-    says_what_matches,
-    who,
-    without_robot,
 )
-from discostorm.cli.options import A_FILE, output_options, packed, protocol_option, wifi_options
+from discostorm.cli.options import (
+    A_FILE,
+    option_group,
+    output_options,
+    protocol_option,
+    wifi_options,
+)
 from discostorm.cli.output import (
+    Column,
     Output,
     bad_input,
     percent,
-    plain,
     print_channel,
-    print_rows,
+    print_table,
+    say,
     working,
     yes,
 )
@@ -38,16 +47,22 @@ from discostorm.wifi.radio import both_ends
 
 
 @dataclass(frozen=True)
-class Kind:
-    """A kind of host of which there may be more: columns that name it, and who else is there."""
+class VariedGroup:
+    """A group whose hosts are varied: columns that name it, its fleet, and hosts to check."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet
     index: int = 0
     asked: float | None = None
 
+    def with_hosts(self, hosts: float) -> ds.Fleet:
+        """Return the fleet with another number of hosts in the group."""
+        groups = list(self.fleet.groups)
+        groups[self.index] = replace(groups[self.index], hosts=hosts)
+        return replace(self.fleet, groups=tuple(groups))
 
-def _kinds(
+
+def _varied_groups(
     hosts: float | None,
     processes: float | None,
     endpoints: float | None,
@@ -55,45 +70,41 @@ def _kinds(
     fleet: str | None,
     file: str | None,
     beside: str | None,
-) -> list[Kind]:
-    way = who(fleet, file, robot, {"processes": processes, "endpoints": endpoints})
-    if way.file == beside == "-":
+) -> list[VariedGroup]:
+    counts = {"processes": processes, "endpoints": endpoints}
+    source = fleet_source(fleet, file, robot, counts)
+    if source == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
-    others = None if beside is None else read(beside)
-    if way.file is None:
-        if way.robot is None:
-            columns, members = {}, ds.Fleet.swarm(1, processes, endpoints)
-        else:
-            one = ready_made(way.robot)
-            columns, members = {"robot": one.name}, ds.Fleet((one,))
-        together = members if others is None else _joined(members, others, others.matching)
-        return [Kind(columns, together, asked=hosts)]
-    if hosts is not None:
+    if source is not None and hosts is not None:
         raise click.UsageError("--fleet goes without --hosts here")
-    members = read(way.file)
-    if others is None:
-        together = members
-    elif others.matching != members.matching:
-        raise click.UsageError(
-            f"matching must be the same in FLEET and --beside; got {members.matching:g} and "
-            f"{others.matching:g}"
-        )
+    if source is not None:
+        members = read_fleet(source)
+    elif robot is not None:
+        members = ds.Fleet((ready_made(robot),))
     else:
-        together = _joined(members, others, members.matching)
-    return [Kind({"group": name}, together, index) for index, name in enumerate(members.names)]
+        members = ds.Fleet.swarm(1, processes, endpoints)
+    together = members
+    if beside is not None:
+        others = read_fleet(beside)
+        if source is not None and others.matching != members.matching:
+            raise click.UsageError(
+                "matching must be the same in FLEET and --beside; got "
+                f"{members.matching:g} and {others.matching:g}"
+            )
+        # Without their names, which may be those of the members.
+        unnamed = (replace(group, name="") for group in others.groups)
+        together = ds.Fleet((*members.groups, *unnamed), others.matching)
+    if source is not None:
+        return [VariedGroup({"group": name}, together, n) for n, name in enumerate(members.names)]
+    columns = {} if robot is None else {"robot": members.groups[0].name}
+    return [VariedGroup(columns, together, asked=hosts)]
 
 
-def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
-    """Return both in one, the others without their names, which may be those of the members."""
-    unnamed = (replace(group, name="") for group in others.groups)
-    return ds.Fleet((*members.groups, *unnamed), matching)
-
-
-@says_what_matches
+@describe_matching
 @click.command()
-@packed(
-    "kinds",
-    _kinds,
+@option_group(
+    "varied",
+    _varied_groups,
     click.option(
         "--hosts", type=float, metavar="N", help="Hosts of your fleet, to see whether they fit."
     ),
@@ -112,7 +123,7 @@ def _joined(members: ds.Fleet, others: ds.Fleet, matching: float) -> ds.Fleet:
 @wifi_options
 @output_options
 def saturation(
-    kinds: Sequence[Kind],
+    varied: Sequence[VariedGroup],
     limit: float,
     protocols: tuple[ds.Protocol, ...],
     wifi: Wifi,
@@ -132,111 +143,120 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
       discostorm saturation fleet.toml --protocol paper
     """
+    full, single = both_ends(wifi)
+    cases = [(protocol, group) for protocol in protocols for group in varied]
     with bad_input(), working("computing"):
-        asked_of = [(protocol, kind) for protocol in protocols for kind in kinds]
         rows = [
-            {"protocol": protocol.name} | _both(kind, limit, protocol, *both_ends(wifi))
-            for protocol, kind in asked_of
+            {"protocol": protocol.name} | _row(group, limit, protocol, full, single)
+            for protocol, group in cases
         ]
-        saturated = [
-            (protocol, _with(kind, row["hosts"] or 1.0))
-            for row, (protocol, kind) in zip(rows, asked_of, strict=True)
-        ]
-        if not output.for_people and any(table.captured for table in protocols):
+    saturated = [
+        (protocol, group.fleet if row["hosts"] == math.inf else group.with_hosts(row["hosts"] or 1))
+        for row, (protocol, group) in zip(rows, cases, strict=True)
+    ]
+    if not output.for_people:
+        if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
                 row |= error_band(protocol, fleet)
-    asked = kinds[0].asked is not None
-    if output.for_people:  # what was given is left out, or the lines would be too long
-        rows = without_robot(rows, output)
-        known = {"processes", "endpoints"} if kinds[0].columns.get("robot") or asked else set()
-        without = known | ({"limit"} if asked or "group" in rows[0] else set())
-        rows = [{name: row[name] for name in row if name not in without} for row in rows]
-        rows = [_shown(row) for row in rows]
-    print_rows(
-        rows,
-        output,
-        {
-            "limit": percent,
-            "hosts": _hosts,
-            "hosts_full_ampdus": _hosts,
-            "asked": plain,
-            "asked_fit": yes,
-        },
-        {
-            "hosts": "saturated at" if asked else "saturated at hosts",
-            "fit": "hosts that fit",
-            "hosts_full_ampdus": "with full A-MPDUs",
-            "fit_full_ampdus": "hosts that may fit",
-            "asked": "yours",
-            "asked_fit": "fit",
-        },
-    )
-    full, single = both_ends(wifi)
+        print_table(rows, output, ())
+        return
+    print_robot(rows, output)
+    print_table([_for_people(row) for row in rows], output, _columns(rows[0]))
     print_channel(single, output)
-    if full != single and output.for_people:
-        click.echo(f"\n{words.AGGREGATES}")
-    say_bands(saturated, output)
+    if full != single:
+        click.echo()
+        say(words.AGGREGATES)
+    if is_all_wired(varied[0].fleet):
+        click.echo()
+        say(words.ALL_WIRED)
+    print_error_bands(saturated)
 
 
-def _both(
-    kind: Kind, limit: float, protocol: ds.Protocol, full: Wifi, single: Wifi
+def _row(
+    group: VariedGroup, limit: float, protocol: ds.Protocol, full: Wifi, single: Wifi
 ) -> dict[str, Any]:
-    """Return that with one frame in each exchange and, where it differs, with full A-MPDUs."""
-    found = _full(kind, limit, protocol, single)
-    if full == single:
-        return found
-    best = _full(kind, limit, protocol, full)
-    found["more_than"] = found["more_than"] or best["more_than"]
-    return found | {f"{name}_full_ampdus": best[name] for name in ("hosts", "fit")}
-
-
-def _full(kind: Kind, limit: float, protocol: ds.Protocol, wifi: Wifi) -> dict[str, Any]:
-    """Return at how many hosts of a kind the channel is full; None if one is too many."""
-    group, hosts = kind.fleet.groups[kind.index], None
-    if ds.utilization(protocol, _with(kind, 1.0), wifi=wifi) <= limit or limit <= 0:
-        hosts = float(
-            ds.saturation_hosts(
-                protocol, wifi=wifi, limit=limit, fleet=kind.fleet, group=kind.index
-            )
-        )
-    found = kind.columns | {
-        "processes": float(group.processes),
-        "endpoints": float(group.endpoints),
+    """Return the hosts that fill the channel, with one message per frame and full A-MPDUs."""
+    host = group.fleet.groups[group.index]
+    hosts = _saturation_hosts(group, limit, protocol, single)
+    row = group.columns | {
+        "processes": float(host.processes),
+        "endpoints": float(host.endpoints),
         "limit": limit,
         "hosts": hosts,
-        "fit": 0 if hosts is None else words.whole_below(hosts),
-        "more_than": _not_measured(protocol, group, hosts),
+        "fit": _fit(hosts),
+        "more_than": _not_measured(protocol, host, hosts),
     }
-    if kind.asked is None:
-        return found
-    return found | {"asked": kind.asked, "asked_fit": hosts is not None and kind.asked < hosts}
+    if group.asked is not None:
+        row |= {"asked": group.asked, "asked_fit": hosts is not None and group.asked < hosts}
+    if full != single:
+        maximum = _saturation_hosts(group, limit, protocol, full)
+        row["more_than"] = row["more_than"] or _not_measured(protocol, host, maximum)
+        row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _fit(maximum)}
+    return row
 
 
-def _with(kind: Kind, hosts: float) -> ds.Fleet:
-    """Return the fleet with so many hosts of the kind."""
-    groups = list(kind.fleet.groups)
-    groups[kind.index] = replace(groups[kind.index], hosts=hosts)
-    return replace(kind.fleet, groups=tuple(groups))
-
-
-def _not_measured(protocol: ds.Protocol, group: ds.HostGroup, hosts: float | None) -> int | None:
-    """Return up to how many hosts a measured table is asked, if the answer is beyond; else None."""
-    if protocol.captured is None or hosts is None:
+def _saturation_hosts(
+    group: VariedGroup, limit: float, protocol: ds.Protocol, wifi: Wifi
+) -> float | None:
+    """Return at how many hosts of a group the channel is full; None if one is too many."""
+    if is_all_wired(group.fleet):
+        return math.inf
+    if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
         return None
-    most = most_hosts(protocol.captured, float(group.processes))
-    return most if hosts > most else None
+    return float(
+        ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=group.fleet, group=group.index)
+    )
 
 
-def _shown(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a row for people: no number of hosts beyond twice of what was measured."""
-    most, shown = row["more_than"], {k: v for k, v in row.items() if k != "more_than"}
-    if most is None:
-        return shown
-    for name in ("hosts", "fit", "hosts_full_ampdus", "fit_full_ampdus"):
-        if (shown.get(name) or 0) > most:
-            shown[name] = f"more than {most}" + " (not measured)" * (name == "hosts")
-    return shown
+def _fit(hosts: float | None) -> float:
+    if hosts is None:
+        return 0
+    return hosts if hosts == math.inf else words.whole_below(hosts)
+
+
+def _not_measured(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
+    """Return the maximum of hosts that a measured model answers for, if this is more."""
+    if protocol.captured is None or hosts is None or hosts == math.inf:
+        return None
+    maximum = most_hosts(protocol.captured, float(host.processes))
+    return maximum if hosts > maximum else None
+
+
+def _for_people(row: dict[str, Any]) -> dict[str, Any]:
+    """Return a row without numbers of hosts that a measured model does not answer for."""
+    maximum = row["more_than"]
+    if maximum is None:
+        return row
+    names = ("hosts", "fit", "hosts_full_ampdus", "fit_full_ampdus")
+    beyond = {name: f"more than {maximum}" for name in names if (row.get(name) or 0) > maximum}
+    if "hosts" in beyond:
+        beyond["hosts"] += " (not measured)"
+    return row | beyond
 
 
 def _hosts(value: float | str | None) -> str:
-    return value if isinstance(value, str) else "less than 1" if value is None else f"{value:.2f}"
+    if value is None:
+        return "less than 1"
+    if value == math.inf:
+        return "any number"
+    return value if isinstance(value, str) else f"{value:.2f}"
+
+
+def _fitting(value: float | str) -> str:
+    return "any number" if value == math.inf else str(value)
+
+
+def _columns(row: dict[str, Any]) -> list[Column]:
+    """Return the columns for people; the given counts are left out, as lines would be too long."""
+    asked, named = "asked" in row, "robot" in row
+    return [
+        *map(Column, ("protocol", "group")),
+        *map(Column, () if asked or named else ("processes", "endpoints")),
+        *(() if asked or "group" in row else (Column("limit", format=percent),)),
+        Column("hosts", "saturated at" if asked else "saturated at hosts", _hosts),
+        Column("fit", "hosts that fit", _fitting),
+        Column("asked", "yours"),
+        Column("asked_fit", "fit", yes),
+        Column("hosts_full_ampdus", "with full A-MPDUs", _hosts),
+        Column("fit_full_ampdus", "hosts that may fit", _fitting),
+    ]

@@ -9,35 +9,48 @@ import click
 import discostorm as ds
 from discostorm import words
 from discostorm.cli.fleet_options import (
-    Members,
+    FleetInput,
+    describe_matching,
     error_band,
-    say_bands,
-    says_what_matches,
+    print_error_bands,
+    print_fleet_note,
+    print_robot,
     several_swarms_options,
-    without_robot,
 )
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
+    Column,
     Output,
     bad_input,
     percent,
     print_channel,
-    print_rows,
+    print_table,
+    say,
     working,
     yes,
 )
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
 
+COLUMNS = (
+    *map(Column, ("protocol", "fleet", "hosts", "processes", "endpoints")),
+    Column("utilization", format=percent),
+    Column("utilization_full_ampdus", "full A-MPDUs", percent),
+    Column("fits", format=yes),
+    Column("may_fit", format=yes),
+    Column("data_utilization", "data", percent),
+    Column("total_utilization", "both", percent),
+)
 
-@says_what_matches
+
+@describe_matching
 @click.command()
 @several_swarms_options
 @protocol_option
 @wifi_options
 @output_options
 def utilization(
-    members: list[Members], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
+    members: list[FleetInput], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
@@ -53,47 +66,47 @@ def utilization(
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 \\
           --wifi '802.11ac 80 MHz 2x2'
     """
-    rows: list[dict[str, Any]] = []
     ends = both_ends(wifi)
-    aggregates = ends[0] != ends[1]
-    banded = not output.for_people and any(table.captured for table in protocols)
+    cases = [(protocol, each) for protocol in protocols for each in members]
+    banded = not output.for_people and any(protocol.captured for protocol in protocols)
     with bad_input(), working("computing"):
-        for chosen in protocols:
-            for one in members:
-                least, taken = (float(ds.utilization(chosen, one.fleet, wifi=end)) for end in ends)
-                rows.append(
-                    {"protocol": chosen.name}
-                    | one.columns
-                    | {"utilization": taken}
-                    | ({"utilization_full_ampdus": least} if aggregates else {})
-                    | {"fits": words.fits(taken)}
-                    | ({"may_fit": words.fits(least)} if aggregates else {})
-                    | (error_band(chosen, one.fleet) if banded else {})
-                    | (_data(chosen, one.fleet, ends[1], taken) if one.fleet.has_data else {})
-                )
-    print_rows(
-        without_robot(rows, output),
-        output,
-        {
-            **{"utilization": percent, "utilization_full_ampdus": percent, "fits": yes},
-            **{"may_fit": yes, "data_utilization": percent, "total_utilization": percent},
-        },
-        {
-            "utilization_full_ampdus": "full A-MPDUs",
-            "may_fit": "may fit",
-            "data_utilization": "data",
-            "total_utilization": "both",
-        },
+        rows = [
+            {"protocol": protocol.name}
+            | each.columns
+            | _discovery(protocol, each.fleet, *ends)
+            | (error_band(protocol, each.fleet) if banded else {})
+            | (_with_data(protocol, each.fleet, ends[1]) if each.fleet.has_data else {})
+            for protocol, each in cases
+        ]
+    print_robot(rows, output)
+    print_table(rows, output, COLUMNS)
+    if output.for_people:
+        print_channel(ends[1], output)
+        if ends[0] != ends[1]:
+            click.echo()
+            say(words.AGGREGATES)
+        if len(members) == 1:
+            print_fleet_note(members[0].fleet)
+        print_error_bands((protocol, each.fleet) for protocol, each in cases)
+
+
+def _discovery(protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi, single: Wifi) -> dict[str, Any]:
+    """Return utilization with one message per frame and, if it differs, with full A-MPDUs."""
+    load = float(ds.utilization(protocol, fleet, wifi=single))
+    if full == single:
+        return {"utilization": load, "fits": words.fits(load)}
+    minimum = float(ds.utilization(protocol, fleet, wifi=full))
+    return {
+        "utilization": load,
+        "utilization_full_ampdus": minimum,
+        "fits": words.fits(load),
+        "may_fit": words.fits(minimum),
+    }
+
+
+def _with_data(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi) -> dict[str, float]:
+    """Return the utilization of the fleet's data, and that of data and discovery."""
+    data, discovery = (
+        float(ds.utilization(protocol, fleet, wifi=wifi, phase=phase)) for phase in ("data", None)
     )
-    print_channel(ends[1], output)
-    if aggregates and output.for_people:
-        click.echo(f"\n{words.AGGREGATES}")
-    if output.for_people and len(members) == 1:
-        members[0].tell_alone()
-    say_bands(((table, one.fleet) for table in protocols for one in members), output)
-
-
-def _data(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, taken: float) -> dict[str, float]:
-    """Return what the fleet's data take beside discovery, and both together."""
-    data = float(ds.utilization(protocol, fleet, wifi=wifi, phase="data"))
-    return {"data_utilization": data, "total_utilization": taken + data}
+    return {"data_utilization": data, "total_utilization": discovery + data}

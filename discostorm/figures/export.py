@@ -1,9 +1,7 @@
 """Figures as files: SVG, PDF and PNG, the same bytes every time."""
 
-import os
+import io
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib as mpl
@@ -12,21 +10,13 @@ from matplotlib.figure import Figure
 
 from discostorm.figures.paper import fig2, fig2_data, fig3, fig3_data, fig4, fig4_data
 from discostorm.figures.style import style
+from discostorm.files import atomic_write
 
-
-@dataclass(frozen=True)
-class PaperFigure:
-    """A figure of the paper: what it shows, its data, and how it is drawn."""
-
-    title: str
-    data: Callable[[], pd.DataFrame]
-    draw: Callable[[], Figure]
-
-
-FIGURES = {
-    "fig2": PaperFigure("Fig. 2: utilization against hosts", fig2_data, fig2),
-    "fig3": PaperFigure("Fig. 3: utilization against processes and endpoints", fig3_data, fig3),
-    "fig4": PaperFigure("Fig. 4: utilization of the Nav2 scenario", fig4_data, fig4),
+#: The paper's figures: functions of their data, and functions that draw them.
+FIGURES: dict[str, tuple[Callable[[], pd.DataFrame], Callable[[], Figure]]] = {
+    "fig2": (fig2_data, fig2),
+    "fig3": (fig3_data, fig3),
+    "fig4": (fig4_data, fig4),
 }
 
 # Without these, each file would carry the time or the version that made it.
@@ -43,38 +33,25 @@ def save(figure: Figure, folder: Path, name: str) -> Iterator[Path]:
         with style():
             engine.execute(figure)
     for kind, metadata in _METADATA.items():
-        path = folder / f"{name}.{kind}"
-        with style(), replacing(path) as beside:
+        path, content = folder / f"{name}.{kind}", io.BytesIO()
+        with style():
             # With an engine, even "none", each file would first be drawn once more.
             mpl.rcParams["figure.constrained_layout.use"] = False
             figure.set_layout_engine(None)
-            figure.savefig(beside, dpi=200, metadata=metadata, format=kind)
+            figure.savefig(content, dpi=200, metadata=metadata, format=kind)
+        atomic_write(path, content.getvalue())
         yield path
 
 
-@contextmanager
-def replacing(path: Path) -> Iterator[Path]:
-    """Give a file to write beside a path, which takes its place only if all was written."""
-    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        yield beside
-        beside.replace(path)
-    finally:
-        beside.unlink(missing_ok=True)
-
-
-def files_of_all() -> int:
-    """Return how many files `save_all` writes."""
-    return len(FIGURES) * (len(_METADATA) + 1)
+#: Names of the files that `save_all` writes, in this order.
+FILES = tuple(f"{name}.{kind}" for name in FIGURES for kind in (*_METADATA, "csv"))
 
 
 def save_all(folder: Path) -> Iterator[Path]:
     """Write Figs. 2-4 and their data into a folder, made if missing; yield each path."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name, paper in FIGURES.items():
-        figure = paper.draw()
-        yield from save(figure, folder, name)
+    for name, (data, draw) in FIGURES.items():
+        yield from save(draw(), folder, name)
         path = folder / f"{name}.csv"
-        with replacing(path) as beside:
-            paper.data().to_csv(beside, index=False, lineterminator="\n")
+        atomic_write(path, data().to_csv(index=False, lineterminator="\n").encode())
         yield path

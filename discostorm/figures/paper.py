@@ -27,12 +27,12 @@ FIG4_PROCESSES, FIG4_ENDPOINTS = 1, 678
 
 
 def steps(first: int, last: int, per_one: int = 10) -> NDArray[np.float64]:
-    """Return first to last with every whole number, and steps between for a smooth curve."""
+    """Return every integer from first to last, with steps between them for a smooth curve."""
     return np.arange(per_one * first, per_one * last + 1) / per_one
 
 
 def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) -> pd.DataFrame:
-    """Return the utilization of every phase and the total of both protocols, a row a value."""
+    """Return the utilization of each protocol's phases, and its total, against hosts."""
     return pd.concat(
         pd.DataFrame(
             {
@@ -84,48 +84,14 @@ def fig4_data() -> pd.DataFrame:
     return phases_data(steps(1, 5, per_one=50), FIG4_PROCESSES, FIG4_ENDPOINTS)
 
 
-def _percent(axis: Axes, most: float) -> None:
-    axis.axhline(1, color="black", linewidth=1)
-    axis.set_ylim(0, most)
-    axis.yaxis.set_major_formatter(PercentFormatter(1))
-    axis.set_ylabel("channel utilization [%]")
+#: On which side of its curve a protocol's text stands: alignments, and the offset in points.
+_SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
 
 
-def _phases(
-    axis: Axes, data: pd.DataFrame, processes: float, endpoints: float, *, crossings: bool = True
+def _write(
+    axis: Axes, text: str, point: Any, offset: tuple[float, float], color: Any, **look: Any
 ) -> None:
-    """Draw each phase and the total against hosts, mark where totals cross 100%, and name that.
-
-    The total is the strongest line; the phases are thin and darker, so that one which is
-    nearly all of it stays visible on top. A dot marks each whole number of hosts.
-    """
-    for protocol, (ha, va, across, up) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
-        color, dark = color_of(protocol), _dark(protocol)
-        rows = data[data["protocol"] == protocol.name]
-        total = rows[rows["phase"] == "total"]
-        whole = total[total["hosts"] % 1 == 0]
-        axis.plot(
-            total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3,
-        )  # fmt: skip
-        for phase in protocol.phases:
-            part = rows[rows["phase"] == phase]
-            axis.plot(part["hosts"], part["utilization"], STYLES[phase], color=dark, linewidth=1.2)
-        axis.plot(whole["hosts"], whole["utilization"], "o", color=color, markersize=6)
-        hosts = saturation_hosts(protocol, processes, endpoints)
-        axis.plot(hosts, 1, "D", color=color, markeredgecolor="white", markersize=8, zorder=3)
-        if not crossings:
-            continue
-        axis.annotate(
-            f"full at\n{hosts:.2f} robots", (hosts, 1), (across, up), color=color, ha=ha, va=va,
-            textcoords="offset points", fontsize=9,
-        )  # fmt: skip
-    axis.set_xlim(data["hosts"].min(), data["hosts"].max())
-    axis.xaxis.set_major_locator(MultipleLocator(1))
-    axis.set_xlabel("hosts $N_H$")
-
-
-#: On which side of its curve what belongs to a protocol is written: alignment, and points off it.
-_BESIDE = (("right", "bottom", -9, 5), ("left", "top", 9, -5))
+    axis.annotate(text, point, offset, textcoords="offset points", color=color, **look)
 
 
 def _dark(protocol: Protocol) -> tuple[float, ...]:
@@ -133,41 +99,75 @@ def _dark(protocol: Protocol) -> tuple[float, ...]:
     return tuple(0.45 * part for part in to_rgb(color_of(protocol)))
 
 
-def _name_totals(axis: Axes, data: pd.DataFrame, most: float) -> None:
-    """Name both totals where they leave the panel, and below it the phase that is most of it."""
-    for protocol, (ha, _, across, _) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
-        rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * most)]
+def _percent_axis(axis: Axes, maximum: float) -> None:
+    axis.axhline(1, color="black", linewidth=1)
+    axis.set_ylim(0, maximum)
+    axis.yaxis.set_major_formatter(PercentFormatter(1))
+    axis.set_ylabel("channel utilization [%]")
+
+
+def _draw_phases(
+    axis: Axes, data: pd.DataFrame, processes: float, endpoints: float, *, crossings: bool = True
+) -> None:
+    """Draw each phase and the total against hosts, and mark where totals cross 100%.
+
+    The total is the strongest line; the phases are thin and darker, so that a phase which is
+    nearly all of it stays visible on top. A dot marks each integer number of hosts.
+    """
+    for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+        color = color_of(protocol)
+        rows = data[data["protocol"] == protocol.name]
+        total = rows[rows["phase"] == "total"]
+        axis.plot(
+            total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3,
+        )  # fmt: skip
+        for phase in protocol.phases:
+            part = rows[rows["phase"] == phase]
+            axis.plot(
+                part["hosts"], part["utilization"], STYLES[phase], color=_dark(protocol),
+                linewidth=1.2,
+            )  # fmt: skip
+        integers = total[total["hosts"] % 1 == 0]
+        axis.plot(integers["hosts"], integers["utilization"], "o", color=color, markersize=6)
+        hosts = saturation_hosts(protocol, processes, endpoints)
+        axis.plot(hosts, 1, "D", color=color, markeredgecolor="white", markersize=8, zorder=3)
+        if crossings:
+            text = f"full at\n{hosts:.2f} robots"
+            _write(axis, text, (hosts, 1), offset, color, ha=ha, va=va, fontsize=9)
+    axis.set_xlim(data["hosts"].min(), data["hosts"].max())
+    axis.xaxis.set_major_locator(MultipleLocator(1))
+    axis.set_xlabel("hosts $N_H$")
+
+
+def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
+    """Name both totals where they leave the panel, and below the name their largest phase."""
+    for protocol, (ha, _, (across, _)) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+        rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * maximum)]
         # The phase of the endpoints comes last, and is right of the total.
-        beside = rows[rows["phase"] == ("total" if ha == "right" else protocol.phases[-1])]
-        end = beside.iloc[-1]
-        look: dict[str, Any] = {"textcoords": "offset points", "ha": ha, "fontsize": 9}
-        at = (end["hosts"], end["utilization"])
-        axis.annotate(
-            protocol.name, at, (across, 0), va="center", color=color_of(protocol), weight="bold",
-            annotation_clip=False, **look,
-        )  # fmt: skip
-        axis.annotate(
-            f"dashed:\n{protocol.phases[-1]}", at, (across - (28 if ha == "right" else 0), -6),
-            va="top", color=_dark(protocol), annotation_clip=False, **look,
-        )  # fmt: skip
+        curve = rows[rows["phase"] == ("total" if ha == "right" else protocol.phases[-1])]
+        end = tuple(curve.iloc[-1][["hosts", "utilization"]])
+        look: dict[str, Any] = {"ha": ha, "fontsize": 9, "annotation_clip": False}
+        color = color_of(protocol)
+        _write(axis, protocol.name, end, (across, 0), color, va="center", weight="bold", **look)
+        text, shift = f"dashed:\n{protocol.phases[-1]}", 28 if ha == "right" else 0
+        _write(axis, text, end, (across - shift, -6), _dark(protocol), va="top", **look)
 
 
-def _name_phases(axis: Axes, data: pd.DataFrame, phases: Mapping[str, float]) -> None:
-    """Name phases at the right end of their curves, so many points higher."""
+def _name_phases(axis: Axes, data: pd.DataFrame, heights: Mapping[str, float]) -> None:
+    """Name phases at the right end of their curves, raised by a height in points."""
     last = data[data["hosts"] == data["hosts"].max()].set_index("phase")
     for protocol in PAPER_PROTOCOLS:
         for phase in protocol.phases:
-            if phase in phases:
-                axis.annotate(
-                    phase, (last["hosts"][phase], last["utilization"][phase]), (4, phases[phase]),
-                    textcoords="offset points", va="center", color=_dark(protocol), fontsize=9,
-                )  # fmt: skip
+            if phase in heights:
+                end = (last["hosts"][phase], last["utilization"][phase])
+                offset = (4, heights[phase])
+                _write(axis, phase, end, offset, _dark(protocol), va="center", fontsize=9)
 
 
-def _full(processes: float, endpoints: float) -> str:
-    """Return how many robots fill the channel with each protocol."""
+def _saturation_headline(figure: Figure, processes: float, endpoints: float) -> None:
     dds, zenoh = (saturation_hosts(each, processes, endpoints) for each in PAPER_PROTOCOLS)
-    return f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh"
+    text = f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second"
+    headline(figure, text)
 
 
 def fig2() -> Figure:
@@ -176,12 +176,12 @@ def fig2() -> Figure:
     with style():
         figure = Figure(figsize=(WIDTH, 3.9))
         axis = figure.subplots()
-        _phases(axis, data, FIG2_PROCESSES, FIG2_ENDPOINTS)
-        _percent(axis, 2)
+        _draw_phases(axis, data, FIG2_PROCESSES, FIG2_ENDPOINTS)
+        _percent_axis(axis, 2)
         _name_totals(axis, data, 2)
         _name_phases(axis, data, {"SPDP": 0, "Scouting": 0})
         axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
-        headline(figure, f"{_full(FIG2_PROCESSES, FIG2_ENDPOINTS)} fill a second")
+        _saturation_headline(figure, FIG2_PROCESSES, FIG2_ENDPOINTS)
     return figure
 
 
@@ -189,41 +189,34 @@ def fig3() -> Figure:
     """Draw Fig. 3: utilization against processes and endpoints (N_H = 3).
 
     Above maps with lines of equal utilization, and the robots with 40 endpoints on a host; below
-    these robots on their own. The paper draws surfaces in three dimensions.
+    only these robots. The paper draws surfaces in three dimensions.
     """
     data = fig3_data()
-    of = {
-        (part, name): rows for (part, name), rows in data.groupby(["part", "protocol"], sort=False)
-    }
+    parts = dict(list(data.groupby(["part", "protocol"], sort=False)))
     with style():
         figure = Figure(figsize=(WIDTH, 5.0))
         grid = figure.add_gridspec(2, 2, height_ratios=(1, 0.85))
         left = figure.add_subplot(grid[0, 0], ylabel="endpoints of each $N_E$")
-        panels = (left, figure.add_subplot(grid[0, 1], sharey=left))
-        for axis, protocol in zip(panels, PAPER_PROTOCOLS, strict=True):
-            surface, line = of["surface", protocol.name], of["trajectory", protocol.name]
-            _map(axis, surface, line, color_of(protocol))
+        right = figure.add_subplot(grid[0, 1], sharey=left)
+        for axis, protocol in zip((left, right), PAPER_PROTOCOLS, strict=True):
+            surface, line = parts["surface", protocol.name], parts["trajectory", protocol.name]
+            _draw_map(axis, surface, line, color_of(protocol))
             axis.set_title(protocol.name)
-        panels[1].tick_params(labelleft=False)
+        right.tick_params(labelleft=False)
         axis = figure.add_subplot(grid[1, :])
         for protocol in PAPER_PROTOCOLS:
-            color, line = color_of(protocol), of["trajectory", protocol.name]
+            color, line = color_of(protocol), parts["trajectory", protocol.name]
             axis.plot(line["processes"], line["utilization"], color=color)
-            whole = line[line["processes"].isin(whole_divisions())]
-            axis.plot(whole["processes"], whole["utilization"], "o", color=color)
-            last = line.iloc[-1]
-            axis.annotate(
-                protocol.name, (last["processes"], last["utilization"]), (4, 0), color=color,
-                textcoords="offset points", va="center",
-            )  # fmt: skip
-        for protocol, (ha, va, across, up) in zip(PAPER_PROTOCOLS, _BESIDE, strict=True):
-            line = of["trajectory", protocol.name]
-            full = np.interp(1, line["utilization"], line["processes"])
-            axis.annotate(
-                f"full at {full:.1f} processes", (full, 1), (across, up), ha=ha, va=va,
-                textcoords="offset points", color=color_of(protocol), fontsize=9,
-            )  # fmt: skip
-        _percent(axis, 2)
+            even = line[line["processes"].isin(whole_divisions())]
+            axis.plot(even["processes"], even["utilization"], "o", color=color)
+            end = tuple(line.iloc[-1][["processes", "utilization"]])
+            _write(axis, protocol.name, end, (4, 0), color, va="center")
+        for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+            line = parts["trajectory", protocol.name]
+            full = float(np.interp(1, line["utilization"], line["processes"]))
+            text, color = f"full at {full:.1f} processes", color_of(protocol)
+            _write(axis, text, (full, 1), offset, color, ha=ha, va=va, fontsize=9)
+        _percent_axis(axis, 2)
         axis.set_xlim(0.7, 11)
         axis.xaxis.set_major_locator(MultipleLocator(1))
         axis.set_xlabel(
@@ -233,7 +226,7 @@ def fig3() -> Figure:
     return figure
 
 
-def _map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
+def _draw_map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
     """Draw lines of equal utilization, the full channel thick, and the robots of the line."""
     grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
     levels = [0.25, 0.5, 1, 2]
@@ -241,14 +234,12 @@ def _map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> N
         grid.columns, grid.index, grid.to_numpy(), levels, colors=color,
         linewidths=[2.6 if level == 1 else 1 for level in levels],
     )  # fmt: skip
-    # Each name stands where the dashed line does not cross its curve: the first one low in the map.
-    vertices = [np.asarray(path.vertices) for path in lines.get_paths()]
-    heights = [5, 18, 18, 18]
-    places = [
-        tuple(at[np.abs(at[:, 1] - height).argmin()])
-        for at, height in zip(vertices, heights, strict=True)
-    ]
-    for text in axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8, manual=places):
+    # Each label stands where the dashed line does not cross its curve: the first low in the map.
+    points = []
+    for path, height in zip(lines.get_paths(), [5, 18, 18, 18], strict=True):
+        vertices = np.asarray(path.vertices)
+        points.append(tuple(vertices[np.abs(vertices[:, 1] - height).argmin()]))
+    for text in axis.clabel(lines, fmt=lambda level: f"{level:.0%}", fontsize=8, manual=points):
         text.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     label = f"{FIG3_ENDPOINTS_IN_ALL} endpoints in all"
     axis.plot(line["processes"], line["endpoints"], "--", color="black", label=label, zorder=1)
@@ -270,18 +261,18 @@ def fig4() -> Figure:
     data = fig4_data()
     with style():
         figure = Figure(figsize=(WIDTH, 5.2))
-        above, below = figure.subplots(2, 1, sharex=True)
-        for axis in (above, below):
-            _phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS, crossings=axis is above)
-        _percent(above, 4)
-        _name_totals(above, data, 4)
-        _percent(below, 10)
-        # With one host nothing but the first phase is sent, and zero has no logarithm.
-        below.set_yscale("log", nonpositive="mask")
-        below.set_ylim(bottom=1e-3)
-        below.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
-        _name_phases(below, data, {"SEDP": 5, "Declaration": -6, "SPDP": 0, "Scouting": 0})
-        above.set_xlabel("")
-        headline(figure, f"{_full(FIG4_PROCESSES, FIG4_ENDPOINTS)} fill a second")
-        above.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
+        upper, lower = figure.subplots(2, 1, sharex=True)
+        for axis in (upper, lower):
+            _draw_phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS, crossings=axis is upper)
+        _percent_axis(upper, 4)
+        _name_totals(upper, data, 4)
+        _percent_axis(lower, 10)
+        # A single host sends only the first phase, and zero has no logarithm.
+        lower.set_yscale("log", nonpositive="mask")
+        lower.set_ylim(bottom=1e-3)
+        lower.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
+        _name_phases(lower, data, {"SEDP": 5, "Declaration": -6, "SPDP": 0, "Scouting": 0})
+        upper.set_xlabel("")
+        _saturation_headline(figure, FIG4_PROCESSES, FIG4_ENDPOINTS)
+        upper.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
     return figure

@@ -1,4 +1,4 @@
-"""The looks of every figure: one color a product, one line style a phase, one style sheet."""
+"""The style of every figure: colors of products, line styles of phases, one style sheet."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -15,15 +15,9 @@ from discostorm.messages import Protocol
 from discostorm.palette import PALETTE, Color, lights
 from discostorm.protocols import PROTOCOLS
 
-#: One line style a phase.
-STYLES = {
-    "total": "-",
-    "SPDP": ":",
-    "Scouting": ":",
-    "SEDP": "--",
-    "Declaration": "--",
-}
-#: One shade of its family's color a message of the paper.
+#: Line styles of phases.
+STYLES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
+#: Shades of its family's color for the messages of the paper.
 MESSAGE_COLORS = lights("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
 WIDTH = 6.3
@@ -36,46 +30,39 @@ SHEETS: tuple[Path, dict[Any, Any]] = (
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Draw with the looks of the book inside a ``with`` block."""
+    """Draw with the style of the book inside a ``with`` block."""
     path, series = SHEETS
     with mpl.rc_context(series, path):
         yield
 
 
 def headline(figure: Figure, text: str) -> None:
-    """Say above a figure what it shows."""
+    """Write a sentence above a figure."""
     figure.suptitle(text, x=0.01, ha="left", fontsize=10, fontweight="bold")
 
 
 def palette_of(protocols: Iterable[Protocol]) -> list[Color]:
-    """Return a row of the palette for each table: of its product, else its family, else its basis.
-
-    Tables that say none of these, such as those of your own, have neutral colors in order.
-    """
+    """Return the color of each protocol's product, family or basis; else the next neutral."""
     neutral = cycle(color for color in PALETTE.values() if color.group == "neutral")
     return [_own(protocol) or next(neutral) for protocol in protocols]
 
 
 def color_of(protocol: Protocol) -> str:
-    """Return the color of a table in figures: that of its product, else of its family."""
+    """Return the color of a protocol in figures, as a hex code."""
     return palette_of([protocol])[0].light
 
 
 def property_of(protocol: Protocol) -> str:
-    """Return the same on pages: a custom property of ``palette.css``, for light and dark."""
+    """Return the custom property of ``palette.css`` for the color of a protocol."""
     return palette_of([protocol])[0].property
 
 
 def _own(protocol: Protocol) -> Color | None:
-    said = (("product", protocol.product), ("family", protocol.family), ("basis", protocol.basis))
-    for group, key in said:
-        if key is not None and (group, key) in PALETTE:
-            return PALETTE[group, key]
-    return None
+    keys = (("product", protocol.product), ("family", protocol.family), ("basis", protocol.basis))
+    return next((PALETTE[key] for key in keys if key in PALETTE), None)
 
 
-#: The colors of `PROTOCOLS` by their names; of any other table, see `color_of`.
+#: The colors of `PROTOCOLS` by their names.
 COLORS = {
-    protocol.name: color.light
-    for protocol, color in zip(PROTOCOLS.values(), palette_of(PROTOCOLS.values()), strict=True)
+    name: color.light for name, color in zip(PROTOCOLS, palette_of(PROTOCOLS.values()), strict=True)
 }

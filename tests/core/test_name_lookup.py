@@ -1,10 +1,6 @@
 """Questions in the user's words: names that people use, ready-made robots, several products."""
 
-import csv
-import io
 import json
-import re
-from pathlib import Path
 from typing import Any
 
 import click
@@ -15,19 +11,11 @@ import discostorm as ds
 from discostorm import _names, robots
 from discostorm.cli import main
 from discostorm.cli.options import SEVERAL
-from discostorm.data import data_path, read_data
+from discostorm.data import read_data
 from discostorm.protocols import BASES, aliases, named, offered
 from discostorm.wifi.radio import radio_named
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
-#: Every command that takes a fleet, with what makes it quick.
-COMMANDS = {
-    "utilization": [],
-    "breakdown": [],
-    "saturation": [],
-    "plan": [],
-    "simulate": ["--runs", "1", "--until", "1"],
-}
 
 
 def run(*words: str, columns: int = 79) -> Result:
@@ -80,11 +68,10 @@ def test_no_name_means_two_products() -> None:
         (["utilization", *SWARM, "--protocol", "fastdss"], "Did you mean 'Fast DDS'?"),
         (["utilization", *SWARM, "--protocol", "rmw_zenoh_cp"], "Did you mean 'rmw_zenoh_cpp'?"),
         (["utilization", *SWARM, "--protocol", "alll"], "Did you mean 'all'?"),
-        (["capture", "x", "--against", "cyclondds"], "Did you mean 'Cyclone DDS'?"),
-        (["plan", "--robot", "turtlebot3", "--hosts", "2"], "Did you mean 'TurtleBot 4'?"),
-        (["plan", *SWARM, "--wifi", "802.11ax"], "Did you mean '802.11ax 80 MHz 2x2'?"),
-        (["plann"], "Did you mean 'plan'?"),
-        (["plan", "--endpoint", "3"], "--endpoints"),
+        (["breakdown", "--robot", "turtlebot3", "--hosts", "2"], "Did you mean 'TurtleBot 4'?"),
+        (["breakdown", *SWARM, "--wifi", "802.11ax"], "Did you mean '802.11ax 80 MHz 2x2'?"),
+        (["breakdwn"], "Did you mean 'breakdown'?"),
+        (["breakdown", "--endpoint", "3"], "--endpoints"),
     ],
 )
 def test_a_wrong_name_gets_the_nearest_right_one(arguments: list[str], nearest: str) -> None:
@@ -95,7 +82,7 @@ def test_a_wrong_name_gets_the_nearest_right_one(arguments: list[str], nearest: 
 
 def test_a_name_like_no_other_gets_none() -> None:
     assert _names.nearest("mqtt", ds.PROTOCOLS) is None
-    assert "Did you mean" not in run("plan", *SWARM, "--protocol", "mqtt").stderr
+    assert "Did you mean" not in run("breakdown", *SWARM, "--protocol", "mqtt").stderr
 
 
 def test_a_wrong_key_of_a_fleet_file_gets_the_nearest_right_one() -> None:
@@ -111,25 +98,8 @@ def test_radios_need_no_number_of_streams() -> None:
     assert radio_named("802.11ac 80MHz").streams == 2
 
 
-# Several products
-
-
-def test_commands_take_the_measured_fast_dds_unless_told_otherwise() -> None:
-    fast = ds.PROTOCOLS["Fast DDS"]
-    (row,) = answer("utilization", *SWARM)
-    assert row["utilization"] == ds.utilization(fast, 3, 2, 10)
-    (row,) = answer("saturation", *SWARM[2:])
-    assert row["hosts"] == ds.saturation_hosts(fast, 2, 10)
-    assert {row["protocol"] for row in answer("breakdown", *SWARM)} == {"Fast DDS"}
-    assert answer("plan", *SWARM)["protocol"] == "Fast DDS"
-    assert answer("simulate", *SWARM, "--runs", "1", "--until", "1")["protocol"] == "Fast DDS"
-    # Functions keep their own.
-    assert ds.plan(ds.Fleet.swarm(3, 2, 10)).protocol == ds.DDS
-
-
-@pytest.mark.parametrize("word", ["paper", "both"])
-def test_the_papers_two_have_a_word(word: str) -> None:
-    rows = answer("utilization", *SWARM, "--protocol", word)
+def test_the_papers_two_have_a_word() -> None:
+    rows = answer("utilization", *SWARM, "--protocol", "paper")
     assert [row["protocol"] for row in rows] == ["DDS", "Zenoh"]
 
 
@@ -142,23 +112,6 @@ def test_all_are_in_one_table_in_the_calculators_order() -> None:
     assert places == sorted(places)
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_several_products_are_compared_in_one_table(command: str) -> None:
-    swarm = SWARM[2:] if command == "saturation" else SWARM
-    several = [word for one in ("zenoh", "fastdds", "cyclonedds") for word in ("--protocol", one)]
-    words = [command, *swarm, *several, *COMMANDS[command]]
-    found = [row["protocol"] for row in answer(*words)]
-    expected = ["Cyclone DDS", "Fast DDS", "Zenoh"]
-    assert list(dict.fromkeys(found)) == expected
-    table = run(*words).stdout
-    zenoh = re.search(r"^(protocol +)?Zenoh\b", table, re.MULTILINE)
-    assert zenoh is not None
-    assert table.index("Cyclone DDS") < table.index("Fast DDS") < zenoh.start()
-    rows = list(csv.DictReader(io.StringIO(run(*words, "--csv").stdout)))
-    assert list(dict.fromkeys(row["protocol"] for row in rows)) == expected
-    assert max(map(len, table.splitlines())) <= 79
-
-
 def test_what_one_product_sends_fits_the_terminal() -> None:
     for product in ("fastdds", "dds", "zenoh"):
         done = run("breakdown", *SWARM, "--protocol", product)
@@ -166,17 +119,6 @@ def test_what_one_product_sends_fits_the_terminal() -> None:
         assert name == f"Protocol: {named(product).name}"
         assert heading.split()[:2] == ["message", "cast"]
         assert max(map(len, done.stdout.splitlines())) <= 79
-
-
-def test_recovery_that_is_not_simulated_beside_others_is_told() -> None:
-    words = ["simulate", *SWARM, "--runs", "1", "--until", "1"]
-    done = run(*words, "--protocol", "fastdds", "--protocol", "discovery server")
-    assert done.exit_code == 0
-    assert "Note: recovery is not simulated with Fast DDS Discovery Server" in done.stderr
-    (row,) = [line for line in done.stdout.splitlines() if "Discovery Server" in line]
-    assert "not simulated" in row
-    alone = run(*words, "--protocol", "discovery server")
-    assert alone.stdout.startswith("Drain time: ")
 
 
 def every_option() -> list[tuple[str, click.Option]]:
@@ -224,46 +166,6 @@ def test_robots_lists_the_ready_made_ones() -> None:
     assert all(alias in said for alias in robots.aliases())
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_a_robot_works_in_every_command(command: str) -> None:
-    done = run(command, "--robot", "node", "--hosts", "3", *COMMANDS[command])
-    assert done.exit_code == 0, done.output
-
-
-def test_a_capture_is_compared_with_a_robot(tmp_path: Path) -> None:
-    packed = data_path("captures/fast_dds.pcap.xz", "discostorm_capture")
-    rows = answer("capture", str(packed), "--robot", "node", "--hosts", "3")["messages"]
-    fleet = tmp_path / "fleet.toml"
-    fleet.write_text(
-        "[[groups]]\nhosts = 3\nprocesses = 1\nendpoints = 18\nnodes = 1\nshared = 4\n"
-    )
-    assert rows == answer("capture", str(packed), "--fleet", str(fleet))["messages"]
-    refused = run("capture", str(packed), "--hosts", "3")
-    assert (refused.exit_code, "--hosts goes with --robot" in refused.stderr) == (2, True)
-
-
-def test_a_robot_is_counted_as_in_python() -> None:
-    group = robots.robot("turtlebot4")
-    assert group == robots.robots()["TurtleBot 4 with Nav2"]
-    rows = answer("utilization", "--robot", "turtlebot4", "--hosts", "2,12")
-    for row, hosts in zip(rows, (2, 12), strict=True):
-        fleet = ds.Fleet((ds.HostGroup(hosts, *group.counts()[1:], "x", shared=group.shared),))
-        assert (row["robot"], row["hosts"]) == (group.name, hosts)
-        assert row["utilization"] == ds.utilization(ds.PROTOCOLS["Fast DDS"], fleet)
-    told = answer("plan", "--robot", "tb4", "--hosts", "12")["fleet"]
-    assert [(one["name"], one["hosts"], one["shared"]) for one in told] == [
-        (group.name, 12, group.shared)
-    ]
-
-
-def test_plan_takes_counts_as_its_sisters_do() -> None:
-    fleet = ds.Fleet.swarm(12, 2, 40)
-    words = ["--hosts", "12", "--processes", "2", "--endpoints", "40"]
-    assert answer("plan", *words) == ds.plan(fleet, ds.PROTOCOLS["Fast DDS"]).to_dict()
-    (row,) = answer("utilization", *words)
-    assert row["utilization"] == pytest.approx(answer("plan", *words)["utilization"], rel=1e-12)
-
-
 def test_saturation_says_whether_the_given_hosts_fit() -> None:
     words = ["saturation", "--processes", "2", "--endpoints", "10", "--protocol", "dds", "--hosts"]
     for hosts, fit in (("7", True), ("7.15", True), ("7.16", False), ("8", False)):
@@ -277,10 +179,13 @@ def test_saturation_says_whether_the_given_hosts_fit() -> None:
     [
         ("utilization --robot tb4", "--hosts must be given with --robot"),
         ("utilization --robot tb4 --hosts 2 --endpoints 3", "it goes without --endpoints"),
-        ("plan --robot tb4 --hosts 2 x.toml", "--fleet goes without --hosts"),
-        ("plan --robot tb4 --hosts 2,3", "--hosts must be one number here"),
+        ("breakdown --robot tb4 --hosts 2 x.toml", "--fleet goes without --hosts"),
+        ("breakdown --robot tb4 --hosts 2,3", "--hosts must be one number here"),
         ("saturation x.toml --hosts 3", "--fleet goes without --hosts"),
-        ("plan --hosts 2", "--processes, --endpoints must be given, or --fleet FILE, or --robot"),
+        (
+            "breakdown --hosts 2",
+            "--processes, --endpoints must be given, or --fleet FILE, or --robot",
+        ),
     ],
 )
 def test_one_way_to_say_who_is_there(arguments: str, message: str) -> None:

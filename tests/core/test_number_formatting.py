@@ -11,6 +11,7 @@ from discostorm import words
         (0, "no time"),
         (5e-7, "0.5 µs"),
         (0.00123, "1.23 ms"),
+        (0.0456, "45.6 ms"),
         (0.0999, "99.9 ms"),
         (0.1, "0.10 s"),
         (9.5, "9.50 s"),
@@ -78,6 +79,30 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
     assert words.fits(0.9999999)
     assert not words.fits(1)
     assert [words.whole_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
+
+
+@pytest.mark.parametrize(
+    ("written", "text"),
+    [
+        (words.durations(1.514, 27.67), "1.51 to 27.7 s"),
+        (words.durations(0.0123, 1.5), "12.3 ms to 1.50 s"),
+        (words.durations(2, 2), "2.00 s"),
+        (words.durations(469, float("inf"), never="never done"), "7.8 minutes to never done"),
+        (words.percents(0.1, 0.234), "10% to 23%"),
+        (words.percents(0.5, 0.5), "50%"),
+        (words.charged(1.38, "of it", "its capacity"), "138% of it"),
+        (words.charged(28.44, "of it", "its capacity"), "28.4 times its capacity"),
+        (words.charged(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
+        (words.airtime(1.375, 1), "1.38 s"),
+        (words.airtime(0.1, float("inf")), "10% of the time"),
+        (words.many(1, "host"), "1 host"),
+        (words.many(24, "process", "es"), "24 processes"),
+        (words.sentences("it fits", "", "both agree"), "it fits. Both agree"),
+        (words.unbroken("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
+    ],
+)
+def test_ranges_loads_counts_and_sentences(written: str, text: str) -> None:
+    assert written == text
 
 
 def test_lists_in_words() -> None:

@@ -10,17 +10,17 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, timeline, words
-from discostorm.cli.fleet_options import Members, says_what_matches, swarm_options
-from discostorm.cli.options import output_options, packed, protocol_option, radio_options
+from discostorm.cli.fleet_options import FleetInput, describe_matching, swarm_options
+from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import (
     BadInput,
     Output,
-    as_text,
     bad_input,
     percent,
     print_channel,
     print_rows,
     seconds,
+    to_json,
     visible,
 )
 from discostorm.wifi import Wifi
@@ -110,11 +110,11 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
 
-@says_what_matches
+@describe_matching
 @click.command()
 @swarm_options
 @protocol_option
-@packed(
+@option_group(
     "how",
     Runs,
     click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
@@ -146,7 +146,7 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
 @radio_options
 @output_options
 def simulate(
-    members: Members, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
+    members: FleetInput, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
 ) -> None:
     """Simulate how a fleet starts, frame by frame, in several runs.
 
@@ -199,7 +199,7 @@ def simulate(
             one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
             for name, one in found.items()
         ]
-        click.echo(as_text(answers if len(protocols) > 1 else answers[0]))
+        click.echo(to_json(answers if len(protocols) > 1 else answers[0]))
         return
     if output.for_people and len(found) == 1:
         ((name, one),) = found.items()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shlex
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,19 +14,20 @@ import click
 import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.calculator_link import Link, link_of
-from discostorm.cli.fleet_options import called, compared, robot_option, standard_input
+from discostorm.cli.fleet_options import compared, display_name, robot_option, standard_input
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
     Output,
     Rows,
-    as_text,
     bad_input,
     percent,
     plain,
     print_rows,
+    to_json,
     visible,
     working,
+    write_file,
 )
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli.diagnosis_output import (
@@ -123,7 +124,9 @@ def capture(
     if file == fleet == "-":
         raise click.UsageError("either FILE or --fleet may be -, for standard input")
     if file != "-" and Path(file).is_fifo():
-        click.echo(f"Waiting for a program that writes into {visible(called(file))}.", err=True)
+        click.echo(
+            f"Waiting for a program that writes into {visible(display_name(file))}.", err=True
+        )
     with bad_input(), working("reading"):
         captured = ds.read_capture(standard_input() if file == "-" else file)
         members = compared(fleet, robot, hosts)
@@ -144,19 +147,20 @@ def capture(
             raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            _write_fleet(written, own, called(file))
+            content = _fleet_file(own, display_name(file))
+            write_file("--write-fleet", written, content.encode(), file, fleet)
         link = None if own is None or encrypted else link_of(own, own_model(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
-            path = Path(_checks.path("--picture", picture, "a file"))
-            with _writing("--picture", path) as part:
-                figure = captured.picture(wired=wired_hosts)
-                figure.savefig(part, format=path.suffix[1:].lower())
+            drawing = io.BytesIO()
+            kind = Path(picture).suffix[1:].lower()
+            captured.picture(wired=wired_hosts).savefig(drawing, format=kind)
+            write_file("--picture", picture, drawing.getvalue(), file, fleet)
     if output.as_csv and rows:
         print_rows(rows, output)
     elif output.as_json:
         answer = {
-            "file": called(file),
+            "file": display_name(file),
             "diagnosis": as_json(diagnosis, captured),
             "packets": captured.packets,
             "duration_s": captured.duration,
@@ -171,7 +175,7 @@ def capture(
             "notes": list(captured.notes),
             "calculator": None if link is None else link.address,
         }
-        click.echo(as_text(answer))
+        click.echo(to_json(answer))
     elif output.for_people:
         show_answer(diagnosis)
         show_tables(diagnosis, output)
@@ -206,20 +210,8 @@ def _records(table: pd.DataFrame) -> list[dict[Any, Any]]:
     return table.astype(object).where(table.notna(), None).to_dict("records")
 
 
-@contextmanager
-def _writing(option: str, path: Path) -> Iterator[Path]:
-    """Give a file that replaces the one at a path if all was written."""
-    try:
-        with ds.figures.replacing(path) as part:
-            yield part
-    except OSError as error:
-        raise BadInput(f"{option}: {_checks.brief(str(path))}: {error.strerror}") from error
-
-
-def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
-    """Write a fleet file that `plan` and the others take; all of it, or nothing."""
-    if name == "-":
-        raise BadInput("--write-fleet: - is no file; give a name, such as fleet.toml")
+def _fleet_file(fleet: ds.Fleet, source: str) -> str:
+    """Return a fleet file that `plan` and the others take."""
     lines = [f"# Seen in {visible(_checks.brief(source))}."]
     for group in fleet.described():
         lines += ["", "[[groups]]"]
@@ -228,9 +220,7 @@ def _write_fleet(name: str, fleet: ds.Fleet, source: str) -> None:
             # A capture does not show which topics ROS 2's own names share.
             if key != "shared":
                 lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
-    path = Path(_checks.path("--write-fleet", name, "a file"))
-    with _writing("--write-fleet", path) as part:
-        part.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    return "\n".join([*lines, ""])
 
 
 def _show_messages(

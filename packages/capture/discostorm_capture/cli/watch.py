@@ -18,11 +18,18 @@ from typing import TYPE_CHECKING, BinaryIO, cast
 
 import click
 
-import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import A_FILE, wifi_options
-from discostorm.cli.output import BadInput, Output, bad_input, percent, print_rows, visible
+from discostorm.cli.output import (
+    BadInput,
+    Output,
+    bad_input,
+    percent,
+    print_rows,
+    visible,
+    write_file,
+)
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -93,9 +100,8 @@ def watch(
         raise click.UsageError("either -i with an interface, or - for standard input")
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
-    target = None if text_file is None else Path(_checks.path("--text-file", text_file, "a file"))
-    if target is not None and not target.absolute().parent.is_dir():
-        raise BadInput(f"--text-file: {_checks.brief(str(target))}: there is no such folder")
+    if text_file is not None and not Path(text_file).absolute().parent.is_dir():
+        raise BadInput(f"--text-file: {_checks.brief(text_file)}: there is no such folder")
     state, packets = Watch(wifi), Packets(interface or "standard input")
     with bad_input(), _signals() as received, _capturing(interface) as source, _served(port, state):
         begin = shown = time.monotonic()
@@ -111,31 +117,26 @@ def watch(
                 waiting = False
             if now - shown >= EVERY:
                 shown = now
-                _renew(state, packets, target, last=False)
+                _renew(state, packets, text_file, last=False)
             if received or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
-            _renew(state, packets, target, last=True)
+            _renew(state, packets, text_file, last=True)
         elif received:
             click.echo(f"No packet came before {received[0]} ended it.")
         if interface is None and packets.cut and not received:
             raise BadInput(visible(packets.cut))
 
 
-def _renew(state: Watch, packets: Packets, target: Path | None, last: bool) -> None:
+def _renew(state: Watch, packets: Packets, text_file: str | None, last: bool) -> None:
     """Count what is new, and show and write it; on a terminal in place until the last time."""
     state.fold(packets.header)
     if last or sys.stdout.isatty():
         if not last:
             click.clear()
         _show(state)
-    if target is not None:
-        try:
-            with ds.figures.replacing(target) as part:
-                part.write_text(metrics(state), encoding="utf-8")
-        except OSError as error:
-            name = _checks.brief(str(target))
-            raise BadInput(f"--text-file: {name}: {error.strerror}") from error
+    if text_file is not None:
+        write_file("--text-file", text_file, metrics(state).encode(), "-")
 
 
 def _chunks(source: BinaryIO) -> Iterator[bytes]:

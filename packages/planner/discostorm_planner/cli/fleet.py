@@ -9,9 +9,9 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleet_options import called, standard_input
+from discostorm.cli.fleet_options import display_name, standard_input
 from discostorm.cli.options import A_FILE, output_options
-from discostorm.cli.output import BadInput, Output, as_text, bad_input, print_rows, visible
+from discostorm.cli.output import BadInput, Output, bad_input, print_rows, to_json, visible
 from discostorm_planner import ros2_text
 
 
@@ -54,12 +54,12 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
       discostorm fleet --from ros2.txt --hosts 12 --processes 3 > fleet.toml
     """
     with bad_input():
-        seen = ros2_text.read_text(_text(file), called(file))
+        seen = ros2_text.read_text(_text(file), display_name(file))
         found, notes = ros2_text.fleet_of(seen, hosts, processes)
     notes = [ros2_text.tried(seen), *notes]
     rows = found.described()
     if output.as_json:
-        click.echo(as_text({"groups": rows, "notes": notes}))
+        click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:
         print_rows(rows, output)
     else:
@@ -72,7 +72,7 @@ def _text(file: str) -> str:
             return standard_input().read().decode("utf-8")
         return Path(_checks.path("--from", file, "a text file")).read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise BadInput(f"{called(file)} must be text in UTF-8, as ROS 2 prints it") from None
+        raise BadInput(f"{display_name(file)} must be text in UTF-8, as ROS 2 prints it") from None
 
 
 def _toml(found: ds.Fleet, notes: list[str]) -> str:

@@ -10,15 +10,15 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleet_options import Members, swarm_options
+from discostorm.cli.fleet_options import FleetInput, swarm_options
 from discostorm.cli.options import numbers, output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Output,
-    as_text,
     bad_input,
     percent,
     print_channel,
     print_rows,
+    to_json,
     visible,
     working,
     yes,
@@ -55,7 +55,7 @@ from discostorm.wifi import Wifi
 @wifi_options
 @output_options
 def plan(
-    members: Members,
+    members: FleetInput,
     protocols: tuple[ds.Protocol, ...],
     nodes: Any,
     shared: float | None,
@@ -104,7 +104,7 @@ def plan(
             fleet = _told(members.fleet, nodes, shared)
             answers = [ds.plan(fleet, protocol, wifi) for protocol in protocols]
         except ValueError as error:
-            raise ValueError(f"{members.told}{error}") from error
+            raise ValueError(f"{members.error_prefix}{error}") from error
     answer = answers[0]
     if paste is not None:
         with bad_input():
@@ -115,7 +115,7 @@ def plan(
         print_rows([row for each in answers for row in _remedies(each, len(answers))], output)
     elif output.as_json:
         found = [each.to_dict() for each in answers]
-        click.echo(as_text(found if len(found) > 1 else found[0]))
+        click.echo(to_json(found if len(found) > 1 else found[0]))
     elif len(answers) > 1:
         _compare(answers, output)
     else:

@@ -1,0 +1,74 @@
+"""Files of users: written whole or not at all, and read only if they end."""
+
+import errno
+import os
+import shutil
+import stat
+from contextlib import suppress
+from pathlib import Path
+from threading import Thread
+from typing import BinaryIO
+
+#: How long a pipe may have no writer before it is refused [s].
+PIPE_WAIT_S = 2.0
+
+
+def atomic_write(path: Path, content: bytes) -> None:
+    """Replace the content of a file, or leave the file as it is.
+
+    Links are followed, and the file keeps its mode and owner. A device, a pipe and the file that
+    this program prints to are written into, as replacing would take them away from others.
+    """
+    try:
+        status = path.stat()
+    except FileNotFoundError:
+        status = None
+    descriptor = None if status is None else _open_in_place(path, status)
+    if descriptor is None:
+        _replace(path.resolve(), status, content)
+    else:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+
+
+def _open_in_place(path: Path, status: os.stat_result) -> int | None:
+    """Return a descriptor to write to if the file must not be replaced."""
+    for stream in (1, 2):
+        with suppress(OSError):  # closed
+            if os.path.samestat(os.fstat(stream), status):
+                return os.dup(stream)
+    return None if stat.S_ISREG(status.st_mode) else os.open(path, os.O_WRONLY)
+
+
+def _replace(path: Path, status: os.stat_result | None, content: bytes) -> None:
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    part.unlink(missing_ok=True)
+    try:
+        part.touch(exist_ok=False)  # not through a link that somebody else put there
+        if status is not None:
+            if not os.access(path, os.W_OK):
+                raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+            with suppress(OSError, AttributeError):  # only root may give files away
+                shutil.chown(part, status.st_uid, status.st_gid)
+            part.chmod(stat.S_IMODE(status.st_mode))
+        part.write_bytes(content)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def open_input(path: str | os.PathLike[str]) -> BinaryIO:
+    """Open a file or a pipe to read its bytes; refuse devices, and pipes without a writer."""
+    file = Path(path)
+    mode = file.stat().st_mode
+    if stat.S_ISCHR(mode) or stat.S_ISBLK(mode):
+        raise OSError(errno.EINVAL, "is a device; give a file, or - for standard input", str(path))
+    if not stat.S_ISFIFO(mode):
+        return file.open("rb")
+    opened: list[BinaryIO] = []
+    thread = Thread(target=lambda: opened.append(file.open("rb")), daemon=True)
+    thread.start()
+    thread.join(PIPE_WAIT_S)  # opening a pipe waits for its writer
+    if not opened:
+        raise OSError(errno.ENXIO, "no program writes into this pipe", str(path))
+    return opened[0]

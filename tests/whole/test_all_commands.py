@@ -1,0 +1,255 @@
+"""The command line: what it prints can be read back, and what is wrong is answered in words."""
+
+import csv
+import io
+import json
+import lzma
+import math
+import re
+import shlex
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+from support import REFERENCE, ROOT
+
+import discostorm as ds
+from discostorm import timeline, words
+from discostorm.cli import main
+from discostorm.cli.options import LINK_OPTIONS
+from discostorm.data import data_path
+from discostorm.protocols import offered
+from discostorm.words import RECORD
+from discostorm_book import notebook
+from discostorm_book.ledger.claims import VERDICTS, ledger
+
+NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
+
+SWARM = "--hosts 7 --processes 2 --endpoints 10"
+
+#: The names of all protocols, in the calculator's order.
+OFFERED = [protocol.name for protocol in offered()]
+
+
+def run(*arguments: str) -> Result:
+    words = [word for argument in arguments for word in argument.split("|")]
+    return CliRunner(env={"COLUMNS": "79"}).invoke(main, words, prog_name="discostorm")
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    packed = data_path("captures/cyclone_dds_010.pcap.xz", "discostorm_capture")
+    told = REFERENCE / "ros2" / "one_robot.txt"
+    (tmp_path / "ros2.txt").write_text(told.read_text(encoding="utf-8"), encoding="utf-8")
+    (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
+    return tmp_path
+
+
+def read_json(result: Result) -> Any:
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout)
+
+
+def read_csv(result: Result) -> list[dict[str, str]]:
+    assert result.exit_code == 0, result.output
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def test_all_commands_count_what_ros_2_shares_in_a_fleet_file() -> None:
+    server = "--protocol|Fast DDS Discovery Server"
+    planned = read_json(run("plan|fleet.toml|--json", server))["utilization"]
+    (row,) = read_json(run("utilization|fleet.toml|--json", server))
+    assert row["utilization"] == pytest.approx(planned, rel=1e-12)
+    messages = read_json(run("breakdown|fleet.toml|--json", server))
+    told = math.fsum(message["uplink_s"] + message["downlink_s"] for message in messages)
+    assert told == pytest.approx(planned, rel=1e-12)
+    robots, _ = read_json(run("saturation|fleet.toml|--json", server))
+    assert (robots["fit"] >= 10) == (planned < 1)
+    # What a file says of its nodes gives way to an option.
+    fewer = read_json(run("plan|fleet.toml|--json|--nodes|1,1", server))["utilization"]
+    assert fewer < planned
+
+
+def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
+    table = ds.PROTOCOLS["Fast DDS Discovery Server"]
+    command = f"simulate|fleet.toml|--protocol|{table.name}|--runs|2"
+    told = run(command)
+    assert told.exit_code == 0
+    drain = words.duration(float(timeline.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
+    assert told.stdout.startswith(f"Drain time: startup keeps the channel busy for {drain} if")
+    assert "Note: recovery is not simulated with Fast DDS Discovery Server" in told.stderr
+    assert told.stdout.count("not simulated") == 2
+    assert read_json(run(command, "--json"))["settings"]["recovery"] is False
+    assert {row["convergence_time_s"] for row in read_csv(run(command, "--csv"))} == {""}
+
+
+def test_simulate_says_first_when_all_know_each_other() -> None:
+    told = run("simulate|fleet.toml|--runs|2|--json")
+    times = read_json(told)["convergence_time"]
+    said = words.durations(min(times), max(times))
+    first = run("simulate|fleet.toml|--runs|2").stdout.splitlines()[0]
+    assert first == f"Your robots know each other after {said} (2 runs)."
+    never = run("simulate|fleet.toml|--runs|2|--until|0.001").stdout.splitlines()[0]
+    assert never == "Your robots do not all know each other within 0.001 s (2 runs)."
+
+
+def test_simulate_takes_every_ready_made_robot() -> None:
+    """Some have a mean that is no whole number of endpoints."""
+    told = run("simulate|--robot|px4|--hosts|2|--runs|1|--until|1")
+    assert told.exit_code == 0
+    assert "Note: 45.5 endpoints of each process" in told.stderr
+
+
+def test_plan(folder: Path) -> None:
+    fleet = ds.Fleet.from_toml(folder / "fleet.toml")
+    robots, laptop = fleet.groups
+    told = replace(robots, nodes=13, shared=28), replace(laptop, nodes=2, shared=6)
+    expected = ds.plan(replace(fleet, groups=told), ds.ZENOH)
+    arguments = ("plan", "fleet.toml", "--protocol|zenoh", "--nodes|13,2")
+    assert run(*arguments).output == expected.advice() + "\n"
+    assert read_json(run(*arguments, "--json")) == expected.to_dict()
+    rows = read_csv(run(*arguments, "--csv"))
+    assert [row["remedy"] for row in rows] == list(expected.to_frame().index)
+    assert [float(row["saved"]) for row in rows] == expected.to_frame()["saved"].tolist()
+    usual = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
+    assert run("plan", "fleet.toml").output == usual.advice() + "\n"
+    told = read_json(run("plan|fleet.toml|--json|--nodes|7"))["fleet"]
+    assert [group["shared"] for group in told] == [16, 16]
+    told = read_json(run("plan|fleet.toml|--json|--shared|90"))["fleet"]
+    assert [group["shared"] for group in told] == [90, 90]
+    refused = run("plan|fleet.toml|--shared|91")  # as where the file says it
+    assert refused.exit_code == 2
+    assert "group 'laptop': shared must be" in refused.output
+    assert "at most 90; got 91" in refused.output
+
+
+def test_claims() -> None:
+    expected = ledger()
+    result = run("claims", "--csv")
+    assert result.stderr == ""
+    rows = read_csv(result)
+    assert [int(row["id"]) for row in rows] == list(expected.index)
+    assert [row["verdict"] for row in rows] == list(expected["verdict"])
+    ours = {row["statement"]: row["ours"] for row in rows}
+    seven = ours["DDS saturates at approximately 7 hosts."]
+    assert float(seven) == ds.saturation_hosts(ds.DDS, 2, 10)
+    assert ours["SPDP load of all hosts, up and down."] == "N_H*N_P"
+    assert ours["Hosts on one channel contend for airtime."] == ""
+    holds, fails = (VERDICTS[outcome]["verdict"] for outcome in ("holds", "fails"))
+    some = read_json(run("claims", f"--verdict|{fails}", "--json"))
+    assert {row["id"]: row["ours"] for row in some}[1] == 1.0
+    assert [row["id"] for row in some] == list(expected.index[expected["verdict"] == fails])
+    human = run("claims", f"--verdict|{fails}").output
+    counts = expected["verdict"].value_counts()
+    assert f"{len(expected)} claims: {counts[holds]} {holds}" in human
+    assert max(map(len, human.splitlines())) <= 79
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (
+            "plan",
+            "--hosts, --processes, --endpoints must be given, or --fleet FILE, or --robot NAME",
+        ),
+        ("plan|", "path must name a TOML file; got ''"),
+        ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
+        ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
+        ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one for each"),
+        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is no product or table. 'list' lists all"),
+        ("claims|--verdict|wrong", "'wrong' is not one of"),
+    ],
+)
+def test_wrong_input_ends_with_2_and_says_what_is_allowed(arguments: str, message: str) -> None:
+    result = run(arguments)
+    assert result.exit_code == 2, result.output
+    assert message in result.stderr
+    assert result.stdout == ""
+    assert "Traceback" not in result.output
+
+
+def every_command() -> dict[str, click.Command]:
+    assert isinstance(main, click.Group)
+    context = click.Context(main)
+    found = {name: main.get_command(context, name) for name in main.list_commands(context)}
+    return {name: command for name, command in found.items() if command is not None}
+
+
+def test_there_are_eleven_commands() -> None:
+    assert sorted(every_command()) == [
+        "breakdown", "capture", "claims", "figures", "fleet", "plan", "robots", "saturation",
+        "simulate", "utilization", "watch",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["", *sorted({*every_command()} - {"watch"})])
+def test_help_has_examples_that_run(name: str, folder: Path) -> None:
+    result = run(*filter(None, [name]), "--help")
+    assert result.exit_code == 0
+    assert "Example" in result.output
+    text = result.output.replace("\\\n", "").replace("> claims.csv", "")
+    text = text.replace("--processes 3 > fleet.toml", "--processes 2")
+    examples = [line for line in text.splitlines() if line.startswith("    discostorm ")]
+    assert examples
+    runner = CliRunner()
+    for example in examples:
+        done = runner.invoke(main, shlex.split(example)[1:])
+        assert done.exit_code == 0, f"{example}: {done.output}"
+    assert folder.is_dir()
+
+
+def test_whoever_is_told_how_to_record_loses_nothing() -> None:
+    # Whatever is written: no filter, or the one that keeps fragments, Zenoh's TCP and IPv6.
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    texts = {"README": readme, "help": every_command()["capture"].help or ""}
+    whole = RECORD.partition("{file}")[2]
+    for name, text in texts.items():
+        found = re.findall(r"tcpdump -i \S+ -s 0 -w \S+( '[^']*'| *)", text)
+        assert len(found) == text.count("tcpdump -i") > 0, name
+        assert set(map(str.rstrip, found)) <= {"", whole}, name
+    assert texts["help"].count(whole) == 2
+
+
+@pytest.mark.parametrize(
+    ("listing", "names"),
+    [
+        ("saturation|--wifi|list", ["paper", *ds.WIFI]),
+        ("saturation|--protocol|list", [*OFFERED, "all", "paper"]),
+        ("simulate|--protocol|list", [*OFFERED, "all", "paper"]),
+        ("capture|--against|list", OFFERED),
+    ],
+)
+def test_names_are_listed_whatever_else_is_missing(listing: str, names: list[str]) -> None:
+    assert [line.partition(" (")[0] for line in run(listing).output.splitlines()] == names
+
+
+def test_help_describes_every_option() -> None:
+    for command in every_command().values():
+        for parameter in command.params:
+            if isinstance(parameter, click.Option):
+                assert parameter.help, f"{command.name} {parameter.name}"
+        names = {parameter.name for parameter in command.params}
+        # A table that is shown anew each second has metrics instead.
+        told = {"port", "text_file"} if command.name == "watch" else {"as_json", "as_csv"}
+        assert told <= names
+        # What is simulated needs a radio, which a rate and an overhead of one's own have not.
+        every = {"multicast_rate"} if command.name == "simulate" else set(LINK_OPTIONS)
+        assert names & set(LINK_OPTIONS) in (set(), every)
+
+
+def test_the_books_shell_shows_command_output_and_exit_code() -> None:
+    command = f"discostorm utilization {SWARM} --protocol dds"
+    shown = notebook.shell(command, "discostorm plan x.toml").data
+    assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
+    assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")
+    long = notebook.shell("discostorm utilization --hosts 0 --processes 1 --endpoints 1").data
+    assert "got 0.0" in " ".join(long.split())
+    assert max(map(len, long.splitlines())) <= 79
+    assert "more lines" in notebook.shell("discostorm --help", lines=1).data
+    with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
+        notebook.shell("ls")

@@ -1,0 +1,117 @@
+"""Questions in the user's words: names that people use, ready-made robots, several products."""
+
+import csv
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+import discostorm as ds
+from discostorm import robots
+from discostorm.cli import main
+from discostorm.data import data_path
+
+SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
+#: Every command that takes a fleet, with what makes it quick.
+COMMANDS = {
+    "utilization": [],
+    "breakdown": [],
+    "saturation": [],
+    "plan": [],
+    "simulate": ["--runs", "1", "--until", "1"],
+}
+
+
+def run(*words: str, columns: int = 79) -> Result:
+    return CliRunner(env={"COLUMNS": str(columns)}).invoke(main, list(words))
+
+
+def answer(*words: str) -> Any:
+    done = run(*words, "--json")
+    assert done.exit_code == 0, done.output
+    return json.loads(done.stdout)
+
+
+def test_commands_take_the_measured_fast_dds_unless_told_otherwise() -> None:
+    fast = ds.PROTOCOLS["Fast DDS"]
+    (row,) = answer("utilization", *SWARM)
+    assert row["utilization"] == ds.utilization(fast, 3, 2, 10)
+    (row,) = answer("saturation", *SWARM[2:])
+    assert row["hosts"] == ds.saturation_hosts(fast, 2, 10)
+    assert {row["protocol"] for row in answer("breakdown", *SWARM)} == {"Fast DDS"}
+    assert answer("plan", *SWARM)["protocol"] == "Fast DDS"
+    assert answer("simulate", *SWARM, "--runs", "1", "--until", "1")["protocol"] == "Fast DDS"
+    # Functions keep their own.
+    assert ds.plan(ds.Fleet.swarm(3, 2, 10)).protocol == ds.DDS
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_several_products_are_compared_in_one_table(command: str) -> None:
+    swarm = SWARM[2:] if command == "saturation" else SWARM
+    several = [word for one in ("zenoh", "fastdds", "cyclonedds") for word in ("--protocol", one)]
+    words = [command, *swarm, *several, *COMMANDS[command]]
+    found = [row["protocol"] for row in answer(*words)]
+    expected = ["Cyclone DDS", "Fast DDS", "Zenoh"]
+    assert list(dict.fromkeys(found)) == expected
+    table = run(*words).stdout
+    zenoh = re.search(r"^(protocol +)?Zenoh\b", table, re.MULTILINE)
+    assert zenoh is not None
+    assert table.index("Cyclone DDS") < table.index("Fast DDS") < zenoh.start()
+    rows = list(csv.DictReader(io.StringIO(run(*words, "--csv").stdout)))
+    assert list(dict.fromkeys(row["protocol"] for row in rows)) == expected
+    assert max(map(len, table.splitlines())) <= 79
+
+
+def test_recovery_that_is_not_simulated_beside_others_is_told() -> None:
+    words = ["simulate", *SWARM, "--runs", "1", "--until", "1"]
+    done = run(*words, "--protocol", "fastdds", "--protocol", "discovery server")
+    assert done.exit_code == 0
+    assert "Note: recovery is not simulated with Fast DDS Discovery Server" in done.stderr
+    (row,) = [line for line in done.stdout.splitlines() if "Discovery Server" in line]
+    assert "not simulated" in row
+    alone = run(*words, "--protocol", "discovery server")
+    assert alone.stdout.startswith("Drain time: ")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_robot_works_in_every_command(command: str) -> None:
+    done = run(command, "--robot", "node", "--hosts", "3", *COMMANDS[command])
+    assert done.exit_code == 0, done.output
+
+
+def test_a_capture_is_compared_with_a_robot(tmp_path: Path) -> None:
+    packed = data_path("captures/fast_dds.pcap.xz", "discostorm_capture")
+    rows = answer("capture", str(packed), "--robot", "node", "--hosts", "3")["messages"]
+    fleet = tmp_path / "fleet.toml"
+    fleet.write_text(
+        "[[groups]]\nhosts = 3\nprocesses = 1\nendpoints = 18\nnodes = 1\nshared = 4\n"
+    )
+    assert rows == answer("capture", str(packed), "--fleet", str(fleet))["messages"]
+    refused = run("capture", str(packed), "--hosts", "3")
+    assert (refused.exit_code, "--hosts goes with --robot" in refused.stderr) == (2, True)
+
+
+def test_a_robot_is_counted_as_in_python() -> None:
+    group = robots.robot("turtlebot4")
+    assert group == robots.robots()["TurtleBot 4 with Nav2"]
+    rows = answer("utilization", "--robot", "turtlebot4", "--hosts", "2,12")
+    for row, hosts in zip(rows, (2, 12), strict=True):
+        fleet = ds.Fleet((ds.HostGroup(hosts, *group.counts()[1:], "x", shared=group.shared),))
+        assert (row["robot"], row["hosts"]) == (group.name, hosts)
+        assert row["utilization"] == ds.utilization(ds.PROTOCOLS["Fast DDS"], fleet)
+    told = answer("plan", "--robot", "tb4", "--hosts", "12")["fleet"]
+    assert [(one["name"], one["hosts"], one["shared"]) for one in told] == [
+        (group.name, 12, group.shared)
+    ]
+
+
+def test_plan_takes_counts_as_its_sisters_do() -> None:
+    fleet = ds.Fleet.swarm(12, 2, 40)
+    words = ["--hosts", "12", "--processes", "2", "--endpoints", "40"]
+    assert answer("plan", *words) == ds.plan(fleet, ds.PROTOCOLS["Fast DDS"]).to_dict()
+    (row,) = answer("utilization", *words)
+    assert row["utilization"] == pytest.approx(answer("plan", *words)["utilization"], rel=1e-12)

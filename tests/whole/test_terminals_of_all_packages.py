@@ -1,0 +1,86 @@
+"""The command line as people expect it: odd terminals, full disks, pipes, and what can be given."""
+
+import json
+import os
+import subprocess
+import sys
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+import discostorm as ds
+from discostorm.cli import main
+from discostorm.wifi.radio import radio_named
+
+NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
+SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
+
+
+def run(*words: str, **given: Any) -> Result:
+    return CliRunner(env={"COLUMNS": "80"}).invoke(main, list(words), **given)
+
+
+def shell(command: str, **env: str) -> subprocess.CompletedProcess[str]:
+    program = f"{sys.executable} -m discostorm"
+    return subprocess.run(
+        ["bash", "-c", command.replace("discostorm", program)],
+        capture_output=True, encoding="utf-8", errors="replace", check=False,
+        env=os.environ | env,
+    )  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    return tmp_path
+
+
+def test_what_the_planner_advises_can_be_given_back() -> None:
+    fleet = ds.Fleet.from_toml("fleet.toml")
+    for wifi in ("802.11n 20 MHz 2x2", "802.11ac 80 MHz 2x2, AIFSN 3"):
+        advised = ds.plan(fleet, wifi=radio_named(wifi).wifi()).remedies
+        for remedy in advised:
+            if remedy.kind in ("radio", "multicast rate"):
+                given = ["--wifi", remedy.wifi.name, "--protocol", "dds", "--json"]
+                (row,) = json.loads(run("utilization", "fleet.toml", *given).stdout)
+                assert remedy.span is not None
+                assert row["utilization"] == remedy.span.single
+                assert row["utilization_full_ampdus"] == remedy.span.full
+    rate = ["--wifi", "802.11n 20 MHz 2x2", "--multicast-rate", "24", "--json"]
+    rate += ["--protocol", "dds"]
+    expected = ds.Radio("802.11n", streams=2, multicast_rate=24e6).wifi()
+    assert json.loads(run("utilization", *SWARM, *rate).stdout)[0]["utilization"] == ds.utilization(
+        ds.DDS, 7, 2, 10, wifi=expected
+    )
+
+
+def test_standard_input_has_one_name() -> None:
+    odd = "[[groups]]\nhosts = 2.5\nprocesses = 1\nendpoints = 100\n"
+    half = run("plan", "-", input=odd)
+    assert half.stderr.startswith("Error: standard input: hosts must be a whole number")
+    assert "standard input" in run("utilization", "-", input=NAV2).stdout
+    twice = run("saturation", "-", "--beside", "-", input=NAV2)
+    assert (twice.exit_code, "for standard input" in twice.stderr) == (2, True)
+
+
+@pytest.mark.parametrize("name", ["x.gif", "x", ".png"])
+def test_a_picture_is_of_the_formats_that_help_names(name: str) -> None:
+    done = run("capture", "fleet.toml", "--picture", name)
+    assert done.exit_code == 2
+    assert f"'--picture': must end in .svg, .pdf or .png; got {name!r}" in done.stderr
+
+
+def test_what_a_terminal_cannot_show_is_escaped(folder: Path) -> None:
+    name = "\u30ed\u30dc"
+    (folder / "kana.toml").write_text(NAV2.replace("robots", name), encoding="utf-8")
+    env = {"PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
+    people = shell("discostorm plan kana.toml", **env)
+    assert (people.returncode, people.stderr) == (0, "")
+    assert r"\u30ed\u30dc" in people.stdout
+    machines = shell("discostorm plan kana.toml --json", **env)
+    names = [group["name"] for group in json.loads(machines.stdout)["fleet"]]
+    assert names == [name, "laptop"]
