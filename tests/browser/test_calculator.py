@@ -1,7 +1,6 @@
 """The calculator page: it says what the package says, refuses what it refuses, and is quick."""
 
 import csv
-import importlib
 import io
 import json
 import math
@@ -29,6 +28,7 @@ from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
+from discostorm_planner.calculator import HEAD, inputs, model_js
 from discostorm_planner.changes import Setting
 from discostorm_planner.reboot import Reboot, reboot
 
@@ -37,8 +37,7 @@ pytestmark = pytest.mark.book
 DRIVER = (HELPERS / "calculator.js").read_text(encoding="utf-8")
 OWN = ("unicast_rate", "unicast_overhead", "multicast_rate", "multicast_overhead")
 
-write_calculator = importlib.import_module("write_calculator")
-inputs = importlib.import_module("calculator_inputs")
+MODEL_JS = ROOT / "book" / "_static" / "calculator" / "model.js"
 PROTOCOLS = ds.PROTOCOLS
 
 PARTS = [row for row in read_data("fleets/robots.csv") if row["nodes"] != "0"]
@@ -50,10 +49,10 @@ CHANNELS = {"paper": ds.PAPER, **ds.WIFI}
 
 
 def test_formulas_are_fresh() -> None:
-    kept = write_calculator.TARGET.read_text(encoding="utf-8")
-    if not kept.startswith(write_calculator.HEAD.format(sp.__version__)):
+    kept = MODEL_JS.read_text(encoding="utf-8")
+    if not kept.startswith(HEAD.format(sp.__version__)):
         pytest.skip(f"sympy {sp.__version__} may order the same sums otherwise")
-    assert kept == write_calculator.javascript(), "make calculator"
+    assert kept == model_js(), "make calculator"
 
 
 def test_formulas_were_written_by_the_locked_sympy() -> None:
@@ -61,8 +60,8 @@ def test_formulas_were_written_by_the_locked_sympy() -> None:
     (locked,) = (
         line.split("==")[1].split()[0] for line in lock.splitlines() if line.startswith("sympy==")
     )
-    kept = write_calculator.TARGET.read_text(encoding="utf-8")
-    assert kept.startswith(write_calculator.HEAD.format(locked))
+    kept = MODEL_JS.read_text(encoding="utf-8")
+    assert kept.startswith(HEAD.format(locked))
 
 
 # ---- what the package says of a setting ----

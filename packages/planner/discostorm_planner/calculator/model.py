@@ -1,27 +1,13 @@
-"""Write the model of the calculator, book/_static/calculator/model.js, from the package.
+"""The text of the calculator's model, book/_static/calculator/model.js.
 
 Every formula is an expression of the package, printed by sympy as JavaScript, once however many
 messages share it; what the formulas are fed with (sizes, schedules, channels, robots, ranges) is
 written beside them as data.
 """
 
-from pathlib import Path
 from typing import Any
 
 import sympy as sp
-from calculator_changes import changes, pastes, radio_remedies, remedies, tables
-from calculator_inputs import (
-    CHANNELS,
-    START_MIDDLEWARE,
-    START_ROBOT,
-    channel,
-    fields,
-    ready,
-    ready_made,
-    simulation,
-)
-from calculator_tables import COEFFICIENTS, about, airtimes, row, saturation
-from javascript import Formulas, Value, said_once, written
 
 import discostorm as ds
 from discostorm import timeline, words
@@ -34,8 +20,19 @@ from discostorm.robots import (
     shared_endpoints,
 )
 from discostorm.wifi.radio import TOPOLOGY
-
-TARGET = Path(__file__).parents[2] / "book" / "_static" / "calculator" / "model.js"
+from discostorm_planner.calculator.changes import changes, pastes, radio_remedies, remedies, tables
+from discostorm_planner.calculator.inputs import (
+    CHANNELS,
+    START_MIDDLEWARE,
+    START_ROBOT,
+    channel,
+    fields,
+    ready,
+    ready_made,
+    simulation,
+)
+from discostorm_planner.calculator.javascript import Formulas, Value, said_once, written
+from discostorm_planner.calculator.tables import COEFFICIENTS, about, airtimes, row, saturation
 
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
@@ -95,13 +92,9 @@ def model() -> Value:
     }
 
 
-def javascript() -> str:
+def model_js() -> str:
     """Return the text of model.js."""
     said, rest = said_once(model())
     lines = [f"const {name} = {written(part)};" for name, part in said.items()]
     body = "\n".join([*lines, f"return {written(rest)};"])
     return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
-
-
-if __name__ == "__main__":
-    TARGET.write_text(javascript(), encoding="utf-8")

@@ -1,12 +1,9 @@
-"""What the calculator knows of each table of messages: see `write_calculator`."""
+"""What the calculator knows of each table of messages: see `model`."""
 
 from dataclasses import replace
 from typing import Any, get_args
 
 import sympy as sp
-from calculator_changes import table_remedies
-from calculator_inputs import BESIDE
-from javascript import Formulas, Value
 
 import discostorm as ds
 from discostorm import figures, notation as nt, timeline
@@ -17,6 +14,9 @@ from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import BASES
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
+from discostorm_planner.calculator.changes import table_remedies
+from discostorm_planner.calculator.inputs import BESIDE
+from discostorm_planner.calculator.javascript import Formulas, Value
 from discostorm_planner.reboot import factors
 from discostorm_planner.remedy_rules import software
 

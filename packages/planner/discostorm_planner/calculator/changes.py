@@ -1,10 +1,7 @@
-"""The changes that the calculator offers, with what to paste: see `write_calculator`."""
+"""The changes that the calculator offers, with what to paste: see `model`."""
 
 from collections.abc import Iterable
 from typing import get_args
-
-from calculator_inputs import channel, one_channel
-from javascript import Value
 
 import discostorm as ds
 from discostorm import words
@@ -15,6 +12,8 @@ from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
+from discostorm_planner.calculator.inputs import channel, one_channel
+from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.changes import Change, Setting
 from discostorm_planner.plan import changes_of
 from discostorm_planner.remedy_rules import known, row_of

@@ -1,11 +1,10 @@
-"""What the calculator asks for, and what was simulated beforehand: see `write_calculator`."""
+"""What the calculator asks for, and what was simulated beforehand: see `model`."""
 
 import inspect
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sympy as sp
-from javascript import Value
 
 import discostorm as ds
 from discostorm import _checks, notation as nt
@@ -15,6 +14,7 @@ from discostorm.robots import laptop, robots
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
 from discostorm_planner import aggregation_range
+from discostorm_planner.calculator.javascript import Value
 
 #: What one can choose: one entry a radio, whether its frames share exchanges or not.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
