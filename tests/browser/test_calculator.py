@@ -687,23 +687,27 @@ def test_one_answer_of_a_radio_is_the_planners(tab: Page, entries: dict[str, str
     }
     assert told["drain time", ""] == pytest.approx(plan.startup.single, rel=1e-9)
     assert told["drain time", "full A-MPDUs"] == pytest.approx(plan.startup.full, rel=1e-9)
-    assert told["utilization", "full A-MPDUs"] == pytest.approx(plan.span.full, rel=1e-9)
+    assert told["utilization", "full A-MPDUs"] == pytest.approx(
+        plan.utilization_range.full, rel=1e-9
+    )
     middle = told.get(("drain time", "simulated"))
     assert (middle is None) == (plan.startup.simulated is None)
     if middle is not None:
         assert middle == pytest.approx(plan.startup.simulated, rel=1e-9)
     answer = tab.locator("#calc-answer strong").inner_text()
-    if plan.known is None:
+    if plan.convergence_time is None:
         assert "know each other" not in answer
-    elif plan.known.high < math.inf:
+    elif plan.convergence_time.high < math.inf:
         assert answer.startswith("Your robots know each other after ")
         numbers = [float(part) for part in re.findall(r"\d+(?:\.\d+)?", answer)]
         assert [numbers[0], numbers[-1]] == pytest.approx(
-            [plan.known.low, plan.known.high], rel=0.1
+            [plan.convergence_time.low, plan.convergence_time.high], rel=0.1
         )
     else:
-        assert ("do not all know each other within" in answer) == (plan.known.low == math.inf)
-    both = {plan.span.full < 1, plan.span.single < 1}
+        assert ("do not all know each other within" in answer) == (
+            plan.convergence_time.low == math.inf
+        )
+    both = {plan.utilization_range.full < 1, plan.utilization_range.single < 1}
     verdict = {1: "fits" if both == {True} else "does not fit", 2: "may fit"}[len(both)]
     assert plan.verdict == verdict
 
@@ -713,7 +717,10 @@ def test_the_ranges_meet_all_cases() -> None:
     for entries in RANGES:
         wifi = entries["wifi"].replace("paper", "802.11ac 80 MHz 2x2")
         plan = ds.plan(fleet_of(entries), PROTOCOLS[entries["middleware"]], ds.WIFI[wifi])
-        known = plan.known and (plan.known.low < math.inf, plan.known.high < math.inf)
+        known = plan.convergence_time and (
+            plan.convergence_time.low < math.inf,
+            plan.convergence_time.high < math.inf,
+        )
         kinds.add((plan.startup.simulated is not None, known))
         kinds.add(plan.verdict)
     assert {"fits", "may fit", "does not fit", (False, None), (True, None)} <= kinds

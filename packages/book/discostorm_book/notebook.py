@@ -136,11 +136,11 @@ class Advice:
             *(f"<p>{_prose(' '.join(lines))}</p>" for lines in said),
             f"<p>{_prose(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
         ]
-        for title, remedies in self.plan.told().items():
+        for title, remedies in self.plan.sections().items():
             cards = "".join(map(_card, remedies))
             parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             parts.append(f'<div class="plan-cards">{cards}</div>')
-        for block in blocks[before + len(self.plan.told()) : -1]:
+        for block in blocks[before + len(self.plan.sections()) : -1]:
             title, *rows = block.splitlines()
             parts.append(f'<p class="plan-title">{_prose(title)}</p>')
             if _is_table(block):

@@ -44,18 +44,18 @@ LARGEST = sp.ceiling(N_SAT) - 1
 
 
 def model() -> Value:
-    """Return all that the calculator reads."""
-    known = Formulas()
+    """Return all data and formulas of the calculator."""
+    formulas = Formulas()
     protocols: dict[str, Any] = {
-        name: about(protocol, known) for name, protocol in tables().items()
+        name: about(protocol, formulas) for name, protocol in tables().items()
     }
     degrees = range(1, len(COEFFICIENTS))
-    full: list[Value] = [None, *(saturation(degree, known) for degree in degrees)]
+    full: list[Value] = [None, *(saturation(degree, formulas) for degree in degrees)]
     single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
     shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown})
-    drain = known.name(timeline.DRAIN, "drain")
-    largest = known.name(LARGEST, "largest")
+    drain = formulas.name(timeline.DRAIN, "drain")
+    largest = formulas.name(LARGEST, "largest")
     return {
         "start": {
             "robot": START_ROBOT,
@@ -73,7 +73,7 @@ def model() -> Value:
         "told": CLASSES[1],
         "beyond": BEYOND,
         "times": [list(row) for row in words.TIMES],
-        "airtime": airtimes(known),
+        "airtime": airtimes(formulas),
         "laptop_nodes": laptop().nodes or 0,
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
@@ -85,7 +85,7 @@ def model() -> Value:
         "largest": largest,
         "saturation": full,
         "drain": drain,
-        "formulas": known.code(),
+        "formulas": formulas.code(),
         # What the rows of messages hold, in order.
         "columns": list(row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
