@@ -135,23 +135,6 @@ def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
     assert min(below, default=1.0) > 0.9
 
 
-@pytest.mark.parametrize("hosts", [3, 6, 10, 14])
-@pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
-def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
-    from test_stored_sweeps import sweep_setting  # the sweep's own settings
-
-    for robot in ("Nav2 in one process", "The paper's swarm"):
-        own = robots()[robot]
-        ready = sweep_setting.Ready(
-            name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
-            queue_frames=0, queue_s=0.0, runs=1,
-        )  # fmt: skip
-        one = Setting(fleet_of(robot, hosts), ds.PROTOCOLS[name], AC, 64)
-        there = aggregation_range.burst_range(one).simulated
-        # One run each: of short bursts a timeout or two more make a difference.
-        assert there == pytest.approx(float(ready.run()["drain_time_s"]), rel=0.15, abs=0.05)
-
-
 def test_when_all_know_each_other_is_that_of_the_table() -> None:
     kinds = set()
     for row in REPAIRED:

@@ -2,14 +2,11 @@
 
 import json
 import math
-import subprocess
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from click.testing import CliRunner
 from hypothesis import given, settings, strategies as st
@@ -23,7 +20,6 @@ from discostorm.messages import PROCESS
 from discostorm.model import burst as burst_of
 from discostorm.protocols import ARRANGED, MEASURED
 from discostorm.robots import parameter_service_endpoints, robots as robots_by_name
-from discostorm_book import lab_counts
 from discostorm_planner import protocol_changes, remedy_rules
 from discostorm_planner.aggregation_range import AggregationRange
 from discostorm_planner.changes import Setting
@@ -894,15 +890,6 @@ def test_wrong_arguments_are_named(
         ds.plan(FIG3, window=WRONG_WINDOW)
 
 
-def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
-    code = (
-        "import sys, discostorm;"
-        "print([m for m in ('pandas', 'matplotlib', 'click') if m in sys.modules])"
-    )
-    done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
-    assert done.stdout == "[]\n"
-
-
 def test_a_channel_that_is_just_full_does_not_fit() -> None:
     # A frame of 1024 bits at 2048 bit/s, up and down: exactly a second.
     payload = ds.Payload(64, 64, 64, "made up")
@@ -1163,56 +1150,6 @@ def test_what_the_fleet_says_is_shared_is_counted_and_nothing_is_added() -> None
     (composed,) = remedy(small, "processes").fleets
     (fewer,) = remedy(small, "endpoints").fleets
     assert [fleet.groups[0].shared for fleet in (composed, fewer)] == [12, 2]
-
-
-#: What is measured of a kind of remedy: who dies, when, who, what, and whether that happens.
-MEASURED_DEATHS = {
-    "discovery server": """
-        server killed, death, survivors, settled, yes
-        server killed, newcomer, newcomer, found, no
-        server killed, return, newcomer, found, yes
-    """,
-    "two discovery servers": """
-        server killed, newcomer, newcomer, found, yes
-        both servers killed, newcomer, newcomer, found, no
-    """,
-    "router": """
-        server killed, death, survivors, settled, no
-        server killed, return, survivors, found, yes
-    """,
-    "router on each host": """
-        server killed, death, survivors, settled, yes
-        server killed, death, orphans and survivors, settled, no
-        server killed, return, orphans, found, yes
-    """,
-}
-
-
-def test_what_fails_when_is_what_the_lab_measured() -> None:
-    rows = {row["kind"]: row for row in read_data("vendors/remedies.csv")}
-    died = {
-        row["configuration"] for row in read_data("measured/configurations.csv", "discostorm_book")
-    }
-    assert {kind for kind, row in rows.items() if row["table"] in died} == set(MEASURED_DEATHS)
-    for kind, cases in MEASURED_DEATHS.items():
-        for case in cases.strip().splitlines():
-            *key, happens = case.strip().split(", ")
-            times = lab_counts.death_times(rows[kind]["table"], *key)
-            assert (times < np.inf).all() == (happens == "yes"), case
-    for backup in ("", ", backup"):
-        short = np.concatenate(
-            [
-                lab_counts.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
-                for event in ("outage of 3 s", "outage of 10 s", "outage of 10 s, robot restarts")
-                for found in [("return", "newcomer", "found")]
-            ]
-        )
-        assert np.isinf(short).any() == (not backup)
-    assert "and after short outages without -b" in rows["discovery server"]["fails"]
-    for kind in ("router", "router on each host"):
-        *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
-        back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
-        assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
 
 
 @pytest.mark.parametrize("name", ["DDS", "Zenoh", "Fast DDS", "Cyclone DDS", "Zenoh peer"])
