@@ -83,7 +83,7 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 	@$(BIN)/discostorm figures --out "$$OUT"
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
-	@$(BIN)/python scripts/generate/write_calculator.py
+	@$(BIN)/python scripts/generate/calculator.py
 
 live: $(READY) ## compile the simulator for the pages and write what its runs are set up from (needs lld)
 	@$(BIN)/python scripts/generate/write_live.py

@@ -90,6 +90,9 @@ class Protocol:
     captured : tuple of int, optional
         The most hosts, processes of all and endpoints of a process that it was measured with [1];
         not always of the same run. None if it was not fitted to captures.
+    key : str, optional
+        What data files call it: simulations, prediction errors, remedies. None for a table of your
+        own, and for a copy whose messages or timers you change.
 
     Raises
     ------
@@ -110,6 +113,7 @@ class Protocol:
     basis: Basis | None = None
     timers: Timers | None = None
     captured: tuple[int, int, int] | None = None
+    key: str | None = None
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
@@ -120,7 +124,7 @@ class Protocol:
         for name, known in (("family", Family), ("basis", Basis)):
             if getattr(self, name) is not None:
                 _checks.choice(name, getattr(self, name), get_args(known), ", or None")
-        for name, kind in (("product", str), ("timers", Timers)):
+        for name, kind in (("product", str), ("timers", Timers), ("key", str)):
             if getattr(self, name) is not None:
                 _checks.instance(name, getattr(self, name), kind)
         if self.captured is not None:

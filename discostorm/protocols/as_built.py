@@ -125,6 +125,7 @@ def as_built(name: str) -> Protocol:
             name=name,
             messages=tuple(map(_on_a_robot, wired.messages)),
             captured=_captured(told),
+            key=name,
         )
     file = ROWS[told["basis"]]
     measured = {
@@ -145,6 +146,7 @@ def as_built(name: str) -> Protocol:
         basis=typed(Basis, told["basis"]),
         timers=timers(told["defaults"]),
         captured=_captured(told),
+        key=name,
     )
 
 

@@ -85,6 +85,7 @@ HYBRID = Protocol(
     "hybrid",
     (*_SETS, _told("Endpoint", "endpoint", ENDPOINT), *_REST),
     lease=_VALUE["lease"],
+    key="hybrid",
     basis="proposal",
     timers=_TIMERS,
 )
@@ -99,6 +100,7 @@ HYBRID_ALIKE = Protocol(
         *_REST,
     ),
     lease=_VALUE["lease"],
+    key="hybrid, alike",
     basis="proposal",
     timers=_TIMERS,
 )

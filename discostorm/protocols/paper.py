@@ -60,6 +60,7 @@ DDS = Protocol(
     family="DDS",
     basis="paper",
     timers=timers("Fast DDS"),
+    key="DDS",
 )
 
 #: In pure peer mode.
@@ -74,4 +75,5 @@ ZENOH = Protocol(
     family="Zenoh",
     basis="paper",
     timers=timers("Zenoh"),
+    key="Zenoh",
 )

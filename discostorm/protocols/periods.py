@@ -40,6 +40,7 @@ FAST_DDS_PERIODS = Protocol(
     lease=_FAST_VALUE["lease"],
     family="DDS",
     product="Fast DDS",
+    key="DDS, periods of Fast DDS",
     basis="timed",
     timers=timers("Fast DDS"),
 )
@@ -102,6 +103,7 @@ CYCLONE_DDS_PERIODS = Protocol(
     lease=_CYCLONE_LEASE,
     family="DDS",
     product="Cyclone DDS",
+    key="DDS, periods of Cyclone DDS",
     basis="timed",
     timers=timers("Cyclone DDS"),
 )
@@ -137,6 +139,7 @@ ZENOH_PERIODS = Protocol(
     lease=_ZENOH_VALUE["lease"],
     family="Zenoh",
     product="Zenoh",
+    key="Zenoh, periods of Zenoh peer",
     basis="timed",
     timers=timers("Zenoh"),
 )

@@ -12,8 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from calculator_inputs import CHANNELS
-from javascript import Code, Value, said_once, written
 
 import discostorm as ds
 from discostorm.messages import Message, Protocol
@@ -21,6 +19,8 @@ from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
 from discostorm.wifi.radio import both_ends
 from discostorm_book import sweeps
+from discostorm_planner.calculator.inputs import CHANNELS
+from discostorm_planner.calculator.javascript import Code, Value, said_once, written
 from discostorm_simulation import cell_setup, engine, state as _cell
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES

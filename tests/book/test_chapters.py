@@ -164,7 +164,7 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     for found in plan.configurations:
         assert f"\n    {found.name} " in markdown
         assert f"  {escape(found.name)} " in html
-    remedies = [remedy for found in plan.told().values() for remedy in found]
+    remedies = [remedy for found in plan.sections().values() for remedy in found]
     assert html.count('class="plan-card"') == len(remedies)
     assert "`" not in html
     read = re.sub(r"</?code>", "", html)

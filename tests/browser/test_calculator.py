@@ -1,7 +1,6 @@
 """The calculator page: it says what the package says, refuses what it refuses, and is quick."""
 
 import csv
-import importlib
 import io
 import json
 import math
@@ -29,6 +28,7 @@ from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
+from discostorm_planner.calculator import HEAD, inputs, model_js
 from discostorm_planner.changes import Setting
 from discostorm_planner.reboot import Reboot, reboot
 
@@ -37,8 +37,7 @@ pytestmark = pytest.mark.book
 DRIVER = (HELPERS / "calculator.js").read_text(encoding="utf-8")
 OWN = ("unicast_rate", "unicast_overhead", "multicast_rate", "multicast_overhead")
 
-write_calculator = importlib.import_module("write_calculator")
-inputs = importlib.import_module("calculator_inputs")
+MODEL_JS = ROOT / "book" / "_static" / "calculator" / "model.js"
 PROTOCOLS = ds.PROTOCOLS
 
 PARTS = [row for row in read_data("fleets/robots.csv") if row["nodes"] != "0"]
@@ -50,10 +49,10 @@ CHANNELS = {"paper": ds.PAPER, **ds.WIFI}
 
 
 def test_formulas_are_fresh() -> None:
-    kept = write_calculator.TARGET.read_text(encoding="utf-8")
-    if not kept.startswith(write_calculator.HEAD.format(sp.__version__)):
+    kept = MODEL_JS.read_text(encoding="utf-8")
+    if not kept.startswith(HEAD.format(sp.__version__)):
         pytest.skip(f"sympy {sp.__version__} may order the same sums otherwise")
-    assert kept == write_calculator.javascript(), "make calculator"
+    assert kept == model_js(), "make calculator"
 
 
 def test_formulas_were_written_by_the_locked_sympy() -> None:
@@ -61,8 +60,8 @@ def test_formulas_were_written_by_the_locked_sympy() -> None:
     (locked,) = (
         line.split("==")[1].split()[0] for line in lock.splitlines() if line.startswith("sympy==")
     )
-    kept = write_calculator.TARGET.read_text(encoding="utf-8")
-    assert kept.startswith(write_calculator.HEAD.format(locked))
+    kept = MODEL_JS.read_text(encoding="utf-8")
+    assert kept.startswith(HEAD.format(locked))
 
 
 # ---- what the package says of a setting ----
@@ -688,23 +687,27 @@ def test_one_answer_of_a_radio_is_the_planners(tab: Page, entries: dict[str, str
     }
     assert told["drain time", ""] == pytest.approx(plan.startup.single, rel=1e-9)
     assert told["drain time", "full A-MPDUs"] == pytest.approx(plan.startup.full, rel=1e-9)
-    assert told["utilization", "full A-MPDUs"] == pytest.approx(plan.span.full, rel=1e-9)
+    assert told["utilization", "full A-MPDUs"] == pytest.approx(
+        plan.utilization_range.full, rel=1e-9
+    )
     middle = told.get(("drain time", "simulated"))
     assert (middle is None) == (plan.startup.simulated is None)
     if middle is not None:
         assert middle == pytest.approx(plan.startup.simulated, rel=1e-9)
     answer = tab.locator("#calc-answer strong").inner_text()
-    if plan.known is None:
+    if plan.convergence_time is None:
         assert "know each other" not in answer
-    elif plan.known.high < math.inf:
+    elif plan.convergence_time.high < math.inf:
         assert answer.startswith("Your robots know each other after ")
         numbers = [float(part) for part in re.findall(r"\d+(?:\.\d+)?", answer)]
         assert [numbers[0], numbers[-1]] == pytest.approx(
-            [plan.known.low, plan.known.high], rel=0.1
+            [plan.convergence_time.low, plan.convergence_time.high], rel=0.1
         )
     else:
-        assert ("do not all know each other within" in answer) == (plan.known.low == math.inf)
-    both = {plan.span.full < 1, plan.span.single < 1}
+        assert ("do not all know each other within" in answer) == (
+            plan.convergence_time.low == math.inf
+        )
+    both = {plan.utilization_range.full < 1, plan.utilization_range.single < 1}
     verdict = {1: "fits" if both == {True} else "does not fit", 2: "may fit"}[len(both)]
     assert plan.verdict == verdict
 
@@ -714,7 +717,10 @@ def test_the_ranges_meet_all_cases() -> None:
     for entries in RANGES:
         wifi = entries["wifi"].replace("paper", "802.11ac 80 MHz 2x2")
         plan = ds.plan(fleet_of(entries), PROTOCOLS[entries["middleware"]], ds.WIFI[wifi])
-        known = plan.known and (plan.known.low < math.inf, plan.known.high < math.inf)
+        known = plan.convergence_time and (
+            plan.convergence_time.low < math.inf,
+            plan.convergence_time.high < math.inf,
+        )
         kinds.add((plan.startup.simulated is not None, known))
         kinds.add(plan.verdict)
     assert {"fits", "may fit", "does not fit", (False, None), (True, None)} <= kinds

@@ -37,11 +37,11 @@ import json, sys
 import discostorm as ds
 from discostorm import figures, timeline, uncertainty
 from discostorm.cli import main
-from write_calculator import javascript
+from discostorm_planner.calculator import model_js
 
 made_up = ds.PROTOCOLS["Made up"]
 swarm = {"hosts": 7, "processes": 2, "endpoints": 10}
-script = javascript()
+script = model_js()
 found = {
     "utilization": ds.utilization(made_up, **swarm),
     "dds": ds.utilization(ds.DDS, **swarm),

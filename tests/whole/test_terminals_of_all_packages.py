@@ -47,9 +47,9 @@ def test_what_the_planner_advises_can_be_given_back() -> None:
             if remedy.kind in ("radio", "multicast rate"):
                 given = ["--wifi", remedy.wifi.name, "--protocol", "dds", "--json"]
                 (row,) = json.loads(run("utilization", "fleet.toml", *given).stdout)
-                assert remedy.span is not None
-                assert row["utilization"] == remedy.span.single
-                assert row["utilization_full_ampdus"] == remedy.span.full
+                assert remedy.range_after is not None
+                assert row["utilization"] == remedy.range_after.single
+                assert row["utilization_full_ampdus"] == remedy.range_after.full
     rate = ["--wifi", "802.11n 20 MHz 2x2", "--multicast-rate", "24", "--json"]
     rate += ["--protocol", "dds"]
     expected = ds.Radio("802.11n", streams=2, multicast_rate=24e6).wifi()

@@ -95,7 +95,7 @@ class Advice:
 
     def _repr_html_(self) -> str:
         *blocks, end = self.plan.advice().split("\n\n")
-        remedies = self.plan.told()
+        remedies = self.plan.sections()
         # The answer comes first; a host alone has none.
         count = 3 if self.plan.fleet.hosts() > 1 else 2
         parts = [_paragraph(re.sub("^- ", "", block, flags=re.M)) for block in blocks[:count]]

@@ -1,4 +1,4 @@
-"""A fleet with its middleware and channel, and changes of it that can be combined."""
+"""A fleet with its middleware and channel, and changes of them that can be combined."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from discostorm.messages import Protocol
 from discostorm.wifi import Radio, Wifi
 from discostorm.wifi.radio import most_mpdus
 
-#: In this order changes are applied and told: whatever one radio is exchanged for, multicast rate
-#: and aggregation are those that were asked for.
+#: Changes are applied in this order: whichever radio replaces another, the multicast rate and the
+#: aggregation are those that were asked for.
 SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
 
 
 @dataclass(frozen=True)
 class Setting:
-    """A fleet, its middleware and its channel, of which a radio from 802.11n on may aggregate.
+    """A fleet, its middleware, and its channel with one frame in each exchange.
 
-    Then `wifi` is that of single frames, and `mpdus` the most that share an exchange.
+    A radio that aggregates puts up to ``mpdus`` frames into an exchange.
     """
 
     fleet: Fleet
@@ -28,15 +28,15 @@ class Setting:
     mpdus: int = 1
 
     @property
-    def full(self) -> Wifi:
-        """The channel of full A-MPDUs; that of the setting where nothing aggregates."""
+    def full_wifi(self) -> Wifi:
+        """The channel of full A-MPDUs; the same channel where nothing aggregates."""
         radio = self.wifi.radio
         if self.mpdus == 1 or radio is None:
             return self.wifi
         return replace(radio, mpdus=min(self.mpdus, most_mpdus(radio.standard))).wifi()
 
     def after(self, steps: Sequence[Change]) -> Setting:
-        """Return it with all of these changes."""
+        """Apply all of these changes."""
         fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
         for step in steps:
             fleet = step.fleet(fleet) if step.fleet else fleet
@@ -48,7 +48,7 @@ class Setting:
         return replace(self, fleet=fleet, protocol=protocol, wifi=wifi)
 
     def before(self, steps: Sequence[Change]) -> Setting:
-        """Return what these changes are compared with: tables and channels of the same kind."""
+        """Return the baseline of these changes: a table and a channel of the same kind."""
         protocol = next((step.base for step in steps if step.base), self.protocol)
         wifi = self.wifi
         if any(step.radio for step in steps):
@@ -59,7 +59,7 @@ class Setting:
 
 @dataclass(frozen=True, eq=False)
 class Change:
-    """A change to compute; of one ``slot`` a combination has one at most."""
+    """A change to compute; a combination has at most one change of each ``slot``."""
 
     kind: str
     what: str
@@ -67,12 +67,12 @@ class Change:
     fleet: Callable[[Fleet], Fleet] | None = None
     parts: tuple[Fleet, ...] = ()
     table: Protocol | None = None
-    #: The table without the change, if another than the plan's.
+    #: The table to compare with, if not the plan's.
     base: Protocol | None = None
     radio: Callable[[Radio], Radio] | None = None
-    #: What is to be said of the change alone, and what in a combination, too.
+    #: A note on the change alone, and its part that holds in a combination, too.
     note: str = ""
-    by: str = ""
+    basis_note: str = ""
     steps: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

@@ -1,91 +1,69 @@
-"""Every configuration of every product that was measured, for the same fleet and channel."""
+"""The same fleet and channel with every measured configuration of every product."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 from discostorm import words
 from discostorm.model import utilization
 from discostorm.protocols import PROTOCOLS
-from discostorm_planner.aggregation_range import Span, repeated, startup
+from discostorm_planner.aggregation_range import (
+    AggregationRange,
+    drain_time_range,
+    finite_or_none,
+    steady_range,
+)
 from discostorm_planner.changes import Setting
-from discostorm_planner.remedy_rules import is_built
+from discostorm_planner.remedy_rules import is_measured
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """What a measured configuration of a product would take.
+    """What a measured configuration of a product takes.
 
     Parameters
     ----------
     name : str
-        The name of its table.
+        Name of its table.
     utilization : float
-        What discovery takes of the plan's window [1].
-    start : float
-        How long the channel needs for the start [s]; infinity if it never catches up.
-    steady : float
-        What is repeated takes of the channel [1].
-    startup, later : Span
-        What `start` and `steady`, which are those of single frames, lie between.
+        Share of the plan's window, with one frame in each exchange [1].
+    startup : AggregationRange
+        Drain time [s]; infinity if the channel never catches up.
+    steady_range : AggregationRange
+        Share of the channel that periodic traffic takes [1].
     """
 
     name: str
     utilization: float
-    start: float
-    steady: float
-    startup: Span
-    later: Span
+    startup: AggregationRange
+    steady_range: AggregationRange
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as what JSON can hold; a start that never ends is None."""
+        """Return what JSON can hold: a startup that never ends is None."""
         return {
             "protocol": self.name,
             "utilization": self.utilization,
             "fits": words.fits(self.utilization),
-            "start_s": self.start if math.isfinite(self.start) else None,
-            "steady": self.steady,
+            "start_s": finite_or_none(self.startup.single),
+            "steady": self.steady_range.single,
             "startup": self.startup.to_dict(),
         }
 
 
-def compared(base: Setting, window: float) -> tuple[Configuration, ...]:
-    """Return what every measured configuration would take, that of the shortest start first.
+def configurations(setting: Setting, window: float) -> tuple[Configuration, ...]:
+    """Compute every measured configuration, the one with the shortest startup first.
 
-    Without what a product sends on a network that it takes for wired: on Wi-Fi it does not.
+    Leave out what a product sends on a network that it takes for wired: it does not on Wi-Fi.
     """
-    wired = [table.wired for table in PROTOCOLS.values()]
-    found = []
+    wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
+    rows = []
     for name, table in PROTOCOLS.items():
-        if is_built(table) and table not in wired:
-            setting = replace(base, protocol=table)
-            start, later = startup(setting), repeated(setting)
-            taken = float(utilization(table, base.fleet, wifi=base.wifi, window=window))
-            found.append(Configuration(name, taken, start.single, later.single, start, later))
-    return tuple(sorted(found, key=lambda one: (one.start, one.startup.full, one.steady)))
-
-
-def table_in_words(all_of_them: tuple[Configuration, ...], width: int) -> list[str]:
-    """Return a row each, in columns of equal width; a sentence each where these are too wide."""
-    rows = [("", "startup", "steady state")]
-    rows += [
-        (
-            one.name,
-            words.durations(*one.startup.ends, never="never done"),
-            words.percents(*one.later.ends),
-        )
-        for one in all_of_them
-    ]
-    widths = [max(len(row[i]) for row in rows) for i in range(3)]
-    if sum(widths) + 6 > width:
-        titles = rows[0]
-        told = (
-            f"{name}: {titles[1]} {start}, {titles[2]} {steady}" for name, start, steady in rows[1:]
-        )
-        return [words.wrapped(f"- {line}", width) for line in told]
-    return [
-        f"  {name:<{widths[0]}}  {start:>{widths[1]}}  {steady:>{widths[2]}}"
-        for name, start, steady in rows
-    ]
+        if is_measured(table) and table.key not in wired:
+            configured = replace(setting, protocol=table)
+            taken = utilization(table, setting.fleet, wifi=setting.wifi, window=window)
+            startup = drain_time_range(configured)
+            rows.append(Configuration(name, float(taken), startup, steady_range(configured)))
+    return tuple(
+        sorted(rows, key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
+    )

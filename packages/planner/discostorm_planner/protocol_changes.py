@@ -1,4 +1,4 @@
-"""What could be changed of a table: its configuration, its announcements, the middleware."""
+"""Changes of a table: another configuration, longer announcement intervals, other middleware."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -9,78 +9,90 @@ from discostorm.messages import UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm_planner.changes import Change
-from discostorm_planner.remedy_rules import configuring, is_built, row_of, same, software
+from discostorm_planner.remedy_rules import (
+    configuration_rules,
+    is_measured,
+    rule,
+    same_table,
+    software,
+)
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
-    """Yield other tables: other topologies, longer announcement intervals, other middleware."""
-    yield from _arranged(protocol)
+    """Yield other configurations, longer announcement intervals, and other middleware."""
+    yield from _configurations(protocol)
     if protocol.family == "DDS":
-        yield _calmer(protocol)
+        yield _longer_interval(protocol)
     if protocol.family == "Zenoh":
-        yield _listed(protocol)
-    if protocol.family is not None:
-        yield from _hybrid()
-    yield from _switched(protocol)
+        yield _static_peers(protocol)
+    proposal = rule("hybrid", None)
+    if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
+        yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
+    yield from _other_middleware(protocol)
 
 
-def _arranged(protocol: Protocol) -> Iterator[Change]:
+def _configurations(protocol: Protocol) -> Iterator[Change]:
     """Yield tables of servers, routers and peers in place of a product's.
 
-    What has the paper's counts is compared with them by the product's table as built.
+    A table with the paper's counts is compared with them by the product's measured table.
     """
-    own = software(protocol)
-    for row in configuring():
-        table, before = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or same(table, protocol):
+    for row in configuration_rules():
+        table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
+        if table is None or same_table(table, protocol):
             continue
-        other = is_built(protocol) and software(before) != own
-        if row["family"] != protocol.family and not other:
+        switches = is_measured(protocol) and software(product) != software(protocol)
+        if row["family"] != protocol.family and not switches:
             continue
-        what, base, by = row["title"], None, ""
+        what, base, note = row["title"], None, ""
         steps: tuple[str, ...] = (row["kind"],)
-        if other:
-            what = f"switching to {software(before)} with {what}"
+        if switches:
+            what = f"switching to {software(product)} with {what}"
             steps = ("middleware", *steps)
-        elif protocol.basis != "mitigated" and not same(before, protocol):
-            base = before
-            by = f"both values are of {before.name.replace(', ', ' with ')}'s measured model"
+        elif protocol.basis != "mitigated" and not same_table(product, protocol):
+            base = product
+            note = f"both values are of {product.name.replace(', ', ' with ')}'s measured model"
         yield Change(
-            row["kind"], what, "table", table=table, base=base, note=by, by=by, steps=steps
+            row["kind"],
+            what,
+            "table",
+            table=table,
+            base=base,
+            note=note,
+            basis_note=note,
+            steps=steps,
         )
 
 
-def _calmer(table: Protocol) -> Change | str:
-    """Return the announcements of ``data/vendors/announcements.csv``, or for whom they are."""
-    calmer = read_data("vendors/announcements.csv", "discostorm_planner")
+def _longer_interval(table: Protocol) -> Change | str:
+    """Return the schedule of ``data/vendors/announcements.csv``, or which products have one."""
+    announcements = read_data("vendors/announcements.csv", "discostorm_planner")
     rows = {
         (row["kind"], row["cast"], UNITS[row["unit"]]): row
-        for row in calmer
+        for row in announcements
         if row["product"] == software(table)
     }
 
-    def calm(message: Message) -> Message:
+    def rescheduled(message: Message) -> Message:
         row = rows.get((message.kind, message.cast, message.unit))
         if row is None or not message.schedule.per_second:
             return message
         starts = tuple(float(time) for time in row["starts_s"].split())
         return replace(message, schedule=Schedule(starts, float(row["period_s"])))
 
-    messages = tuple(map(calm, table.messages))
+    messages = tuple(map(rescheduled, table.messages))
     if messages == table.messages:
-        of = words.listed(list(dict.fromkeys(row["product"] for row in calmer)))
-        return f"a longer announcement interval: known for the models of {of} only"
+        products = words.listed(list(dict.fromkeys(row["product"] for row in announcements)))
+        return f"a longer announcement interval: known for the models of {products} only"
     lease = max(float(row["lease_s"]) for row in rows.values())
-    fewer = replace(table, messages=messages, lease=lease)
-    return Change("announcements", "a longer announcement interval", "table", table=fewer)
+    changed = replace(table, messages=messages, lease=lease, key=None)
+    return Change("announcements", "a longer announcement interval", "table", table=changed)
 
 
-def _listed(table: Protocol) -> Change | str:
+def _static_peers(table: Protocol) -> Change | str:
     """Return a table of Zenoh peers that have a list of others instead of Scouts.
 
-    What belongs to a connection (``data/vendors/zenoh_links.csv``) is counted once for each two
-    processes, as the one of them dials that has the other on its list; peers that find each other
-    by Scouts both may.
+    Messages of a link (``data/vendors/zenoh_links.csv``) are counted once for each two processes:
+    only the process with the other on its list dials. Peers that scout may both dial.
     """
     if any(message.role is None for message in table.messages):
         return f"static peers: not known for {table.name}, whose messages have no roles"
@@ -95,43 +107,37 @@ def _listed(table: Protocol) -> Change | str:
         for row in read_data("vendors/zenoh_links.csv", "discostorm_planner")
     }
 
-    def of_a_link(message: Message) -> dict[str, str] | None:
+    def link_row(message: Message) -> dict[str, str] | None:
         answers = kinds.get(message.answers, "")
         return rows.get((message.kind, "")) or rows.get((message.kind, answers))
 
-    opening = [m for m in rest if (row := of_a_link(m)) and row["opens"] == "yes"]
+    opening = [m for m in rest if (row := link_row(m)) and row["opens"] == "yes"]
     if opening:
         once = 0.5 / opening[0].per_unit
-        rest = tuple(replace(m, per_unit=m.per_unit * once) if of_a_link(m) else m for m in rest)
-    return Change("peers", "static peers", "table", table=replace(table, messages=rest))
+        rest = tuple(replace(m, per_unit=m.per_unit * once) if link_row(m) else m for m in rest)
+    changed = replace(table, messages=rest, key=None)
+    return Change("peers", "static peers", "table", table=changed)
 
 
-def _hybrid() -> Iterator[Change]:
-    """Yield this book's proposal."""
-    row = row_of("hybrid", None)
-    if row is not None and row["table"] in PROTOCOLS:
-        yield Change("hybrid", row["title"], "table", table=PROTOCOLS[row["table"]])
-
-
-def _switched(protocol: Protocol) -> Iterator[Change]:
-    """Yield the tables of other middleware that count as this one does."""
-    # On Wi-Fi nobody gets what a product sends where it takes the network for wired.
-    wired = [table.wired for table in PROTOCOLS.values()]
+def _other_middleware(protocol: Protocol) -> Iterator[Change]:
+    """Yield the tables of other middleware that are counted like this one."""
+    # On Wi-Fi no product sends what it sends where it takes the network for wired.
+    wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
     for table in PROTOCOLS.values():
-        if table.family is None or table.basis == "mitigated" or table in wired:
+        if table.family is None or table.basis == "mitigated" or table.key in wired:
             continue
-        # What ROS 2 makes of a product may be another of its tables.
-        of_ros2 = row_of("middleware", table.family)
-        if is_built(table) and of_ros2 and of_ros2["table"] not in ("", table.name):
+        # Within ROS 2 a product may have another table.
+        in_ros2 = rule("middleware", table.family)
+        if is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key):
             continue
-        if _counts(table) == _counts(protocol) and not same(table, protocol):
+        if _counted_as(table) == _counted_as(protocol) and not same_table(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
 
 
-def _counts(table: Protocol) -> str:
-    """Return as what a table counts; one of your own as the paper's, with periods or without."""
-    if is_built(table):
-        return "built"
+def _counted_as(table: Protocol) -> str:
+    """Return the basis of a table; your own counts like the paper's, with or without timers."""
+    if is_measured(table):
+        return "measured"
     return table.basis or ("timed" if table.repeats else "paper")
 
 
@@ -143,29 +149,29 @@ def sessions_note(
     cost: Callable[[Protocol], float],
     window: float,
 ) -> str:
-    """Return what Zenoh's count leaves out beside what switching to or from it changes."""
-    if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_built(new):
-        return ""  # products count what opens their sessions
-    one, both = (cost(_openings(sides)) for sides in (1, 2))
-    if not one:
+    """Compare the gain of switching to or from Zenoh with the sessions that it does not count."""
+    if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_measured(new):
+        return ""  # measured tables count the opening of sessions
+    single, double = (cost(_session_openings(sides)) for sides in (1, 2))
+    if not single:
         return ""
     to_zenoh = new.family == "Zenoh"
-    more = after - before if to_zenoh else before - after
-    if more >= 0:
+    gap = after - before if to_zenoh else before - after
+    if gap >= 0:
         so = "and the sessions make it larger"
-    elif more + both < 0:
+    elif gap + double < 0:
         so = "and the sessions do not close it"
     else:
         so = "so either may need less"
-    adds = [words.airtime(value, window) for value in (one, both)]
+    adds = [words.airtime(value, window) for value in (single, double)]
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
-        f"dials, {adds[1]} if both do. The gap is {words.airtime(abs(more), window)}, {so}"
+        f"dials, {adds[1]} if both do. The gap is {words.airtime(abs(gap), window)}, {so}"
     )
 
 
-def _openings(sides: int) -> Protocol:
-    """Return what opens Zenoh's sessions if so many sides dial, each as long as a KeepAlive."""
+def _session_openings(sides: int) -> Protocol:
+    """Return the messages that open sessions, as long as a KeepAlive, if one or both sides dial."""
     messages = defaults("Zenoh")["session_messages"]
     opening = replace(
         ZENOH.message("KeepAlive"),

@@ -1,4 +1,4 @@
-"""What could be changed of a channel: its radio, the rate of multicast, aggregation."""
+"""Changes of a channel: its radio, the multicast rate, aggregation."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -8,12 +8,12 @@ from discostorm import words
 from discostorm.wifi import PAPER, Radio, Wifi
 from discostorm.wifi.radio import USUAL_MPDUS, both_ends, most_mpdus
 from discostorm_planner.changes import Change
-from discostorm_planner.remedy_rules import simulated_aggregation
+from discostorm_planner.stored_simulations import aggregation_note
 
 #: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
 #: 17.2.2.3), and frames in an A-MPDU [1].
 MULTICAST_RATE, MPDUS = 24e6, USUAL_MPDUS
-#: Other radios: what they change, with at least so many streams.
+#: Other radios: what they change, and their minimum number of streams.
 RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
     {"standard": "802.11ac", "width": 80e6},
@@ -23,13 +23,13 @@ STREAMS = 2
 
 
 def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
-    """Yield faster multicast, other radios and aggregation, or why there are none."""
+    """Yield faster multicast, other radios and aggregation, or why that cannot be."""
     radio = _radio(wifi)
     if isinstance(radio, str):
         yield f"another radio, multicast rate and aggregation: {radio}"
         return
     timed = replace(radio.wifi(), name=wifi.name) != wifi
-    by = "both values use standard timing" if timed else ""
+    basis = "both values use standard timing" if timed else ""
     if radio.basic_rate < MULTICAST_RATE:
         what = (
             f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
@@ -39,7 +39,9 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
         def faster(old: Radio) -> Radio:
             return replace(old, multicast_rate=MULTICAST_RATE, name=None)
 
-        yield Change("multicast rate", what, "multicast rate", radio=faster, note=by, by=by)
+        yield Change(
+            "multicast rate", what, "multicast rate", radio=faster, note=basis, basis_note=basis
+        )
     for changes in RADIOS:
         other = _another(radio, changes)
         if other.rate > radio.rate:
@@ -48,11 +50,10 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
                 f"another radio ({other.wifi().name})",
                 "radio",
                 radio=lambda old, changes=changes: _another(old, changes),  # type: ignore[misc]
-                note=_compared(radio, other, by),
-                by=by,
+                note=_comparison(radio, other, basis),
+                basis_note=basis,
             )
-    most = most_mpdus(radio.standard)
-    if most == 1:
+    if most_mpdus(radio.standard) == 1:
         yield f"aggregation: {radio.standard} has none"
     elif both_ends(wifi) != (wifi, wifi):
         yield "aggregation: already counted, because radios since 802.11n aggregate by default"
@@ -62,12 +63,14 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
-        note = words.sentences(by, simulated_aggregation(MPDUS))
-        yield Change("aggregation", what, "aggregation", radio=aggregated, note=note, by=by)
+        note = words.sentences(basis, aggregation_note(MPDUS))
+        yield Change(
+            "aggregation", what, "aggregation", radio=aggregated, note=note, basis_note=basis
+        )
 
 
 def _radio(wifi: Wifi) -> Radio | str:
-    """Return the radio whose channel it is, or why none is known."""
+    """Return the radio of a channel, or why its changes cannot be computed."""
     if wifi.radio is None:
         return (
             "the channel has rates and overheads but no Radio, so its back-off, preambles and "
@@ -85,12 +88,12 @@ def _radio(wifi: Wifi) -> Radio | str:
 
 
 def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
-    """Return another radio at its fastest, with the settings of the one there is."""
+    """Return another radio at its fastest, with the settings of the present one."""
     rate = radio.multicast_rate
     return Radio(
         **changes,
         streams=max(STREAMS, int(radio.streams)),
-        # DSSS rates are of 2.4 GHz alone.
+        # DSSS rates exist in the 2.4 GHz band only.
         multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
         aifsn=radio.aifsn,
         mpdus=min(int(radio.mpdus), most_mpdus(changes["standard"])),
@@ -98,20 +101,20 @@ def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
     )
 
 
-def _compared(old: Radio, new: Radio, by: str) -> str:
-    """Return what another radio changes: rates, and what an exchange costs beside its data."""
+def _comparison(old: Radio, new: Radio, basis: str) -> str:
+    """Compare rates, and the overhead of a frame exchange."""
     before, after = old.wifi(), new.wifi()
     rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
     was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
-    told = [rates, f"{_instead(becomes, was, 'µs')} of overhead per frame exchange"]
+    differences = [rates, f"{_instead(becomes, was, 'µs')} of overhead per frame exchange"]
     if new.basic_rate != old.basic_rate:
         multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
-        told.append(f"multicast at {multicast}")
-    return words.sentences(f"compared with {before.name}: {words.listed(told)}", by)
+        differences.append(f"multicast at {multicast}")
+    return words.sentences(f"compared with {before.name}: {words.listed(differences)}", basis)
 
 
 def _instead(new: float, old: float, unit: str) -> str:
-    """Return a number instead of another, or alone where both read the same."""
+    """Name a number and the one it replaces, or the number only where both read the same."""
     new_text, old_text = f"{new:.0f}", f"{old:.0f}"
     if new_text == old_text:
         return f"{new_text} {unit}"

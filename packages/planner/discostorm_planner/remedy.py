@@ -1,205 +1,163 @@
-"""A remedy: what is changed, what it brings and what it takes."""
+"""A remedy: a change, or several combined, with its gain and its trade-offs."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
-from discostorm import words
-from discostorm.data import read_data
 from discostorm.fleet import Fleet
-from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
-from discostorm_planner.aggregation_range import Span, Verdict
-from discostorm_planner.remedy_rules import software
-
-#: Changes of less than this are not told apart [1].
-NOTHING = 0.005
+from discostorm_planner import plan_text
+from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
+from discostorm_planner.remedy_rules import efforts, software
 
 
 @dataclass(frozen=True)
 class Remedy:
-    """Something that would change what discovery costs, and by how much.
+    """A change of a fleet, its middleware or its channel, and by how much it helps.
 
     Parameters
     ----------
     kind : str
-        What is changed: a kind of ``data/vendors/remedies.csv``, or "combination".
+        A kind of ``data/vendors/remedies.csv``, or "combination".
     what : str
         The change, in words that a sentence can start with.
-    price : str
-        What to mind.
-    whole : bool
-        Whether all hosts still find each other.
+    trade_offs : str
+        Its disadvantages.
+    failure_mode : str
+        What fails, and when; empty if nothing does.
+    all_discover : bool
+        Whether all hosts still discover each other.
     fleets : tuple of Fleet
-        The changed fleet; when it is split, its parts.
+        The changed fleet; of a split fleet its parts.
     protocol : Protocol
         The middleware.
     wifi : Wifi
         The channel.
-    before : float
-        The utilization without it [1], by a table and on a channel of the same kind.
-    utilization : float
-        What it leads to [1]: of all parts on one channel; on several, of the fullest.
-    window : float
-        The seconds that are averaged [s]; infinity for the steady state.
-    note : str
-        What is compared, or left out of the number; empty if there is nothing to say.
-    efforts : tuple of str
-        How hard its changes are, by names of ``data/vendors/efforts.csv``.
-    fails : str
-        What fails when.
-    steps : tuple of str
-        The kinds of its changes: one, but for a combination.
-    spread : float
-        Within how long hosts should start so that the channel can carry what is left [s]:
-        `discostorm_simulation.staggered.window`; infinity where what is repeated fills the channel.
-    steady : float
-        What is repeated then takes of the channel [1].
-    best_case : bool
-        Whether a part of the gain is that of the best case, as that of exchanges that are all full.
-    span, was : Span, optional
-        What `utilization` and `before` lie between on a radio that aggregates; if left out they
-        have no range.
+    range_before, range_after : AggregationRange
+        Utilization without and with it [1], with a table and on a channel of the same kind; of
+        parts on one channel their sum, on several channels the fullest.
+    steady_range : AggregationRange
+        Share of the channel that periodic traffic takes with it [1].
     basis : str
-        By which of these values they were computed, before and after alike: "simulated" or "one
-        frame in each exchange"; empty where there is no range.
+        Which value of these ranges counts, before and after: "simulated" or "one frame in each
+        exchange"; empty where the ends do not differ.
+    window : float
+        Seconds that are averaged [s]; infinity for the steady state.
+    start_window : float
+        Within how long hosts should start so that the channel can carry their startup [s]:
+        `discostorm_simulation.staggered.window`; infinity where periodic traffic fills the channel.
+    note : str
+        What is compared, or left out; may be empty.
+    efforts : tuple of str
+        Efforts of its changes, named in ``data/vendors/efforts.csv``.
+    steps : tuple of str
+        Kinds of its changes: one, or several of a combination.
+    best_case : bool
+        Whether a part of the gain needs the best case, such as full exchanges.
     """
 
     kind: str
     what: str
-    price: str
-    whole: bool
+    trade_offs: str
+    failure_mode: str
+    all_discover: bool
     fleets: tuple[Fleet, ...]
     protocol: Protocol
     wifi: Wifi
-    before: float
-    utilization: float
-    window: float = PAPER_WINDOW
-    note: str = ""
-    efforts: tuple[str, ...] = ()
-    fails: str = ""
-    steps: tuple[str, ...] = ()
-    spread: float = 0.0
-    steady: float = 0.0
-    best_case: bool = False
-    span: Span | None = None
-    was: Span | None = None
-    basis: str = ""
+    range_before: AggregationRange
+    range_after: AggregationRange
+    steady_range: AggregationRange
+    basis: str
+    window: float
+    start_window: float
+    note: str
+    efforts: tuple[str, ...]
+    steps: tuple[str, ...]
+    best_case: bool
+
+    @property
+    def before(self) -> float:
+        """The utilization without it [1]."""
+        return self._value(self.range_before)
+
+    @property
+    def utilization(self) -> float:
+        """The utilization with it [1]."""
+        return self._value(self.range_after)
+
+    @property
+    def steady(self) -> float:
+        """The share of the channel that periodic traffic takes with it [1]."""
+        return self._value(self.steady_range)
+
+    def _value(self, numbers: AggregationRange) -> float:
+        return numbers.value if self.basis == "simulated" else numbers.single
 
     @property
     def verdict(self) -> Verdict:
-        """Whether it fits with it: at both ends of the range, at the better one, or at none."""
-        return _verdict(self.span, self.utilization)
-
-    @property
-    def may_now_fit(self) -> bool:
-        """Whether it may fit with it, but surely did not without."""
-        return self.verdict == "may fit" and _verdict(self.was, self.before) == "does not fit"
-
-    @property
-    def saved(self) -> float:
-        """What it saves as a part of what there was before [1]; negative if it costs more.
-
-        Where nothing was sent before it is 0, whatever is sent then.
-        """
-        return 1 - self.utilization / self.before if self.before else 0.0
+        """Whether the fleet fits with it: at both ends of the range, at the better one, or not."""
+        return self.range_after.verdict
 
     @property
     def now_fits(self) -> bool:
-        """Whether it surely fits with it and did not without."""
-        return self.verdict == "fits" and _verdict(self.was, self.before) != "fits"
+        """Whether the fleet surely fits with it and did not without."""
+        return self.verdict == "fits" and self.range_before.verdict != "fits"
+
+    @property
+    def may_now_fit(self) -> bool:
+        """Whether the fleet may fit with it, but surely did not without."""
+        return self.verdict == "may fit" and self.range_before.verdict == "does not fit"
+
+    @property
+    def saved(self) -> float:
+        """Saved share of the utilization before [1]; negative if it costs more, 0 if that was 0."""
+        return 1 - self.utilization / self.before if self.before else 0.0
 
     @property
     def rank(self) -> int:
-        """How hard the hardest of its changes is, from 1 on [1]."""
-        return max((int(_efforts()[name]["rank"]) for name in self.efforts), default=0)
+        """Rank of the hardest effort, from 1 on [1]."""
+        return max((int(efforts()[name]["rank"]) for name in self.efforts), default=0)
 
     @property
     def snippets(self) -> tuple[Snippet, ...]:
-        """What to paste."""
-        radio, of = self.wifi.radio, self.protocol
-        names = [software(of), of.family]
-        if of.basis != "mitigated":
-            names.append(f"{of.family} peers")
+        """The configuration to copy."""
+        radio, protocol = self.wifi.radio, self.protocol
+        names = [software(protocol), protocol.family]
+        if protocol.basis != "mitigated":
+            names.append(f"{protocol.family} peers")
         if radio is not None:
             names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")
             names.append(f"{radio.carrier / 1e9:g} GHz {radio.width / 1e6:g} MHz")
-        known = [name for name in names if name]
-        return tuple(piece for kind in self.steps for piece in snippets(kind, *known))
+        targets = [name for name in names if name]
+        return tuple(piece for kind in self.steps for piece in snippets(kind, *targets))
 
     def sentence(self) -> str:
-        """Return what it brings, whether that fits, and what is compared, in words."""
-        fits = ""
-        if self.now_fits:
-            sure = not (self.best_case or self.wifi.aggregation is not None)
-            fits = ", which fits" if sure else ", which would fit"
-        elif self.may_now_fit:
-            fits = ", which may fit"
-        return words.sentences(f"{self.what} {self.brings()}{fits}", self.note)
+        """Say what it saves, whether the fleet fits then, and what is compared."""
+        return plan_text.remedy_sentence(self)
 
     def brings(self) -> str:
-        """Return what it brings, in words that follow its name."""
-        before, after = (
-            words.airtime(value, self.window) for value in (self.before, self.utilization)
-        )
-        s = "" if self._plural else "s"
-        if self.kind == "staggered start":
-            brings = (
-                f"spreads the same {before} of airtime over at least {words.duration(self.spread)}"
-            )
-        elif self.utilization and not self.before:
-            brings = f"add{s} {after}; nothing was sent before"
-        elif abs(self.saved) < NOTHING:
-            brings = f"change{s} less than {NOTHING:.1%}"
-        elif self.saved < 0:
-            brings = f"add{s} {words.percent(-self.saved)}: {before} becomes {after}"
-        else:
-            # What is left may be less than what numbers tell apart from all.
-            most = math.nextafter(1, 0) if self.utilization else 1.0
-            brings = f"cut{s} {before} to {after} ({words.percent(min(self.saved, most))})"
-            if self.basis:
-                brings += ", simulated" if self.basis == "simulated" else f", with {self.basis}"
-            if self.best_case:
-                brings += " at best"
-        return brings
-
-    @property
-    def _plural(self) -> bool:
-        """Whether the change is told in the plural: several of them, or things without article."""
-        first = self.what.split()[0]
-        one = first in ("a", "an", "another", "the") or is_doing(self.what)
-        return self.kind == "combination" or not one
+        """Say what it saves, in words that follow its name."""
+        return plan_text.remedy_gain(self)
 
     def caution(self) -> str:
-        """Return what it takes, what to mind and what fails when, in words."""
-        efforts = list(dict.fromkeys(_efforts()[name]["what"] for name in self.efforts))
-        mind = "; ".join(filter(None, (self.price, self.fails)))
-        later = ""
-        if not words.fits(self.steady):
-            later = (
-                f" Periodic traffic still needs {words.percent(self.steady)} of the channel, so "
-                "the fleet never fits."
-            )
-        elif self.kind == "combination" and self.verdict == "does not fit":
-            later = f" Spread the starts over {words.duration(self.spread)}."
-        return f"Effort: {words.listed(efforts)}. Trade-offs: {mind}.{later}"
+        """Say its effort, its trade-offs and what fails when."""
+        return plan_text.remedy_caution(self)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as what JSON can hold."""
+        """Return what JSON can hold."""
         return {
             "kind": self.kind,
             "steps": list(self.steps),
             "what": self.what,
             "effort": self.rank,
-            "efforts": [_efforts()[name]["what"] for name in self.efforts],
-            "price": self.price,
-            "fails": self.fails,
+            "efforts": [efforts()[name]["what"] for name in self.efforts],
+            "price": self.trade_offs,
+            "fails": self.failure_mode,
             "note": self.note,
-            "all_find_each_other": self.whole,
+            "all_find_each_other": self.all_discover,
             "fleets": [fleet.described() for fleet in self.fleets],
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
@@ -210,24 +168,8 @@ class Remedy:
             "fits": self.verdict == "fits",
             "verdict": self.verdict,
             "basis": self.basis,
-            "range": (self.span or Span(self.utilization, None, self.utilization)).to_dict(),
+            "range": self.range_after.to_dict(),
             "steady": self.steady,
-            "start_within_s": self.spread if math.isfinite(self.spread) else None,
+            "start_within_s": finite_or_none(self.start_window),
             "paste": [piece.to_dict() for piece in self.snippets],
         }
-
-
-def _verdict(span: Span | None, value: float) -> Verdict:
-    """Return whether a range fits, or a number that has none."""
-    ranges = span is not None and span.ranges
-    return (span if ranges and span else Span(value, None, value)).verdict
-
-
-def is_doing(what: str) -> bool:
-    """Return whether a change is told as what is done, not as a thing."""
-    return what.split()[0].endswith("ing")
-
-
-@cache
-def _efforts() -> dict[str, dict[str, str]]:
-    return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}

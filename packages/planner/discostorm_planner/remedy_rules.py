@@ -1,7 +1,6 @@
-"""What is known of remedies: for which tables they work, and what was simulated of them."""
+"""For which tables a kind of remedy works, and with how much effort: the rows of data/vendors."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from typing import get_args
 
@@ -10,16 +9,22 @@ from discostorm.data import read_data
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
+#: A change that saves less than this helps nobody [1].
+NEGLIGIBLE = 0.005
 
-def is_built(protocol: Protocol) -> bool:
-    """Return whether a table has the counts of a product, as shipped or arranged otherwise."""
+
+def is_measured(protocol: Protocol) -> bool:
+    """Whether a table has the counts of a product, as shipped or in another configuration."""
     return protocol.basis in ("measured", "mitigated")
 
 
-def software(protocol: Protocol) -> str | None:
-    """Return whose software sends what a table of a product as built holds, None of another table.
+def same_table(protocol: Protocol, other: Protocol) -> bool:
+    """Whether data files know both tables by the same key."""
+    return protocol.key is not None and protocol.key == other.key
 
-    rmw_zenoh is Zenoh with settings of its own; ``data/vendors/families.csv`` says so.
+
+def software(protocol: Protocol) -> str | None:
+    """Return the software of a measured table, such as "Zenoh"; None for any other table.
 
     Examples
     --------
@@ -28,121 +33,60 @@ def software(protocol: Protocol) -> str | None:
     ('Zenoh', None)
     """
     rows = {row["product"]: row["software"] for row in read_data("vendors/families.csv")}
-    return rows.get(protocol.product or "") if is_built(protocol) else None
+    return rows.get(protocol.product or "") if is_measured(protocol) else None
 
 
-def same(one: Protocol, other: Protocol) -> bool:
-    """Return whether two tables are the same, whatever they are called."""
-    return replace(one, name=other.name) == other
+def rule(kind: str, family: str | None) -> dict[str, str] | None:
+    """Return the row of a kind of remedy for a family, else its row for any family."""
+    rows = {row["family"]: row for row in read_data("vendors/remedies.csv") if row["kind"] == kind}
+    return rows.get(family or "any") or rows.get("any")
 
 
-def known_as(protocol: Protocol) -> Protocol | None:
-    """Return the table of this package that a table is, whatever it is called; None if none is."""
-    return next((table for table in PROTOCOLS.values() if same(table, protocol)), None)
+def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
+    """Return the row of a kind of remedy for a protocol.
 
-
-@cache
-def configuring() -> tuple[dict[str, str], ...]:
-    """Return the remedies that put the table of another configuration in place of a product's."""
-    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
-
-
-def row_of(kind: str, of: str | None) -> dict[str, str] | None:
-    """Return what the data say of a kind of remedy for a family, None if they do not."""
-    rows = [row for row in read_data("vendors/remedies.csv") if row["kind"] == kind]
-    found = [row for row in rows if row["family"] == of]
-    return next(iter(found + [row for row in rows if row["family"] == "any"]), None)
-
-
-def configuration_of(protocol: Protocol) -> dict[str, str] | None:
-    """Return the remedy that puts this table in place of a product's, None of another table."""
-    tables = ((row, PROTOCOLS.get(row["table"])) for row in configuring())
-    return next((row for row, table in tables if table and same(table, protocol)), None)
-
-
-def known(kind: str, protocol: Protocol) -> dict[str, str]:
-    """Return what the data say of a kind of remedy for a protocol.
-
-    Of switching to an configuration what holds for any: what a family counts is of its peers.
+    Switching to a configuration has the row for any family: those of a family count its peers.
     """
-    arranged = kind == "middleware" and protocol.basis == "mitigated"
-    row = row_of(kind, None if arranged else protocol.family)
+    any_family = kind == "middleware" and protocol.basis == "mitigated"
+    row = rule(kind, None if any_family else protocol.family)
     assert row is not None, kind
     return row
 
 
 @cache
-def _simulated() -> dict[tuple[str, int], dict[tuple[str, str], float]]:
-    """Return how long small robots take to all know each other, as simulated on 802.11n [s].
-
-    By table of the paper and number of hosts, then by how they start and frames in an A-MPDU.
-    """
-    found: dict[tuple[str, int], dict[tuple[str, str], float]] = {}
-    for row in read_data("simulated/staggered.csv", "discostorm_planner"):
-        if row["radio"] == "n":
-            starts = found.setdefault((row["protocol"], int(row["hosts"])), {})
-            starts[row["start"], row["mpdus"]] = float(row["convergence_time_s"])
-    return dict(sorted(found.items()))
+def configuration_rules() -> tuple[dict[str, str], ...]:
+    """Return the remedies that put another configuration in place of a product's default."""
+    rows = read_data("vendors/remedies.csv")
+    return tuple(row for row in rows if row["table"] and row["base"])
 
 
-def _small_robots() -> str:
-    """Return what was simulated: each run has robots of one kind."""
-    kinds = {
-        (r["processes"], r["endpoints"])
-        for r in read_data("simulated/staggered.csv", "discostorm_planner")
-    }
-    ((processes, endpoints),) = kinds
-    return f"robots of {processes} processes with {endpoints} endpoints each"
+@cache
+def efforts() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/efforts.csv`` by effort."""
+    return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
 
-def simulated_stagger(protocol: Protocol) -> str:
-    """Return what the simulator says of small robots that start one after the other."""
-    own = protocol.family
-    gains = []
-    for name in [own] if own else get_args(Family):
-        for (_, hosts), times in [row for row in _simulated().items() if row[0][0] == name][-2:]:
-            rule, together = (times[start, "1"] for start in ("rule", "together"))
-            gains.append(
-                f"{hosts} robots with {name} needed {rule:.0f} s instead of {together:.0f} s"
-            )
-    return (
-        "queues then lose less: when we simulated the paper model's startup of "
-        f"{_small_robots()}, {words.listed(gains)} (medians)"
-    )
+def is_gerund(what: str) -> bool:
+    """Whether a change is named by what is done, such as "composing"."""
+    return what.split()[0].endswith("ing")
 
 
-def simulated_aggregation(mpdus: int) -> str:
-    """Return what the simulator says of aggregation, if small robots start together."""
-    most = max(hosts for _, hosts in _simulated())
-    gains = []
-    for name in get_args(Family):
-        one, many = (_simulated()[name, most]["together", n] for n in ("1", str(mpdus)))
-        gains.append(f"{many:.0f} s instead of {one:.0f} s with {name}")
-    return (
-        f"when we simulated the paper model's startup of {most} {_small_robots()}, they needed "
-        f"{words.listed(gains)} (medians)"
-    )
-
-
-def inapplicable(protocol: Protocol) -> Iterator[str]:
-    """Yield what does not work with a protocol, and what is not known to."""
-    own, built = protocol.family, is_built(protocol)
+def not_applicable(protocol: Protocol) -> Iterator[str]:
+    """Yield each remedy that does not work with a protocol, or is not known to, with the reason."""
     rows = read_data("vendors/remedies.csv")
     unknown = []
     # Whoever has a product may change to the configurations of all products.
-    anyones = (
-        {row["kind"] for row in configuring() if row["table"] in PROTOCOLS} if built else set()
-    )
+    for_anyone = {row["kind"] for row in configuration_rules() if row["table"] in PROTOCOLS}
     for kind in dict.fromkeys(row["kind"] for row in rows):
-        if kind in anyones:
+        if is_measured(protocol) and kind in for_anyone:
             continue
-        row = row_of(kind, own)
-        of_kind = [found for found in rows if found["kind"] == kind]
-        if row is None and own is None:
-            unknown.append(of_kind[0]["title"])
+        row = rule(kind, protocol.family)
+        of_kind = [other for other in rows if other["kind"] == kind]
+        title = of_kind[0]["title"]
+        if row is None and protocol.family is None:
+            unknown.append(title)
         elif row is None:
-            others = words.listed([found["family"] for found in of_kind])
-            yield f"{of_kind[0]['title']}: for {others} only"
+            yield f"{title}: for {words.listed([other['family'] for other in of_kind])} only"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:

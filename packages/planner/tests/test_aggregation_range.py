@@ -15,8 +15,8 @@ from discostorm.data import data_path, read_data
 from discostorm.model import burst
 from discostorm.robots import laptop, robots
 from discostorm.wifi.radio import both_ends, most_mpdus, radio_named
-from discostorm_planner import aggregation_range
-from discostorm_planner.aggregation_range import Span
+from discostorm_planner import aggregation_range, plan_text, stored_simulations
+from discostorm_planner.aggregation_range import AggregationRange
 from discostorm_planner.changes import Setting
 
 AC = ds.WIFI["802.11ac 80 MHz 2x2"]
@@ -58,8 +58,8 @@ def test_what_is_no_radios_channel_has_one_end() -> None:
     for wifi in (ds.PAPER, changed, ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast)):
         assert both_ends(wifi) == (wifi, wifi)
         plan = ds.plan(ds.Fleet.swarm(5, 2, 10), FAST_DDS, wifi)
-        assert not plan.span.ranges
-        assert plan.span.single == plan.utilization
+        assert not plan.utilization_range.differs
+        assert plan.utilization_range.single == plan.utilization
     many = ds.Radio("802.11ax", streams=2, width=80e6, mpdus=256).wifi()
     full, single = both_ends(many)
     assert full == many
@@ -75,22 +75,25 @@ def test_one_access_point_has_one_answer(name: str, hosts: int) -> None:
     full = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     plan, again = (ds.plan(fleet, table, wifi) for wifi in (AC, full))
     assert plan.to_json() == again.to_json()
-    assert plan.span.single == ds.utilization(table, fleet, wifi=AC)
-    assert plan.span.full == ds.utilization(table, fleet, wifi=full)
+    assert plan.utilization_range.single == ds.utilization(table, fleet, wifi=AC)
+    assert plan.utilization_range.full == ds.utilization(table, fleet, wifi=full)
     assert plan.startup.single == ds.drain_time(table, fleet, wifi=AC)
     assert plan.startup.full == ds.drain_time(table, fleet, wifi=full)
     for found in (*plan.remedies, *plan.combinations):
-        assert found.span is not None
-        assert found.was is not None
+        assert found.range_after is not None
+        assert found.range_before is not None
         simulated = found.basis == "simulated"
-        ends = [(one.simulated if simulated else one.single) for one in (found.was, found.span)]
+        ends = [
+            (one.simulated if simulated else one.single)
+            for one in (found.range_before, found.range_after)
+        ]
         assert [found.before, found.utilization] == ends
-        known = None not in (found.was.simulated, found.span.simulated)
+        known = None not in (found.range_before.simulated, found.range_after.simulated)
         assert simulated == known
     told = json.loads(plan.to_json())
     assert told["verdict"] == plan.verdict
-    assert told["fits"] == (plan.span.single < 1)
-    assert told["range"]["full_ampdus"] == plan.span.full
+    assert told["fits"] == (plan.utilization_range.single < 1)
+    assert told["range"]["full_ampdus"] == plan.utilization_range.full
 
 
 @pytest.mark.parametrize(
@@ -104,15 +107,15 @@ def test_one_access_point_has_one_answer(name: str, hosts: int) -> None:
     ],
 )
 def test_it_fits_if_the_slowest_end_does(full: float, single: float, verdict: str) -> None:
-    assert Span(full, None, single).verdict == verdict
+    assert AggregationRange(full, None, single).verdict == verdict
     plan = ds.plan(ds.Fleet.swarm(5, 2, 10), FAST_DDS, AC)
-    assert replace(plan, span=Span(full, None, single)).verdict == verdict
+    assert replace(plan, utilization_range=AggregationRange(full, None, single)).verdict == verdict
 
 
 @pytest.mark.parametrize("row", BURSTS[:: max(1, len(BURSTS) // 40)], ids=lambda row: row["robot"])
 def test_the_simulated_burst_is_that_of_the_table(row: dict[str, str]) -> None:
     one = setting(row)
-    found = aggregation_range.burst_of(one)
+    found = aggregation_range.burst_range(one)
     assert found.simulated is not None
     # Endpoints of a process are whole in the simulator; ratios have four decimals.
     assert found.simulated == pytest.approx(float(row["drain_time_s"]), rel=0.02)
@@ -123,7 +126,7 @@ def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
     """Who contends waits together, so that many hosts may take a little less than the formula."""
     below = []
     for row in BURSTS:
-        one = aggregation_range.burst_of(setting(row))
+        one = aggregation_range.burst_range(setting(row))
         taken = float(row["drain_time_s"])
         assert taken < one.single
         if taken < one.full:
@@ -132,43 +135,33 @@ def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
     assert min(below, default=1.0) > 0.9
 
 
-@pytest.mark.parametrize("hosts", [3, 6, 10, 14])
-@pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
-def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
-    from test_stored_sweeps import sweep_setting  # the sweep's own settings
-
-    for robot in ("Nav2 in one process", "The paper's swarm"):
-        own = robots()[robot]
-        ready = sweep_setting.Ready(
-            name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
-            queue_frames=0, queue_s=0.0, runs=1,
-        )  # fmt: skip
-        one = Setting(fleet_of(robot, hosts), ds.PROTOCOLS[name], AC, 64)
-        there = aggregation_range.burst_of(one).simulated
-        # One run each: of short bursts a timeout or two more make a difference.
-        assert there == pytest.approx(float(ready.run()["drain_time_s"]), rel=0.15, abs=0.05)
-
-
 def test_when_all_know_each_other_is_that_of_the_table() -> None:
     kinds = set()
     for row in REPAIRED:
         one = setting(row)
-        found = aggregation_range.known_after(one.protocol, one.fleet, one.full)
+        found = stored_simulations.convergence_time(one.protocol, one.fleet, one.full_wifi)
         assert found is not None
         ends = [float(row[f"convergence_time_s_{end}"]) for end in ("q25", "q75")]
         assert [found.low, found.high] == ends
         assert found.hosts == (int(row["hosts"]),)
         kinds.add((math.isinf(found.low), math.isinf(found.high)))
-        said = found.sentence()
+        said = plan_text.convergence_sentence(found)
         assert said.startswith("Your robots ")
         assert ("do not all know each other within 60.0 s" in said) == math.isinf(found.low)
         assert ("at the earliest" in said) == (math.isinf(found.high) and not math.isinf(found.low))
     assert {(False, False), (True, True)} <= kinds
 
 
+@pytest.mark.parametrize(("more", "known"), [(0, True), (0.45, True), (-0.45, True), (0.5, False)])
+def test_a_process_counts_as_simulated_up_to_half_an_endpoint(more: float, known: bool) -> None:
+    robot = replace(robots()["Nav2 in one process"], hosts=8)
+    fleet = ds.Fleet((replace(robot, endpoints=robot.endpoints + more),))
+    assert (ds.plan(fleet, FAST_DDS, AC).convergence_time is not None) == known
+
+
 def test_between_and_beyond_the_numbers_that_were_simulated() -> None:
     def known(robot: str, hosts: int, table: str = "Fast DDS") -> Any:
-        return aggregation_range.known_after(
+        return stored_simulations.convergence_time(
             ds.PROTOCOLS[table], fleet_of(robot, hosts), both_ends(AC)[0]
         )
 
@@ -197,11 +190,11 @@ def test_between_and_beyond_the_numbers_that_were_simulated() -> None:
 )
 def test_other_fleets_have_a_drain_time_that_is_called_so(fleet: ds.Fleet) -> None:
     plan = ds.plan(fleet, FAST_DDS, AC)
-    assert plan.known is None
+    assert plan.convergence_time is None
     assert plan.startup.simulated is None
     assert plan.advice().startswith("Drain time: startup keeps the channel busy for ")
     assert {found.basis for found in plan.remedies} == {"one frame in each exchange"}
-    assert plan.utilization == plan.span.single
+    assert plan.utilization == plan.utilization_range.single
 
 
 def test_the_answer_comes_first_then_airtime_then_why() -> None:
@@ -213,7 +206,7 @@ def test_the_answer_comes_first_then_airtime_then_why() -> None:
     assert places == sorted(places)
     # A table that the simulator refuses with recovery.
     served = ds.plan(fleet_of("Nav2 in one process", 8), ds.PROTOCOLS["Zenoh router"], AC)
-    assert served.known is None
+    assert served.convergence_time is None
     assert served.advice().startswith("Drain time: ")
 
 
@@ -226,7 +219,7 @@ def test_a_change_may_make_it_fit() -> None:
         assert found.may_now_fit == (found.verdict == "may fit")
         assert found.now_fits == (found.verdict == "fits")
     assert ", which may fit." in " ".join(plan.advice().split())
-    assert "aggregation: already counted" in " ".join(plan.left_out)
+    assert "aggregation: already counted" in " ".join(plan.not_applicable)
 
 
 # ---- the command ----
@@ -250,7 +243,7 @@ def test_paste_prints_the_configuration_of_each_numbered_change(file: str) -> No
     options = ("plan", file, "--protocol", "fast dds", "--wifi", AC.name)
     plan = ds.plan(ds.Fleet.from_toml(file), FAST_DDS, AC)
     advice = run(*options).stdout
-    numbered = plan.numbered()
+    numbered = plan.numbered_remedies()
     assert len(numbered) > 3
     for number, found in enumerate(numbered, 1):
         assert f"\n{number:2}. {found.what[:1].upper()}{found.what[1:]}"[:30] in advice

@@ -101,88 +101,88 @@ def plan(
     """
     with bad_input(), working("planning"):
         try:
-            fleet = _told(members.fleet, nodes, shared)
-            answers = [ds.plan(fleet, protocol, wifi) for protocol in protocols]
+            fleet = _with_counts(members.fleet, nodes, shared)
+            plans = [ds.plan(fleet, protocol, wifi) for protocol in protocols]
         except ValueError as error:
             raise ValueError(f"{members.error_prefix}{error}") from error
-    answer = answers[0]
     if paste is not None:
         with bad_input():
-            if len(answers) > 1:
+            if len(plans) > 1:
                 raise ValueError("--paste needs one --protocol; got several")
-            _print_pieces(answer, paste, output)
+            _print_configuration(plans[0], paste, output)
     elif output.as_csv:
-        print_rows([row for each in answers for row in _remedies(each, len(answers))], output)
+        print_rows([row for each in plans for row in _remedy_rows(each, len(plans) > 1)], output)
     elif output.as_json:
-        found = [each.to_dict() for each in answers]
-        click.echo(to_json(found if len(found) > 1 else found[0]))
-    elif len(answers) > 1:
-        _compare(answers, output)
+        answers = [each.to_dict() for each in plans]
+        click.echo(to_json(answers if len(answers) > 1 else answers[0]))
+    elif len(plans) > 1:
+        _print_comparison(plans, output)
     else:
         width = min(max(shutil.get_terminal_size().columns, 40), 79)
-        click.echo(visible(answer.advice(width)))
+        click.echo(visible(plans[0].advice(width)))
 
 
-def _remedies(answer: ds.Plan, many: int) -> list[dict[Any, Any]]:
-    """Return a row for each remedy, which names the protocol where there are several."""
+def _remedy_rows(answer: ds.Plan, named: bool) -> list[dict[Any, Any]]:
+    """Return a row for each remedy, with the name of the protocol if there are several."""
     rows = answer.to_frame().reset_index().to_dict("records")
-    return [{"protocol": answer.protocol.name} | row for row in rows] if many > 1 else rows
+    return [{"protocol": answer.protocol.name} | row for row in rows] if named else rows
 
 
-def _compare(answers: list[ds.Plan], output: Output) -> None:
-    """Print a table of the plans of several protocols: airtime, and the change that is best."""
+def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
+    """Print a row for each protocol: its airtime, and its best change."""
     rows = []
-    for answer in answers:
-        best = next((remedies[0] for remedies in answer.told().values()), None)
+    for answer in plans:
+        best = next(iter(answer.numbered_remedies()), None)
         rows.append(
             {
                 "protocol": answer.protocol.name,
                 "utilization": answer.utilization,
                 "fits": words.fits(answer.utilization),
-                "saves": 0.0 if best is None else 1 - best.utilization / best.before,
+                "saves": 0.0 if best is None else best.saved,
                 "best_change": "nothing" if best is None else best.what,
             }
         )
     print_rows(rows, output, {"utilization": percent, "fits": yes, "saves": percent})
-    print_channel(answers[0].wifi, output)
+    print_channel(plans[0].wifi, output)
     click.echo("Name one protocol for its plan: what dominates, and what each change costs.")
 
 
-def _print_pieces(answer: ds.Plan, number: int, output: Output) -> None:
+def _print_configuration(answer: ds.Plan, number: int, output: Output) -> None:
     """Print what to configure for a change of the advice, by its number there."""
-    told = answer.numbered()
-    if not told:
+    remedies = answer.numbered_remedies()
+    if not remedies:
         raise ValueError("--paste needs a change to configure; nothing that was tried helps")
-    _checks.whole("--paste", number, 1, len(told))
-    chosen = told[number - 1]
-    pieces = [piece.to_dict() for piece in chosen.snippets]
+    _checks.whole("--paste", number, 1, len(remedies))
+    remedy = remedies[number - 1]
+    pieces = [piece.to_dict() for piece in remedy.snippets]
     if not pieces:
         raise ValueError(
-            f"--paste: change {number}, {chosen.what}, is not done by configuration; choose another"
+            f"--paste: change {number}, {remedy.what}, is not done by configuration; choose another"
         )
     if not output.for_people:
-        rows = [{"change": chosen.what, **piece} for piece in pieces]
-        print_rows(rows, output)
+        print_rows([{"change": remedy.what, **piece} for piece in pieces], output)
         return
-    # Beside the output, so that this is nothing but configuration.
-    click.echo(visible(f"{words.capitalized(chosen.what)}:\n"), err=True)
+    # On standard error, so that the output is nothing but configuration.
+    click.echo(visible(f"{words.capitalized(remedy.what)}:\n"), err=True)
     # Not escaped: it is to be copied as it is.
     click.echo("\n".join(piece["text"] for piece in pieces), nl=False)
 
 
-def _told(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
-    """Return the fleet with the nodes and the shared endpoints of the options, where there are."""
-    many = len(fleet.groups)
-    own = nodes if isinstance(nodes, list) else [nodes] * many
-    if len(own) != many:
-        raise ValueError(f"nodes must be one number, or one for each of {many} groups; got {nodes}")
+def _with_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
+    """Give the groups of a fleet the nodes and shared endpoints of the options, if there are."""
+    count = len(fleet.groups)
+    of_groups = nodes if isinstance(nodes, list) else [nodes] * count
+    if len(of_groups) != count:
+        raise ValueError(
+            f"nodes must be one number, or one for each of {count} groups; got {nodes}"
+        )
     groups = []
-    for group, told in zip(fleet.groups, own, strict=True):
-        changed = group if told is None else replace(group, nodes=told)
+    for group, own in zip(fleet.groups, of_groups, strict=True):
+        changed = group if own is None else replace(group, nodes=own)
         if shared is not None:
             changed = replace(changed, shared=shared)
         elif group.shared == usually_shared(group.endpoints, group.nodes):
-            # What ROS 2 shares for its nodes is that of other nodes now; what a file says stays.
+            # ROS 2 shares more for more nodes; what a file says stays.
             changed = replace(changed, shared=usually_shared(group.endpoints, changed.nodes))
         groups.append(changed)
     return replace(fleet, groups=tuple(groups))

@@ -1,12 +1,9 @@
-"""What the calculator knows of each table of messages: see `write_calculator`."""
+"""The calculator's data and formulas of each table of messages."""
 
 from dataclasses import replace
 from typing import Any, get_args
 
 import sympy as sp
-from calculator_changes import table_remedies
-from calculator_inputs import BESIDE
-from javascript import Formulas, Value
 
 import discostorm as ds
 from discostorm import figures, notation as nt, timeline
@@ -17,22 +14,26 @@ from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import BASES
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
-from discostorm_planner.reboot import factors
+from discostorm_planner.calculator.changes import table_remedies
+from discostorm_planner.calculator.inputs import OTHERS
+from discostorm_planner.calculator.javascript import Formulas, Value
+from discostorm_planner.reboot import restart_factors
 from discostorm_planner.remedy_rules import software
 
 #: Endpoints of each process that match everywhere, of each of the two groups.
 SHARED = sp.symbols("N_S N_S1", nonnegative=True)
 
-#: No endpoint matches one elsewhere, so many of each process do, or all.
-GROUPS_SHARED = tuple(
+#: The same groups with shared endpoints.
+SHARED_GROUPS = tuple(
     replace(group, shared=shared)
-    for group, shared in zip((*SWARM.groups, BESIDE), SHARED, strict=True)
+    for group, shared in zip((*SWARM.groups, OTHERS), SHARED, strict=True)
 )
 
+#: No endpoint matches another, some of each process do, or all.
 FLEETS = (
-    Fleet((*SWARM.groups, BESIDE)),
-    Fleet(GROUPS_SHARED),
-    Fleet((*SWARM.groups, BESIDE), matching=1.0),
+    Fleet((*SWARM.groups, OTHERS)),
+    Fleet(SHARED_GROUPS),
+    Fleet((*SWARM.groups, OTHERS), matching=1.0),
 )
 
 #: The first table of each product as built; the others are variants of one.
@@ -63,14 +64,12 @@ COEFFICIENTS = sp.symbols("c b a", positive=True)
 
 
 def group(protocol: Protocol) -> str | None:
-    """Return under which heading a table is offered; None if only a change can have it."""
-    if protocol not in ds.PROTOCOLS.values():
-        return None
-    return BASES[protocol.basis or "proposal"]
+    """Return the heading of a table; None if only a change makes it."""
+    return None if protocol.key is None else BASES[protocol.basis or "proposal"]
 
 
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Value]:
-    """Return what the calculator knows of a message."""
+    """Return the data of a message."""
     schedule = message.schedule
     return {
         "name": message.name,
@@ -87,22 +86,19 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[
     }
 
 
-def airtimes(known: Formulas) -> Value:
-    """Return the airtime of a frame of L bytes on each hop, by kind of channel and cast.
-
-    And of L bytes inside the frame of another message, on any channel.
-    """
+def airtimes(formulas: Formulas) -> Value:
+    """Name the airtime of a frame of L bytes on each hop, and of L bytes inside another frame."""
     up, *down = (
-        known.name(bits_airtime(LENGTH, cast), f"inside_{cast}")
+        formulas.name(bits_airtime(LENGTH, cast), f"inside_{cast}")
         for cast in ("unicast", *get_args(Cast))
     )
     return {
         "inside": {"up": up, **dict(zip(get_args(Cast), down, strict=True))},
         **{
             model: {
-                "up": known.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
+                "up": formulas.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
                 **{
-                    cast: known.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
+                    cast: formulas.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
                     for cast in get_args(Cast)
                 },
             }
@@ -112,17 +108,17 @@ def airtimes(known: Formulas) -> Value:
 
 
 def outlooks(protocol: Protocol) -> Value:
-    """Return which word `timeline.outlook` has for a drain time up to a limit [s]."""
-    *told, never = timeline.OUTLOOKS
+    """Return the words of `timeline.outlook` for a drain time up to each limit [s]."""
+    *outcomes, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
-        "until": [[limit, word] for limit, word in zip(limits, told, strict=True)],
+        "until": [[limit, word] for limit, word in zip(limits, outcomes, strict=True)],
         "never": never,
     }
 
 
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
-    """Return the powers of N_H - 1 in the number of a unit, that of the constant first."""
+    """Return the coefficients of N_H - 1 in the number of a unit, the constant first."""
     count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + MORE)
     parts = [count.diff(MORE, n).subs(MORE, 0) / sp.factorial(n) for n in range(5)]
     while parts and parts[-1] == 0:
@@ -130,24 +126,24 @@ def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
     return parts
 
 
-def saturation(degree: int, known: Formulas) -> str:
-    """Return the hosts that fill the channel if utilization is a polynomial of that degree."""
+def saturation(degree: int, formulas: Formulas) -> str:
+    """Name the number of hosts that fills the channel, for utilizations of that degree."""
     powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
-    return known.name(
+    return formulas.name(
         solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
     )
 
 
-def unit_code(unit: Unit, fleet: Fleet, known: Formulas) -> Value:
-    """Return how many of a unit a fleet has, and what further hosts add to it."""
+def unit_code(unit: Unit, fleet: Fleet, formulas: Formulas) -> Value:
+    """Name the number of a unit in a fleet, and what further hosts add to it."""
     return {
-        "count": known.name(sp.sympify(unit.count(fleet)), "count"),
-        "more": [known.name(part, "more") for part in coefficients(unit, fleet)],
+        "count": formulas.name(sp.sympify(unit.count(fleet)), "count"),
+        "more": [formulas.name(part, "more") for part in coefficients(unit, fleet)],
     }
 
 
-def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
-    """Return all that the calculator knows of a protocol."""
+def about(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
+    """Return the data and formulas of a table."""
     windows = {"second": PAPER_WINDOW}
     if protocol.lease < sp.oo:
         windows["lease"] = protocol.lease
@@ -168,13 +164,13 @@ def about(protocol: Protocol, known: Formulas) -> dict[str, Any]:
             for row in bands_of(protocol.name)
         ],
         # How many times its pairs' part of a start a robot takes that reboots: least and most.
-        "reboot": list(factors(protocol) or ()),
+        "reboot": list(restart_factors(protocol) or ()),
         "variant": protocol.basis == "measured" and protocol.name not in FIRST,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
         "outlooks": outlooks(protocol),
         "windows": {**windows},
-        "units": [[unit_code(unit, fleet, known) for fleet in FLEETS] for unit in units],
+        "units": [[unit_code(unit, fleet, formulas) for fleet in FLEETS] for unit in units],
         "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),
         "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
     }

@@ -1,27 +1,13 @@
-"""Write the model of the calculator, book/_static/calculator/model.js, from the package.
+"""The text of the calculator's model, book/_static/calculator/model.js.
 
 Every formula is an expression of the package, printed by sympy as JavaScript, once however many
 messages share it; what the formulas are fed with (sizes, schedules, channels, robots, ranges) is
 written beside them as data.
 """
 
-from pathlib import Path
 from typing import Any
 
 import sympy as sp
-from calculator_changes import changes, pastes, radio_remedies, remedies, tables
-from calculator_inputs import (
-    CHANNELS,
-    START_MIDDLEWARE,
-    START_ROBOT,
-    channel,
-    fields,
-    ready,
-    ready_made,
-    simulation,
-)
-from calculator_tables import COEFFICIENTS, about, airtimes, row, saturation
-from javascript import Formulas, Value, said_once, written
 
 import discostorm as ds
 from discostorm import timeline, words
@@ -34,8 +20,19 @@ from discostorm.robots import (
     shared_endpoints,
 )
 from discostorm.wifi.radio import TOPOLOGY
-
-TARGET = Path(__file__).parents[2] / "book" / "_static" / "calculator" / "model.js"
+from discostorm_planner.calculator.changes import changes, pastes, radio_remedies, remedies, tables
+from discostorm_planner.calculator.inputs import (
+    CHANNELS,
+    START_MIDDLEWARE,
+    START_ROBOT,
+    channel,
+    fields,
+    ready,
+    ready_made,
+    simulation,
+)
+from discostorm_planner.calculator.javascript import Formulas, Value, said_once, written
+from discostorm_planner.calculator.tables import COEFFICIENTS, about, airtimes, row, saturation
 
 #: Another version of sympy may order the same sums otherwise.
 HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
@@ -47,18 +44,18 @@ LARGEST = sp.ceiling(N_SAT) - 1
 
 
 def model() -> Value:
-    """Return all that the calculator reads."""
-    known = Formulas()
+    """Return all data and formulas of the calculator."""
+    formulas = Formulas()
     protocols: dict[str, Any] = {
-        name: about(protocol, known) for name, protocol in tables().items()
+        name: about(protocol, formulas) for name, protocol in tables().items()
     }
     degrees = range(1, len(COEFFICIENTS))
-    full: list[Value] = [None, *(saturation(degree, known) for degree in degrees)]
+    full: list[Value] = [None, *(saturation(degree, formulas) for degree in degrees)]
     single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
     shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown})
-    drain = known.name(timeline.DRAIN, "drain")
-    largest = known.name(LARGEST, "largest")
+    drain = formulas.name(timeline.DRAIN, "drain")
+    largest = formulas.name(LARGEST, "largest")
     return {
         "start": {
             "robot": START_ROBOT,
@@ -76,7 +73,7 @@ def model() -> Value:
         "told": CLASSES[1],
         "beyond": BEYOND,
         "times": [list(row) for row in words.TIMES],
-        "airtime": airtimes(known),
+        "airtime": airtimes(formulas),
         "laptop_nodes": laptop().nodes or 0,
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
@@ -88,20 +85,16 @@ def model() -> Value:
         "largest": largest,
         "saturation": full,
         "drain": drain,
-        "formulas": known.code(),
+        "formulas": formulas.code(),
         # What the rows of messages hold, in order.
         "columns": list(row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
     }
 
 
-def javascript() -> str:
+def model_js() -> str:
     """Return the text of model.js."""
     said, rest = said_once(model())
     lines = [f"const {name} = {written(part)};" for name, part in said.items()]
     body = "\n".join([*lines, f"return {written(rest)};"])
     return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
-
-
-if __name__ == "__main__":
-    TARGET.write_text(javascript(), encoding="utf-8")

@@ -1,10 +1,7 @@
-"""The changes that the calculator offers, with what to paste: see `write_calculator`."""
+"""The changes that the calculator offers, with the configuration to copy."""
 
 from collections.abc import Iterable
 from typing import get_args
-
-from calculator_inputs import channel, one_channel
-from javascript import Value
 
 import discostorm as ds
 from discostorm import words
@@ -15,43 +12,46 @@ from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
+from discostorm_planner.calculator.inputs import channel, one_channel
+from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.changes import Change, Setting
 from discostorm_planner.plan import changes_of
-from discostorm_planner.remedy_rules import known, row_of
+from discostorm_planner.remedy_rules import efforts, rule, rule_for
 
 #: Hosts that have something to compose and to leave out: every change of hosts applies to them.
 ANY = Fleet.swarm(2, 2, parameter_service_endpoints())
 
 
 def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
-    """Return what the planner would change, but for what nobody can have yet."""
+    """Return the planner's changes without prototypes."""
     return [
         change
         for change in changes_of(Setting(ANY, protocol, wifi))
         if not isinstance(change, str)
         and all(
-            known(kind, change.table or protocol)["effort"] != "research" for kind in change.steps
+            rule_for(kind, change.table or protocol)["effort"] != "research"
+            for kind in change.steps
         )
     ]
 
 
 def way(change: Change) -> str:
-    """Return the name of what is to be done for a change: its kind, or several kinds."""
+    """Name the kinds of a change."""
     return " and ".join(change.steps)
 
 
 def radio_remedies(wifi: Wifi) -> Value:
-    """Return what the planner would change of a channel: the channel before and after."""
+    """Return the planner's changes of a channel: the channel before and after each."""
     base = Setting(ANY, ds.DDS, wifi)
-    # Of the paper's channel, which does not aggregate, both sides of a comparison do not.
-    told = one_channel if both_ends(wifi)[0] == wifi else channel
+    # The paper's channel does not aggregate, so neither do both sides of a comparison.
+    data_of = one_channel if both_ends(wifi)[0] == wifi else channel
     return [
         {
             "kind": change.kind,
             "what": change.what,
             "note": change.note,
-            "base": told(base.before([change]).wifi),
-            "wifi": told(base.after([change]).wifi),
+            "base": data_of(base.before([change]).wifi),
+            "wifi": data_of(base.after([change]).wifi),
         }
         for change in changes(ds.DDS, wifi)
         if change.radio is not None
@@ -59,19 +59,18 @@ def radio_remedies(wifi: Wifi) -> Value:
 
 
 def table_changes(protocol: Protocol) -> list[Change]:
-    """Return the changes of the planner that put another table in its place."""
+    """Return the planner's changes that put another table in its place."""
     return [change for change in changes(protocol, ds.PAPER) if change.table is not None]
 
 
 def key(protocol: Protocol, change: Change) -> str:
-    """Return the name of the table of a change; one that is not of `PROTOCOLS` has none yet."""
+    """Name the table of a change; a table without a key has no name of its own yet."""
     assert change.table is not None
-    of_its_own = change.table != ds.PROTOCOLS[change.table.name]
-    return f"{protocol.name}, {change.what}" if of_its_own else change.table.name
+    return change.table.key or f"{protocol.name}, {change.what}"
 
 
 def tables() -> dict[str, Protocol]:
-    """Return each table that the calculator computes with, by name: all, and what changes make."""
+    """Return all tables by name, those that changes make included."""
     return dict(ds.PROTOCOLS) | {
         name: change.table
         for protocol in ds.PROTOCOLS.values()
@@ -81,11 +80,8 @@ def tables() -> dict[str, Protocol]:
 
 
 def table_remedies(protocol: Protocol) -> Value:
-    """Return which other table the planner would put in its place, and what each is held against.
-
-    Nothing for a table that is such a change itself.
-    """
-    if protocol not in ds.PROTOCOLS.values():
+    """Return the changes of a packaged table: the other table, and the table to compare with."""
+    if protocol.key is None:
         return []
     return [
         [
@@ -101,38 +97,37 @@ def table_remedies(protocol: Protocol) -> Value:
 
 
 def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
-    """Return of each way to change something what it takes and what to mind, by family."""
+    """Return effort and trade-offs of each way to change something, by family."""
     families = (*get_args(Family), None)
-    efforts = {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
-    def told(steps: tuple[str, ...], family: str | None) -> Value:
-        # What a family counts of switching to it is of its peers, not of an configuration.
+    def about(steps: tuple[str, ...], family: str | None) -> Value:
+        # Switching to a configuration has the row for any family; the others count peers.
         switch = len(steps) > 1
-        rows = [row_of(kind, None if switch and kind == "middleware" else family) for kind in steps]
-        found = [row for row in rows if row is not None and row["effort"]]
-        if len(found) < len(steps):
+        rules = [rule(kind, None if switch and kind == "middleware" else family) for kind in steps]
+        rows = [row for row in rules if row is not None and row["effort"]]
+        if len(rows) < len(steps):
             return None
-        parts = [row["price"] for row in found] + [row["fails"] for row in found if row["fails"]]
+        parts = [row["price"] for row in rows] + [row["fails"] for row in rows if row["fails"]]
         return {
-            "effort": max(int(efforts[row["effort"]]["rank"]) for row in found),
+            "effort": max(int(efforts()[row["effort"]]["rank"]) for row in rows),
             "takes": words.listed(
-                list(dict.fromkeys(efforts[row["effort"]]["what"] for row in found))
+                list(dict.fromkeys(efforts()[row["effort"]]["what"] for row in rows))
             ),
-            "best_case": any(row["gain"] == "best case" for row in found),
+            "best_case": any(row["gain"] == "best case" for row in rows),
             "mind": "; ".join(dict.fromkeys(parts)),
         }
 
     return {
         " and ".join(steps): {
             "steps": list(steps),
-            "of": {str(family): told(steps, family) for family in families},
+            "of": {str(family): about(steps, family) for family in families},
         }
         for steps in ways
     }
 
 
 def pastes(kinds: Iterable[str]) -> Value:
-    """Return what to paste for each kind of remedy, by what it is for."""
+    """Return the configuration to copy for each kind of remedy, by target."""
     return {
         kind: {
             row["for"]: [

@@ -1,11 +1,10 @@
-"""What the calculator asks for, and what was simulated beforehand: see `write_calculator`."""
+"""Input fields of the calculator, ready-made robots, and startups simulated beforehand."""
 
 import inspect
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sympy as sp
-from javascript import Value
 
 import discostorm as ds
 from discostorm import _checks, notation as nt
@@ -14,36 +13,37 @@ from discostorm.fleet import LEAST, SWARM, HostGroup, symbolic_group
 from discostorm.robots import laptop, robots
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import both_ends
-from discostorm_planner import aggregation_range
+from discostorm_planner import stored_simulations
+from discostorm_planner.calculator.javascript import Value
 
-#: What one can choose: one entry a radio, whether its frames share exchanges or not.
+#: The channels to choose from: one entry per radio, whether it aggregates or not.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
 
-#: Where the calculator starts, with how many of which robots.
+#: The first entries.
 START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
 
 START_MIDDLEWARE = "Fast DDS"
 
-#: How often the page simulates a fleet.
+#: Simulated runs per fleet.
 RUNS = 10
 
-#: Like hosts beside a group of others, of which there may be none.
-BESIDE = symbolic_group(1)
+#: The second group of hosts, which may be empty.
+OTHERS = symbolic_group(1)
 
 
 def channel(wifi: Wifi) -> dict[str, Value]:
-    """Return the data of a Wi-Fi channel; of a radio that aggregates also with full A-MPDUs."""
+    """Return the data of a channel; of a radio that aggregates also with full A-MPDUs."""
     full, single = both_ends(wifi)
     if full in (single, wifi):
         return one_channel(wifi)
     return one_channel(wifi) | {
         "full": one_channel(full),
-        "simulated": aggregation_range.radio_of(wifi),
+        "simulated": stored_simulations.radio_key(wifi),
     }
 
 
 def one_channel(wifi: Wifi) -> dict[str, Value]:
-    """Return the data of a channel by itself."""
+    """Return the data of one end of a channel."""
     return {
         "name": wifi.name,
         "model": wifi.model,
@@ -61,7 +61,7 @@ def field(
     scale: float = 1,
     whole: bool = False,
 ) -> Value:
-    """Return the data of an input field: what it asks for and which numbers are allowed."""
+    """Return the data of an input field: its label and the allowed numbers."""
     low, high, above = allowed
     range_ = _checks.wanted(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
@@ -84,7 +84,7 @@ def field(
 def counts(
     prefix: str, titles: Sequence[str], symbols: Iterable[sp.Symbol], start: Sequence[float]
 ) -> Value:
-    """Return the fields of a group of hosts; the ranges are those of the package."""
+    """Return the fields of a group of hosts, with the package's ranges."""
     return [
         field(
             f"{prefix}{name}",
@@ -137,7 +137,7 @@ def fields() -> Value:
         "beside": counts(
             "beside_",
             ("Computers", "Processes per computer", "Endpoints per process, computers"),
-            BESIDE.counts(),
+            OTHERS.counts(),
             laptop().counts(),
         ),
         "own": own,
@@ -145,7 +145,7 @@ def fields() -> Value:
 
 
 def ready_made() -> Value:
-    """Return the ready-made robots with what the data file says of their parts."""
+    """Return the ready-made robots and their parts."""
     rows = read_data("fleets/robots.csv")
     return [
         {
@@ -170,36 +170,28 @@ def ready_made() -> Value:
 
 
 def simulation() -> Value:
-    """Return what the page simulates: so many runs with what `discostorm.simulate` assumes."""
+    """Return the settings of simulated runs: the defaults of `discostorm.simulate`."""
     defaults = inspect.signature(ds.simulate).parameters
     return {"runs": RUNS} | {name: defaults[name].default for name in ("seed", "queue", "until")}
 
 
 def ready() -> Value:
-    """Return what was simulated of ready-made robots, and which hosts are as those."""
+    """Return the simulated startups of ready-made robots, and which hosts are like those."""
 
-    def same_as(host: HostGroup) -> Value:
+    def counts_of(host: HostGroup) -> Value:
         return {"N_P": host.processes, "N_E": host.endpoints, "N_S": host.shared}
 
-    found: dict[str, Any] = {}
-    for (radio, table, robot, laptops), rows in aggregation_range.stored().items():
-        found.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
-    (until,) = {
-        row["until_s"]
-        for row in read_data("simulated/ready.csv", "discostorm_planner")
-        if row["recovery"] == "1"
-    }
-    (runs,) = {
-        row["runs"]
-        for row in read_data("simulated/ready.csv", "discostorm_planner")
-        if row["recovery"] == "1"
-    }
+    startups: dict[str, Any] = {}
+    for (radio, table, robot, laptops), rows in stored_simulations.ready_made_startups().items():
+        startups.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
+    data = read_data("simulated/ready.csv", "discostorm_planner")
+    ((until, runs),) = {(row["until_s"], row["runs"]) for row in data if row["recovery"] == "1"}
     return {
-        "robots": {name: same_as(host) for name, host in robots().items()},
-        "laptop": same_as(laptop()),
-        "shared": aggregation_range.SHARED,
-        "whole": aggregation_range.WHOLE,
+        "robots": {name: counts_of(host) for name, host in robots().items()},
+        "laptop": counts_of(laptop()),
+        "shared": stored_simulations.SHARED_TOLERANCE,
+        "whole": stored_simulations.ENDPOINTS_TOLERANCE,
         "until": float(until),
         "runs": int(runs),
-        "found": found,
+        "found": startups,
     }

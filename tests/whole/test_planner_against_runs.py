@@ -1,0 +1,93 @@
+"""The planner's data files against the lab's runs and the sweeps that wrote them."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_stored_sweeps import sweep_setting  # the sweep's own settings
+
+import discostorm as ds
+from discostorm.data import read_data
+from discostorm.robots import robots
+from discostorm_book import lab_counts
+from discostorm_planner import aggregation_range
+from discostorm_planner.changes import Setting
+
+AC = ds.WIFI["802.11ac 80 MHz 2x2"]
+
+
+def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
+    code = (
+        "import sys, discostorm;"
+        "print([m for m in ('pandas', 'matplotlib', 'click') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
+    assert done.stdout == "[]\n"
+
+
+#: What is measured of a kind of remedy: who dies, when, who, what, and whether that happens.
+MEASURED_DEATHS = {
+    "discovery server": """
+        server killed, death, survivors, settled, yes
+        server killed, newcomer, newcomer, found, no
+        server killed, return, newcomer, found, yes
+    """,
+    "two discovery servers": """
+        server killed, newcomer, newcomer, found, yes
+        both servers killed, newcomer, newcomer, found, no
+    """,
+    "router": """
+        server killed, death, survivors, settled, no
+        server killed, return, survivors, found, yes
+    """,
+    "router on each host": """
+        server killed, death, survivors, settled, yes
+        server killed, death, orphans and survivors, settled, no
+        server killed, return, orphans, found, yes
+    """,
+}
+
+
+def test_what_fails_when_is_what_the_lab_measured() -> None:
+    rows = {row["kind"]: row for row in read_data("vendors/remedies.csv")}
+    died = {
+        row["configuration"] for row in read_data("measured/configurations.csv", "discostorm_book")
+    }
+    assert {kind for kind, row in rows.items() if row["table"] in died} == set(MEASURED_DEATHS)
+    for kind, cases in MEASURED_DEATHS.items():
+        for case in cases.strip().splitlines():
+            *key, happens = case.strip().split(", ")
+            times = lab_counts.death_times(rows[kind]["table"], *key)
+            assert (times < np.inf).all() == (happens == "yes"), case
+    for backup in ("", ", backup"):
+        short = np.concatenate(
+            [
+                lab_counts.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
+                for event in ("outage of 3 s", "outage of 10 s", "outage of 10 s, robot restarts")
+                for found in [("return", "newcomer", "found")]
+            ]
+        )
+        assert np.isinf(short).any() == (not backup)
+    assert "and after short outages without -b" in rows["discovery server"]["fails"]
+    for kind in ("router", "router on each host"):
+        *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
+        back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
+        assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
+
+
+@pytest.mark.parametrize("hosts", [3, 6, 10, 14])
+@pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
+def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
+    for robot in ("Nav2 in one process", "The paper's swarm"):
+        own = robots()[robot]
+        fleet = ds.Fleet((replace(own, hosts=hosts),))
+        ready = sweep_setting.Ready(
+            name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
+            queue_frames=0, queue_s=0.0, runs=1,
+        )  # fmt: skip
+        one = Setting(fleet, ds.PROTOCOLS[name], AC, 64)
+        there = aggregation_range.burst_range(one).simulated
+        # One run each: of short bursts a timeout or two more make a difference.
+        assert there == pytest.approx(float(ready.run()["drain_time_s"]), rel=0.15, abs=0.05)
