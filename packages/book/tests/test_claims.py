@@ -153,6 +153,8 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     # Of 24 s, each 3 s and each 8 s.
     (captured.repeats, ("Fast DDS", "SPDP"), 8),
     (captured.repeats, ("Zenoh peer", "Scout"), 3),
+    (captured.period, ("Zenoh peer", "Scout"), 8),
+    (evidence.burst_saved, (ds.DDS, 2, 1), -evidence.burst_excess(ds.DDS, 2, 1)),
     (evidence.enumeration_agrees, (ds.ZENOH, 3, 2, 3), 1),
     # SEDP messages of a host of two processes: to one other or to two, of one endpoint or three.
     (evidence.enumerated_spread, (ds.DDS, "Heartbeat", 3, 2, 3), 2),
