@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -153,6 +154,8 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     # Of 24 s, each 3 s and each 8 s.
     (captured.repeats, ("Fast DDS", "SPDP"), 8),
     (captured.repeats, ("Zenoh peer", "Scout"), 3),
+    (captured.period, ("Zenoh peer", "Scout"), 8),
+    (evidence.burst_saved, (ds.DDS, 2, 1), -evidence.burst_excess(ds.DDS, 2, 1)),
     (evidence.enumeration_agrees, (ds.ZENOH, 3, 2, 3), 1),
     # SEDP messages of a host of two processes: to one other or to two, of one endpoint or three.
     (evidence.enumerated_spread, (ds.DDS, "Heartbeat", 3, 2, 3), 2),
@@ -169,6 +172,19 @@ def test_payloads_move_the_saturation_point_by_less_than_all_parameters() -> Non
     of_all = model.saturation_spread(ds.DDS, 2, 10)
     assert of_all == pytest.approx(high - low)
     assert 0 < spread < of_all / 10
+
+
+def test_runs_of_one_swarm_scatter_as_the_rows_of_counts_say() -> None:
+    sent: Counter[str] = Counter()
+    for row in read_data("measured/counts.csv", "discostorm_book"):
+        if row["window"] == "startup":
+            sent[row["run"]] += int(row["messages"])
+    runs: dict[tuple[str, ...], list[int]] = {}
+    for run in read_data("measured/runs.csv", "discostorm_book"):
+        if (run["product"], run["variant"]) == ("fast_dds", "default") and run["hosts"] != "1":
+            swarm = tuple(run[name] for name in ("hosts", "processes", "endpoints", "names"))
+            runs.setdefault(swarm, []).append(sent[run["run"]])
+    assert captured.run_scatter("Fast DDS") == max(max(each) / min(each) for each in runs.values())
 
 
 def test_remarks_about_aggregation_hold() -> None:
