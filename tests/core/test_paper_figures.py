@@ -229,7 +229,7 @@ def test_drawings_are_those_that_the_notebooks_keep(
     kept = next(
         "".join(output["data"]["image/svg+xml"])
         for cell in cells
-        if "".join(cell["source"]).endswith(line)
+        if "".join("".join(cell["source"]).split()).endswith("".join(line.split()))
         for output in cell["outputs"]
         if "image/svg+xml" in output.get("data", {})
     )
