@@ -14,17 +14,15 @@ from sweep_ladder import decided, ladder
 from sweep_others import (
     by_host,
     events,
+    first_page_run,
     heard,
     mixed,
-    records,
     saturation,
     user_data,
     waiting,
 )
 from sweep_setting import ROOT, SOURCE, Setting, path_of, result, table_path
 from sweep_tables import SWEEPS, settings_of
-
-from discostorm_book import landing
 
 
 def write(name: str, rows: list[dict[str, object]]) -> None:
@@ -68,7 +66,7 @@ def main() -> None:
         write("events", [row | SOURCE for row in events()])
         write("saturation", [row | SOURCE for row in saturation()])
     if only in (None, "air"):
-        write("air", records(landing.start()))
+        write("air", first_page_run())
     if only in (None, "user_data"):
         write("user_data", [row | SOURCE for row in user_data()])
     if only in (None, "mixed"):

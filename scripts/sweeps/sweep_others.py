@@ -12,7 +12,7 @@ from sweep_tables import BESIDE, each
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_book import sweeps, trace
+from discostorm_book import landing, sweeps, trace
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
 from discostorm_simulation.propagation import THRESHOLD
@@ -21,9 +21,54 @@ from discostorm_simulation.run import finish, set_up
 
 
 def events() -> list[dict[str, object]]:
-    """Return every transmission of one small burst: three robots, one process each."""
+    """Return every transmission of one small burst in seconds: three robots, one process each."""
     assert trace.SEED == SEED
-    return records(trace.table(trace.SMALL))
+    start = trace.SMALL
+    names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
+    waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
+    log = pd.DataFrame(trace.rows(start), columns=[*trace.COLUMNS, *waiting])
+    messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
+    hosts = (log[["source", "destination"]] // start.processes).astype(int)
+    receivers = zip(messages, hosts["destination"], strict=True)
+
+    def seconds(column: str) -> list[str]:
+        return [f"{tick * 1e-7:.7f}" for tick in log[column]]
+
+    return records(
+        pd.DataFrame(
+            {
+                "start_s": seconds("start"),
+                "end_s": seconds("end"),
+                "station": [names[int(number)] for number in log["station"]],
+                "message": [message.name for message in messages],
+                "frames": log["frames"].astype(int),
+                "outcome": np.where(log["outcome"] != 0, "collision", "success"),
+                "from": [names[host] for host in hosts["source"]],
+                "to": ["all" if m.cast == "multicast" else names[host] for m, host in receivers],
+                "came_s": seconds("came"),
+                **{name: log[name].astype(int) for name in waiting},
+            }
+        )
+    )
+
+
+def first_page_run() -> list[dict[str, object]]:
+    """Return the first transmissions of the page's run, and the access point's queue.
+
+    Columns: ``start_s`` and ``end_s``, ``station`` (the access point has the last number),
+    ``outcome``, ``waiting`` (frames at the access point, as last observed), ``source``.
+    """
+    fleet = ds.Fleet.swarm(landing.HOSTS, landing.PROCESSES, landing.ENDPOINTS)
+    options: dict[str, Any] = {"queue": landing.QUEUE, "seed": landing.SEED}
+    options["until"] = landing.SHOWN
+    result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE, **options)
+    sent = result.transmissions
+    time, _, waiting = result.queues[0].T
+    last = np.searchsorted(time, sent["start"] * 1e-7, side="right") - 1
+    times = {f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in sent[end]] for end in ("start", "end")}
+    columns: dict[str, Any] = {"station": sent["station"], "outcome": sent["outcome"]}
+    columns |= {"waiting": waiting[last].astype(int), "source": f"ds.simulate, seed {landing.SEED}"}
+    return records(pd.DataFrame({**times, **columns}))
 
 
 def records(table: pd.DataFrame) -> list[dict[str, object]]:

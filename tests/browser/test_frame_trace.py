@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+import sweep_others
 from numpy.typing import NDArray
 from playwright.sync_api import Browser, Locator, Page, expect
 from support import ROOT
@@ -82,7 +83,7 @@ def test_the_stored_start_is_todays() -> None:
     kept = pd.read_csv(data_path("simulated/events.csv", "discostorm_book"), dtype=str).drop(
         columns="source"
     )
-    pd.testing.assert_frame_equal(kept, trace.table(trace.SMALL).astype(str))
+    pd.testing.assert_frame_equal(kept, pd.DataFrame(sweep_others.events()).astype(str))
 
 
 def test_the_page_and_the_still_are_of_the_same_start() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from discostorm import words
 from discostorm_book import lab_counts
 from discostorm_book.lab_counts import death_times
 
@@ -22,8 +23,6 @@ ARRANGEMENTS = {
 RESTART = 3.0
 #: An event in which a process joins that was not there before.
 _OUTAGE = r"outage of \d+ s"
-#: Silence from which on a process is not heard, likewise [s].
-SILENT = 2.0
 #: By the subject of rows of ``data/measured/deaths.csv``: two groups, or one with itself, and their
 #: name. First those that knew each other, then late joiners.
 _KNOWN = {
@@ -31,15 +30,12 @@ _KNOWN = {
     "orphans": ("orphans", "orphans", "The two processes of robot 1"),
     "orphans and survivors": ("orphans", "survivors", "Robot 1 and {others}"),
 }
+_LATE_NEIGHBORS = "Late joiner on robot 1 and its neighbors"
 _LATE = {
     "newcomer": ("newcomer", "survivors", "Late joiner and {others}"),
     "newcomer, and orphans": ("newcomer", "orphans", "Late joiner and robot 1"),
     "newcomer beside orphans": ("beside", "survivors", "Late joiner on robot 1 and {others}"),
-    "newcomer beside orphans, and orphans": (
-        "beside",
-        "orphans",
-        "Late joiner on robot 1 and its neighbors",
-    ),
+    "newcomer beside orphans, and orphans": ("beside", "orphans", _LATE_NEIGHBORS),
 }
 
 
@@ -49,7 +45,7 @@ def relations(name: str) -> list[tuple[str, str, str]]:
     present = set(rows[rows["configuration"] == name]["who"])
     others = "robots 2 to 4" if "orphans" in present else "robots 1 to 4"
     return [
-        (one, other, text.format(others=others).replace("robots", "Robots", text[0] == "{"))
+        (one, other, words.capitalized(text.format(others=others)))
         for who, (one, other, text) in (_KNOWN | _LATE).items()
         if who in present
     ]
@@ -84,20 +80,12 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
         for who in _KNOWN:
             if ("death", who) not in known:
                 continue
-            lost, settled, silence = (
-                times("death", who, what) for what in ("unmatched", "settled", "silence")
-            )
-            again = settled
+            again = settled = times("death", who, "settled")
             if "return" in since and np.isinf(settled).any():
                 among = "survivors" if who == "survivors" else "orphans"
                 again = np.where(np.isinf(settled), back + times("return", among, "found"), settled)
-            # All was well, or somebody lost another one first.
-            assert ((settled > 0) == np.isfinite(lost)).all()
-            assert ((settled > 0) | (silence < SILENT)).all()
-            yield [
-                [_time(begin), _time(end)] if gone else None
-                for gone, begin, end in zip(settled > 0, lost, again, strict=True)
-            ]
+            begin = np.where(settled > 0, times("death", who, "unmatched"), np.nan)
+            yield [*map(_span, begin, again)]
         for who in _LATE:
             if ("newcomer", who) not in known:
                 continue
@@ -106,7 +94,7 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
             if "return" in since:
                 late = back + times("return", "newcomer", "found")
                 again = np.where(np.isinf(again), late, again)
-            yield [[_time(begin), _time(end)] for end in again]
+            yield [_span(begin, end) for end in again]
 
     return {
         "event": event,
@@ -117,6 +105,8 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     }
 
 
-def _time(value: float) -> float | None:
-    """Return a time to a hundredth of a second, or None if it never came."""
-    return round(float(value), 2) if np.isfinite(value) else None
+def _span(begin: float, end: float) -> list[float | None] | None:
+    """Return two times to a hundredth of a second; None for an end that never came, or no span."""
+    if np.isnan(begin):
+        return None
+    return [round(float(time), 2) if np.isfinite(time) else None for time in (begin, end)]

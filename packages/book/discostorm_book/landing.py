@@ -1,6 +1,6 @@
 """Frames on the air: what the first page simulates in the browser, and a picture of its first run.
 
-`start` simulates the same in Python; `picture` draws it from ``data/simulated/air.csv``.
+`picture` draws it from ``data/simulated/air.csv``, which ``scripts/sweeps`` simulates in Python.
 """
 
 from typing import Any
@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 
 from discostorm import figures
 from discostorm.data import data_path
-from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.palette import lights
 from discostorm.protocols import PROTOCOLS
@@ -67,25 +66,6 @@ def export() -> dict[str, Any]:
             for protocol in choices()
         ],
     }
-
-
-def start() -> pd.DataFrame:
-    """Return the first transmissions of the page's run, and the access point's queue.
-
-    Columns: ``start_s`` and ``end_s``, ``station`` (the access point has the last number),
-    ``outcome``, ``waiting`` (frames at the access point, as last observed), ``source``.
-    """
-    from discostorm_simulation import simulate
-
-    fleet = Fleet.swarm(HOSTS, PROCESSES, ENDPOINTS)
-    result = simulate(fleet, PROTOCOLS[TABLE], SINGLE, queue=QUEUE, seed=SEED, until=SHOWN)
-    sent = result.transmissions
-    time, _, waiting = result.queues[0].T
-    last = np.searchsorted(time, sent["start"] * 1e-7, side="right") - 1
-    times = {f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in sent[end]] for end in ("start", "end")}
-    columns: Look = {"station": sent["station"], "outcome": sent["outcome"]}
-    columns |= {"waiting": waiting[last].astype(int), "source": f"ds.simulate, seed {SEED}"}
-    return pd.DataFrame({**times, **columns})
 
 
 def picture() -> Figure:

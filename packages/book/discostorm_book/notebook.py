@@ -48,13 +48,7 @@ def _both(figure: Figure) -> tuple[str, dict[str, str]]:
 
 
 def latex(expression: sp.Expr) -> str:
-    r"""Return an expression as LaTeX; subscripts of more than a letter are upright.
-
-    Examples
-    --------
-    >>> print(latex(sp.Symbol("R_uni") * sp.Symbol("N_H")))
-    N_{H} R_\text{uni}
-    """
+    r"""Return an expression as LaTeX; subscripts of more than a letter are upright."""
     names = {}
     for symbol in expression.free_symbols:
         letter, _, below = symbol.name.partition("_")
@@ -210,11 +204,6 @@ def typeset(text: str) -> str:
     """Return a text with minus signs, and without line ends between number and unit.
 
     Code and formulas stay as they are.
-
-    Examples
-    --------
-    >>> typeset("by -6% in 2020-2024; `x = -1`") == "by \N{MINUS SIGN}6% in 2020-2024; `x = -1`"
-    True
     """
     parts = enumerate(_VERBATIM.split(text))
     return "".join(

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from discostorm import figures
@@ -141,31 +140,3 @@ def rows(start: Start) -> NDArray[np.float64]:
             found.append([*(sent[name] for name in LOG), source, to, item, held["came"], *after])
         now["logged"] = 0
     return np.array(found, dtype=float)
-
-
-def table(start: Start) -> pd.DataFrame:
-    """Return the transmissions of a start for people: one row each, in seconds."""
-    names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
-    waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
-    log = pd.DataFrame(rows(start), columns=[*COLUMNS, *waiting])
-    messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
-    hosts = (log[["source", "destination"]] // start.processes).astype(int)
-    receivers = zip(messages, hosts["destination"], strict=True)
-
-    def seconds(column: str) -> list[str]:
-        return [f"{tick * 1e-7:.7f}" for tick in log[column]]
-
-    return pd.DataFrame(
-        {
-            "start_s": seconds("start"),
-            "end_s": seconds("end"),
-            "station": [names[int(number)] for number in log["station"]],
-            "message": [message.name for message in messages],
-            "frames": log["frames"].astype(int),
-            "outcome": np.where(log["outcome"] != 0, "collision", "success"),
-            "from": [names[host] for host in hosts["source"]],
-            "to": ["all" if m.cast == "multicast" else names[host] for m, host in receivers],
-            "came_s": seconds("came"),
-            **{name: log[name].astype(int) for name in waiting},
-        }
-    )

@@ -22,6 +22,7 @@ def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
     rungs = {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
     assert len(rungs) == len(list(ladder.rungs()))
     names = {switch.key: switch for switch in ladder.SWITCHES}
+    assert f"{ladder.MPDUS} frames per A-MPDU" in names["aggregation"].name
     for switches, protocol in rungs:
         assert switches <= names.keys()
         assert all(set(names[key].needs) <= switches for key in switches)

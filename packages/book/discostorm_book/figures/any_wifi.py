@@ -1,7 +1,7 @@
 """Figures of the chapter on radios other than the paper's."""
 
 from collections.abc import Iterator
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
@@ -16,20 +16,14 @@ from discostorm.wifi import PAPER, Radio, Wifi
 from discostorm_book.figures.drawing import Look, drawn, set_ticks
 
 _SMALL = (2, 10)  # processes, and endpoints of each
-_RADIOS: dict[str, dict[str, Any]] = {
-    "802.11a": {"standard": "802.11a"},
-    "802.11n, 20 MHz": {"standard": "802.11n", "streams": 2},
-    "802.11ac, 80 MHz": {"standard": "802.11ac", "streams": 2, "width": 80e6},
-    "802.11ax, 80 MHz": {"standard": "802.11ax", "streams": 2, "width": 80e6},
+#: Radios, how many rates each has, and their mark.
+_RADIOS: dict[str, tuple[Radio, int, str]] = {
+    "802.11a": (Radio("802.11a"), 8, "o"),
+    "802.11n, 20 MHz": (Radio("802.11n", streams=2), 8, "s"),
+    "802.11ac, 80 MHz": (Radio("802.11ac", streams=2, width=80e6), 10, "^"),
+    "802.11ax, 80 MHz": (Radio("802.11ax", streams=2, width=80e6), 12, "D"),
 }
-#: How many rates each has, and their mark.
-_RATES = {
-    "802.11a": (8, "o"),
-    "802.11n, 20 MHz": (8, "s"),
-    "802.11ac, 80 MHz": (10, "^"),
-    "802.11ax, 80 MHz": (12, "D"),
-}
-#: Their lines with aggregation, and on which side of the end the name is.
+#: Lines with aggregation, and on which side of the end the name is.
 _AGGREGATED = {
     "802.11n, 20 MHz": ("-o", "center"),
     "802.11ac, 80 MHz": ("--s", "top"),
@@ -65,8 +59,8 @@ def rates_data(bounds: dict[str, float]) -> pd.DataFrame:
         values = lambdify(list(given), saturation(protocol))(*given.values())
         linear[f"{protocol.name}_hosts"] = values
     channels = [
-        (name, Radio(**_RADIOS[name], mcs=mcs).wifi())
-        for name, (count, _) in _RATES.items()
+        (name, replace(radio, mcs=mcs).wifi())
+        for name, (radio, count, _) in _RADIOS.items()
         for mcs in range(count)
     ]
     points = pd.DataFrame(
@@ -91,7 +85,7 @@ def rates(bounds: dict[str, float]) -> Figure:
             axis.text(6, line[column].iloc[0] - 0.6, "paper model", color=color, fontsize=8)
             axis.axhline(limit, color="black", linestyle=":", linewidth=1)
             axis.text(5, limit + 0.12, f"infinite rate: {limit:.2f}", fontsize=8)
-            for name, (_, mark) in _RATES.items():
+            for name, (_, _, mark) in _RADIOS.items():
                 rows = data[data["series"] == name]
                 look: Look = {"color": "0.35", "ms": 5, "mfc": "none", "label": name}
                 axis.plot(rows["rate_Mbit_s"], rows[column], mark, **look)
@@ -104,7 +98,7 @@ def rates(bounds: dict[str, float]) -> Figure:
 def aggregation_data() -> pd.DataFrame:
     """Return saturation points by the number of frames in each A-MPDU."""
     return pd.DataFrame(
-        {"radio": name, "frames": frames} | _hosts(Radio(**_RADIOS[name], mpdus=frames).wifi())
+        {"radio": name, "frames": frames} | _hosts(replace(_RADIOS[name][0], mpdus=frames).wifi())
         for name in _AGGREGATED
         for frames in _FRAMES
     )

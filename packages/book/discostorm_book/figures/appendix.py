@@ -18,6 +18,8 @@ from discostorm_book.figures.drawing import Look, clear_rows, drawn
 
 #: The name of the row with all parameters at their best or worst ends.
 _TOGETHER = "all together"
+#: Rows of a panel: all together, and the parameters that matter most.
+_ROWS = 6
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
 _LINKS = {"uni": "unicast", "multi": "multicast"}
 
@@ -46,16 +48,14 @@ def tornado_data(protocols: Sequence[Protocol], processes: int, endpoints: int) 
     return pd.concat(tables)
 
 
-def tornado(
-    protocols: Sequence[Protocol], processes: int, endpoints: int, shown: int = 5
-) -> Figure:
+def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Figure:
     """Draw how far the parameters that matter most move the saturation point, by protocol."""
     data = tornado_data(protocols, processes, endpoints)
     height = 0.6 + 1.5 * len(protocols)
     with drawn(height, "One constant moves the result by two robots") as figure:
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
-            rows = data[data["protocol"] == protocol.name].head(shown + 1)
+            rows = data[data["protocol"] == protocol.name].head(_ROWS)
             _bars(axis, rows, color_of(protocol))
             paper = rows["paper_hosts"].iloc[0]
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")

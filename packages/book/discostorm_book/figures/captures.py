@@ -69,6 +69,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
             for label, (_, _, color) in ROWS.items()
         ]
         legend_below(figure, [*handles, Patch(color=_AFTER, label="knows all others")], 4)
-        first, *_, last = data.groupby("capture", sort=False)["complete_s"].max()
-        headline(figure, f"Lost frames delay discovery from {first:.1f} s to {last:.1f} s")
+        complete = data.groupby("capture", sort=False)["complete_s"].max().tolist()
+        delay = f"from {complete[0]:.1f} s to {complete[-1]:.1f} s"
+        headline(figure, f"Lost frames delay discovery {delay}")
     return figure
