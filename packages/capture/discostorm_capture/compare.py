@@ -1,4 +1,4 @@
-"""What a capture shows of a fleet, beside what a protocol's table expects of it."""
+"""What a capture shows of a fleet, compared with what a protocol's table expects of it."""
 
 from __future__ import annotations
 
@@ -23,71 +23,69 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Shown:
-    """A fleet, and the number of the group whose one host alone shows its unicast, if any."""
+class VisibleFleet:
+    """A fleet, and the index of the group of the vantage host, which sees only its own unicast."""
 
     fleet: Fleet
-    own: int | None = None
+    vantage_group: int | None = None
 
     def count(self, count: Callable[[Fleet], Count]) -> float:
-        """Return how many of what a fleet has of something by unicast the capture shows."""
-        every = float(count(self.fleet))
-        if self.own is None:
-            return every
+        """Return how many of a fleet's units by unicast the capture shows."""
+        total = float(count(self.fleet))
+        if self.vantage_group is None:
+            return total
         groups = list(self.fleet.groups)
-        mine = groups.pop(self.own)
-        if mine.hosts >= 2:
-            groups.insert(self.own, replace(mine, hosts=mine.hosts - 1))
+        group = groups.pop(self.vantage_group)
+        if group.hosts >= 2:
+            groups.insert(self.vantage_group, replace(group, hosts=group.hosts - 1))
         if not groups:
-            return every
-        return every - float(count(Fleet(tuple(groups), self.fleet.matching)))
+            return total
+        return total - float(count(Fleet(tuple(groups), self.fleet.matching)))
 
     def units(self, message: Message) -> float:
-        """Return of how many units of a message the capture shows what they send."""
+        """Return how many units of a message the capture shows."""
         if message.cast == "multicast":
             return float(message.unit.count(self.fleet))
         return self.count(message.unit.count)
 
 
-def from_host(fleet: Fleet, processes: pd.DataFrame) -> Shown:
-    """Return what the host of these processes sees of a fleet.
-
-    It is of the group whose hosts are most like it.
-    """
+def visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
+    """Return what the host of these processes sees of a fleet, in the group most like it."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-    unlike = [
+    differences = [
         (abs(group.processes - len(processes)), abs(group.endpoints - mean))
         for group in fleet.groups
     ]
-    return Shown(fleet, unlike.index(min(unlike)))
+    return VisibleFleet(fleet, differences.index(min(differences)))
 
 
-def completed(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Shown:
-    """Return the fleet that was found, with what it does not announce itself."""
+def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
+    """Return the visible fleet with its publishers and matches, which it does not announce."""
     shown = _with_publishers(shown, protocol, rows)
     counted = {message.unit.what for message in protocol.messages}
     if "matched writer" not in counted:
         return shown
-    none, all_ = (
+    unmatched, matched = (
         replace(shown, fleet=Fleet(shown.fleet.groups, matching)) for matching in (0.0, 1.0)
     )
     if "unmatched endpoint" in counted:
         # With every match one of two does not declare the key expression.
         kind = "Declare key expression"
-        least, most = (
+        min_count, max_count = (
             sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
-            for of in (all_, none)
+            for of in (matched, unmatched)
         )
-        saved, most = most - int((rows["kind"] == kind).sum()), most - least
+        saved = max_count - int((rows["kind"] == kind).sum())
+        possible = max_count - min_count
     else:
         answers = rows[rows["kind"] == "User ACKNACK"]
         saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-        most = all_.count(MATCHED_WRITER.count)
-    share = min(1.0, max(0.0, saved / most)) if most > 0 else 0.0
+        possible = matched.count(MATCHED_WRITER.count)
+    share = min(1.0, max(0.0, saved / possible)) if possible > 0 else 0.0
     return replace(shown, fleet=Fleet(shown.fleet.groups, share))
 
 
-def _with_publishers(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Shown:
+def _with_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
     """Return the fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
     declared = sum(
@@ -102,16 +100,16 @@ def _with_publishers(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Sh
     return replace(shown, fleet=Fleet(groups))
 
 
-def spoken(protocol: Protocol) -> str | None:
-    """Return which protocol on the wire has the messages of a table."""
+def wire_protocol(protocol: Protocol) -> str | None:
+    """Return the protocol on the wire of a table's messages, None if it is not one alone."""
     names = {message.kind for message in protocol.messages}
     wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh_messages.KINDS))
-    found = [wire for wire, kinds in wires if names & set(kinds)]
-    return found[0] if len(found) == 1 else None
+    protocols = [wire for wire, kinds in wires if names & set(kinds)]
+    return protocols[0] if len(protocols) == 1 else None
 
 
-def as_if_wired(protocol: Protocol, rows: pd.DataFrame) -> bool:
-    """Return whether something is multicast that a table has by unicast alone."""
+def uses_multicast_unlike(protocol: Protocol, rows: pd.DataFrame) -> bool:
+    """Return whether a message is multicast that a table has by unicast alone."""
     by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
     alone = {m.kind for m in protocol.messages} - by_multicast
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
@@ -136,7 +134,7 @@ def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float
 
 
 def table(
-    protocol: Protocol, shown: Shown, rows: pd.DataFrame, wire: str | None, seconds: float
+    protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
     """Return what was captured of each kind, and what a table expects in so many seconds.
 
@@ -144,7 +142,7 @@ def table(
     ----------
     protocol : Protocol
         The table.
-    shown : Shown
+    shown : VisibleFleet
         The fleet that sent.
     rows : pandas.DataFrame
         The messages between hosts, with ``airtime_s``.

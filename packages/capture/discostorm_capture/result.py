@@ -16,14 +16,14 @@ from discostorm.fleet import COUNTS, Fleet, HostGroup
 from discostorm.messages import HOPS, Hop, Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (
-    Shown,
-    as_if_wired,
+    VisibleFleet,
     begin_of,
-    completed,
-    from_host,
-    spoken,
+    infer_unannounced,
     table,
+    uses_multicast_unlike,
+    visible_from,
     window as counted,
+    wire_protocol,
 )
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.tables import PROTOCOLS
@@ -92,7 +92,7 @@ class Capture:
         )
 
     def messages(self) -> pd.DataFrame:
-        """Return the messages, in the order of the frames that completed them.
+        """Return the messages, in the order of the frames that infer_unannounced them.
 
         Returns
         -------
@@ -291,15 +291,15 @@ class Capture:
         """
         _checks.instance("protocol", protocol, Protocol)
         _checks.instance("wifi", wifi, Wifi)
-        wire = spoken(protocol)
+        wire = wire_protocol(protocol)
         rows = self._on_air()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
             rows = rows[rows["time"] <= begin_of(protocol, self._messages) + seconds]
-        if protocol.wired is not None and as_if_wired(protocol, rows):
+        if protocol.wired is not None and uses_multicast_unlike(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = completed(self._shown(self.fleet(wire, wired)), protocol, rows)
+            shown = infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols(fleet)
@@ -452,11 +452,11 @@ class Capture:
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
         return rows[~(rows["copy"] | rows["ends"] | here | loop)]
 
-    def _shown(self, fleet: Fleet) -> Shown:
+    def _shown(self, fleet: Fleet) -> VisibleFleet:
         """Return how much of a fleet the capture shows."""
         if (view := self.view()) is None:
-            return Shown(fleet)
-        return from_host(fleet, self._processes[self._processes["host"] == view])
+            return VisibleFleet(fleet)
+        return visible_from(fleet, self._processes[self._processes["host"] == view])
 
 
 def _group_name(hosts: list[str], groups: int) -> str:

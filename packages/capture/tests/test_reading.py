@@ -613,7 +613,10 @@ def test_a_session_that_was_open_before(first: int, read: Read) -> None:
     assert zenoh_kinds(capture) == [*EXPECTED[first - 1 :], "KeepAlive"]
 
 
-@pytest.mark.parametrize(("frame", "is_zenoh"), [(b"\x25\x07\x04", False), (DECLARE[2:], True)])
+@pytest.mark.parametrize(
+    ("frame", "is_zenoh"),
+    [(b"\x25\x07\x04", False), (b"\x26\x07\x04", False), (DECLARE[2:], True)],
+)
 def test_a_frame_of_three_bytes_carries_no_message(
     frame: bytes, is_zenoh: bool, read: Read
 ) -> None:
