@@ -21,7 +21,7 @@ from run import SECURITY
 
 import discostorm as ds
 from discostorm_capture import files, ip, link
-from discostorm_capture._bytes import Numbers
+from discostorm_capture._bytes import IdTable
 
 #: The windows that are counted, from the time that all processes begin at [s]. What serves them
 #: has begun before.
@@ -82,9 +82,9 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
 
     The header of ICMP has 8 bytes, as UDP's.
     """
-    packets, notes, addresses = files.read(capture), Counter[str](), Numbers()
-    table = packets.table | {"frame": np.arange(len(packets.table["at"]))}
-    found = link.ip_packets(packets.data, table, packets.links[0], notes)
+    packets, notes, addresses = files.read(capture), Counter[str](), IdTable()
+    found = link.network_packets(packets, notes)
+    found = {name: column[found["ethertype"] != link.ARP] for name, column in found.items()}
     found = ip.parse(packets.data, found, addresses, notes)
     which = found["protocol"] == ICMP
     time = packets.table["time"][found["frame"][which]] * 1e-9

@@ -16,8 +16,8 @@ from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
 from discostorm.protocols.as_built import as_built
 from discostorm_book import comparison, lab_counts
-from discostorm_capture import rtps, zenoh
-from discostorm_capture.zenoh_reader import TCP_KINDS
+from discostorm_capture import rtps, zenoh_messages
+from discostorm_capture.zenoh import TCP_KINDS
 
 TABLES = {name: ds.PROTOCOLS.get(name) or as_built(name) for name in measured.products()}
 each_table = pytest.mark.parametrize("name", TABLES)
@@ -71,7 +71,7 @@ def test_each_row_says_where_it_is_from() -> None:
 
 @each_table
 def test_kinds_are_called_as_the_reader_calls_them(name: str) -> None:
-    known = {*rtps.kind_names(), *zenoh.KINDS, *TCP_KINDS}
+    known = {*rtps.kind_names(), *zenoh_messages.KINDS, *TCP_KINDS}
     assert {message.kind for message in TABLES[name].messages} <= known
 
 
