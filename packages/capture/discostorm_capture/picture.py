@@ -28,12 +28,7 @@ _REST = lights("neutral")["silver"]
 def draw(rows: pd.DataFrame, channel: str) -> Figure:
     """Draw messages over time since the first, stacked by kind, and their airtime on a channel.
 
-    Parameters
-    ----------
-    rows : pandas.DataFrame
-        Messages with ``time``, ``kind`` and ``airtime_s``; at least one.
-    channel : str
-        What the channel is called in a sentence.
+    `rows` are messages with ``time``, ``kind`` and ``airtime_s``; at least one.
     """
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)

@@ -371,12 +371,7 @@ class Capture:
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
-        rows, asides, processes = (
-            rows[~(rows["copy"] | here | loop)],
-            self._network_events,
-            self._processes,
-        )
-        rows, asides = (
+        messages, events = (
             table.assign(
                 time=without_clock_steps(
                     table["time"].to_numpy(),
@@ -385,16 +380,18 @@ class Capture:
                     self._first,
                 )
             )
-            for table in (rows, asides)
+            for table in (rows[~(rows["copy"] | here | loop)], self._network_events)
         )
         serving = frozenset(self.serving())
         return diagnose(
             Observations(
-                messages=rows.sort_values("time", kind="stable") if self._clock_steps else rows,
-                processes=processes[processes["host"] != ""],
-                network_events=asides,
+                messages=messages.sort_values("time", kind="stable")
+                if self._clock_steps
+                else messages,
+                processes=self._processes[self._processes["host"] != ""],
+                network_events=events,
                 duration=self._last,
-                vantage_host=vantage_host(rows, serving),
+                vantage_host=vantage_host(messages, serving),
                 server_hosts=serving,
                 other_packets=self._packets_without_messages,
                 clock_steps=self._clock_steps,

@@ -131,9 +131,29 @@ def late_joiner(later: float) -> bool:
     return "late joiner" in kinds(diagnosed(found), 3)
 
 
+def announcing(until: float, seconds: Iterable[float]) -> bool:
+    """Whether a storm lasts, if endpoints are announced at these times of a capture."""
+    found = [*startup(0.0, 1, 2), announce(until + 0.01, 2)]
+    for number, time in enumerate(seconds, 2):
+        found += [endpoint(time, 1, 2, number), acknowledge(time + 0.01, 2, 1, number + 1)]
+    return "storm" in kinds(diagnosed(found))
+
+
+def short_storm(until: float) -> bool:
+    """Whether what goes on for so long is a storm."""
+    return announcing(until, np.arange(0.5, until, 0.5).tolist())
+
+
+def rare_storm(count: int) -> bool:
+    """Whether a storm lasts, if endpoints are announced in so many of the last ten seconds."""
+    return announcing(30.0, [*np.arange(0.5, 20.0, 0.5), *(20.5 + one for one in range(count))])
+
+
 @pytest.mark.parametrize(
     ("holds", "below", "above"),
     [
+        (short_storm, 11.9, 12.1),
+        (rare_storm, 4, 6),
         (rtps_silence, 11.9, 12.1),
         (zenoh_silence, 74.0, 76.0),
         (heavy_loss, 0.0152, 0.0168),

@@ -133,10 +133,6 @@ class Observations:
             groups.setdefault(str(self.process_host[process]), []).append(process)
         return groups
 
-    def links(self, mask: Array) -> set[tuple[str, str]]:
-        """Return the senders and receivers of the messages of a mask, as addresses."""
-        return pairs_of(self.messages[mask])
-
     def visible(self, *hosts: str) -> bool:
         """Return whether the capture has the unicast between hosts."""
         return self.vantage_host is None or self.vantage_host in hosts
@@ -145,10 +141,8 @@ class Observations:
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Which process sent which other one its keys."""
         told = self.isin("kind", KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        return {
-            (sender, receiver)
-            for sender, receiver in self.groups(told, self.sender_index, self.receiver_index)
-        }
+        pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
+        return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
     def secured(self) -> set[int]:

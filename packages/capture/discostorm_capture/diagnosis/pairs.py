@@ -127,7 +127,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:
     """Return the hosts that sent others unicast that does not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
-    return obs.links(anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello"))
+    return pairs_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
 def _begun_anew(obs: Observations, confirms: Array) -> Array:
