@@ -13,7 +13,7 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.ros2 import parameter_service_endpoints, shared_endpoints, usually_shared
 
-#: Endpoints of each node of rclcpp or rclpy that are not parameter services: a publisher of /rosout,
+#: Endpoints of each node of rclcpp or rclpy without its parameter services: one of /rosout, and
 #: a publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
 _OTHER_ENDPOINTS = 3
 #: Lines to ignore: prompts, warnings, and empty lines.
