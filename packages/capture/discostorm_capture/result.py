@@ -382,6 +382,8 @@ class Capture:
             )
             for table in (rows[~(rows["copy"] | here | loop)], self._network_events)
         )
+        if self._clock_steps:
+            messages = messages.sort_values("time", kind="stable")
         serving = frozenset(self.serving())
         return diagnose(
             Observations(

@@ -13,11 +13,11 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.ros2 import parameter_service_endpoints, shared_endpoints, usually_shared
 
-#: What each node of rclcpp or rclpy has beside its parameter services: a publisher of /rosout, a
-#: publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
-_BESIDE_SERVICES = 3
-#: What a text may hold beside the answers: prompts, warnings, and nothing.
-_PASSED_OVER = re.compile(r"\s*$|[$#>]|WARNING: Be aware|There are \d+ nodes in the graph")
+#: Endpoints of each node of rclcpp or rclpy without its parameter services: one of /rosout, and
+#: a publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
+_OTHER_ENDPOINTS = 3
+#: Lines to ignore: prompts, warnings, and empty lines.
+_IGNORED = re.compile(r"\s*$|[$#>]|WARNING: Be aware|There are \d+ nodes in the graph")
 #: Of `ros2 node info`: an entry, and what is no topic but part of an action or hidden.
 _ENTRY, _HIDDEN = re.compile(r"    (/\S*): \S"), re.compile(r"/_")
 #: Of `ros2 topic list -v`.
@@ -26,19 +26,19 @@ _SERVICE = "describe_parameters"
 
 
 @dataclass(frozen=True)
-class Seen:
-    """What a text of ROS 2 tells.
+class Graph:
+    """Nodes and topics named by a text of ROS 2.
 
     Parameters
     ----------
     nodes : dict
-        By the full name of each node its endpoints [1], None if only the list names it.
+        Endpoints of each node by its full name [1]; None if only the list names it.
     services : set of str
         Nodes with parameter services.
     topics : dict
-        By "publisher" and "subscriber" the endpoints of each topic [1].
+        Endpoints by topic, and by "publisher" or "subscriber" [1].
     commands : list of str
-        Whose text it is.
+        Commands whose text it is.
     """
 
     nodes: dict[str, int | None] = field(default_factory=dict)
@@ -47,7 +47,7 @@ class Seen:
     commands: list[str] = field(default_factory=list)
 
 
-def read_text(text: str, name: str) -> Seen:
+def read_text(text: str, name: str) -> Graph:
     """Read what ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v`` printed.
 
     Parameters
@@ -56,11 +56,11 @@ def read_text(text: str, name: str) -> Seen:
         One or several answers, one after the other in any order; lines that begin with ``$`` or
         ``#`` are passed over.
     name : str
-        What messages call it.
+        Its name in messages.
 
     Returns
     -------
-    Seen
+    Graph
         Nodes and topics, without hidden ones.
 
     Raises
@@ -74,38 +74,37 @@ def read_text(text: str, name: str) -> Seen:
     endpoints = {
         row["section"]: int(row["endpoints"]) for row in read_data("fleets/ros2_entities.csv")
     }
-    seen, node, section = Seen(), "", ""
+    graph, node, section = Graph(), "", ""
     for number, line in enumerate(text.removeprefix("\ufeff").splitlines(), start=1):
         kind = next((key for key, form in formats.items() if form.fullmatch(line.rstrip())), "")
         entry, topic = _ENTRY.match(line), _TOPIC.match(line.rstrip())
         if kind == "ros2 node list":
             node, section = line.strip(), ""
-            seen.nodes.setdefault(node, None)
+            graph.nodes.setdefault(node, None)
         elif kind == "ros2 node info" and node:
             section = line.strip(" :\r\n")
-            seen.nodes[node] = seen.nodes[node] or 0
+            graph.nodes[node] = graph.nodes[node] or 0
         elif entry and node and section:
             if not _HIDDEN.search(entry[1]):
-                seen.nodes[node] = (seen.nodes[node] or 0) + endpoints[section]
+                graph.nodes[node] = (graph.nodes[node] or 0) + endpoints[section]
                 if section == "Service Servers" and entry[1].endswith(f"/{_SERVICE}"):
-                    seen.services.add(node)
+                    graph.services.add(node)
         elif kind == "ros2 topic list -v":
             node = section = ""
         elif topic and not node:
-            seen.topics[topic[1], topic[3]] = int(topic[2])
-        elif not _PASSED_OVER.match(line):
+            graph.topics[topic[1], topic[3]] = int(topic[2])
+        elif not _IGNORED.match(line):
             raise ValueError(f"{name}, line {number}: {_what_is_wrong(line)}")
-        if (
-            found := kind or ("ros2 topic list -v" if topic else "")
-        ) and found not in seen.commands:
-            seen.commands.append(found)
-    for hidden in [one for one in seen.nodes if _HIDDEN.search(one)]:
-        del seen.nodes[hidden]
-    if not seen.nodes and not seen.topics:
+        command = kind or ("ros2 topic list -v" if topic else "")
+        if command and command not in graph.commands:
+            graph.commands.append(command)
+    for hidden in [name for name in graph.nodes if _HIDDEN.search(name)]:
+        del graph.nodes[hidden]
+    if not graph.nodes and not graph.topics:
         raise ValueError(
             f"{name} must hold the text of {_commands()}; it names no node and no topic"
         )
-    return seen
+    return graph
 
 
 def _commands() -> str:
@@ -118,23 +117,23 @@ def _what_is_wrong(line: str) -> str:
             "'Services:' is how `ros2 node info` printed in ROS 2 Crystal and Dashing, which tell "
             "neither clients nor actions. Run it in ROS 2 Eloquent or later"
         )
-    told = ", ".join(
+    formats = ", ".join(
         f"`{row['command']}` ({row['releases']})" for row in read_data("fleets/ros2_formats.csv")
     )
     return (
-        f"{_checks.short(line.strip())} is not how any of these prints: {told}. "
+        f"{_checks.short(line.strip())} is not how any of these prints: {formats}. "
         "Give their text alone, without other commands"
     )
 
 
 def fleet_of(
-    seen: Seen, hosts: float | None = None, processes: float | None = None
+    graph: Graph, hosts: float | None = None, processes: float | None = None
 ) -> tuple[Fleet, list[str]]:
     """Return the fleet that a text tells of, and notes on what it does not tell.
 
     Parameters
     ----------
-    seen : Seen
+    graph : Graph
         What `read_text` returned.
     hosts : float, optional
         All nodes are those of one robot, and there are so many [1]; if left out, namespaces that
@@ -154,17 +153,17 @@ def fleet_of(
     ValueError
         If there are more processes than nodes.
     """
-    notes = list(_untold(seen))
-    if not seen.nodes:
-        robots = {"": _of_topics(seen)}
+    notes = list(_uncertainties(graph))
+    if not graph.nodes:
+        robots = {"": _of_topics(graph)}
     else:
         robots = {
             name: (
                 len(nodes),
-                sum(_endpoints(seen, node) for node in nodes),
-                sum(seen.nodes[node] is None or node in seen.services for node in nodes),
+                sum(_endpoints(graph, node) for node in nodes),
+                sum(graph.nodes[node] is None or node in graph.services for node in nodes),
             )
-            for name, nodes in _robots(seen.nodes, hosts is not None).items()
+            for name, nodes in _nodes_of_robots(graph.nodes, hosts is not None).items()
         }
     if len(robots) > 1:
         spaces = len([name for name in robots if name])
@@ -205,65 +204,66 @@ def _group(
     return HostGroup(many, processes, endpoints, name, nodes, shared)
 
 
-def _endpoints(seen: Seen, node: str) -> int:
-    told = seen.nodes[node]
-    return parameter_service_endpoints() + _BESIDE_SERVICES if told is None else told
+def _endpoints(graph: Graph, node: str) -> int:
+    endpoints = graph.nodes[node]
+    minimum = parameter_service_endpoints() + _OTHER_ENDPOINTS
+    return minimum if endpoints is None else endpoints
 
 
-def _robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
-    """Return nodes by robot; those of none stand under the empty name, unless all are together."""
+def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
+    """Return nodes by namespace of a robot, those of no robot by ""; or all together."""
     split = {node: node.strip("/").partition("/") for node in nodes}
     spaces: dict[str, set[str]] = {}
     for first, _, rest in split.values():
         if rest:
             spaces.setdefault(first, set()).add(rest)
-    alike = {
-        one
-        for one, names in spaces.items()
-        if any(names & others for other, others in spaces.items() if other != one)
+    namespaces = {
+        space
+        for space, names in spaces.items()
+        if any(names & others for other, others in spaces.items() if other != space)
     }
-    found: dict[str, list[str]] = {}
+    robots: dict[str, list[str]] = {}
     for node, (first, _, rest) in split.items():
-        own = first if rest and first in alike and not together else ""
-        found.setdefault(own, []).append(node)
-    return found
+        robot = first if rest and first in namespaces and not together else ""
+        robots.setdefault(robot, []).append(node)
+    return robots
 
 
-def _of_topics(seen: Seen) -> tuple[int, int, int]:
-    """Return nodes, endpoints and nodes with services where only topics are told."""
+def _of_topics(graph: Graph) -> tuple[int, int, int]:
+    """Count nodes, endpoints and nodes with services of a text of topics only."""
     # Every node of rclcpp and rclpy publishes /rosout.
-    nodes = max(1, seen.topics.get(("/rosout", "publisher"), 0))
-    return nodes, sum(seen.topics.values()) + nodes * parameter_service_endpoints(), nodes
+    nodes = max(1, graph.topics.get(("/rosout", "publisher"), 0))
+    return nodes, sum(graph.topics.values()) + nodes * parameter_service_endpoints(), nodes
 
 
-def _untold(seen: Seen) -> Iterator[str]:
-    if not seen.nodes:
+def _uncertainties(graph: Graph) -> Iterator[str]:
+    if not graph.nodes:
         yield (
             "The topics alone name no node: there are as many as publish /rosout, each with its "
             "parameter services. Other services and actions are not counted"
         )
-    listed = [node for node, endpoints in seen.nodes.items() if endpoints is None]
+    listed = [node for node, endpoints in graph.nodes.items() if endpoints is None]
     if listed:
-        least = parameter_service_endpoints() + _BESIDE_SERVICES
+        least = parameter_service_endpoints() + _OTHER_ENDPOINTS
         yield (
-            f"{len(listed)} of {len(seen.nodes)} nodes have no `ros2 node info`: each is counted "
+            f"{len(listed)} of {len(graph.nodes)} nodes have no `ros2 node info`: each is counted "
             f"with {least} endpoints, the least that a node has"
         )
-    if seen.nodes and len(listed) < len(seen.nodes):
+    if graph.nodes and len(listed) < len(graph.nodes):
         yield (
             "`ros2 node info` names a topic once, however many publishers or subscriptions a node "
             "has of it"
         )
 
 
-def tried(seen: Seen) -> str:
-    """Return which formats were read, and which of them nobody tried on a live system."""
-    rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in seen.commands]
-    named = ", ".join(f"`{row['command']}` ({row['releases']})" for row in rows)
+def formats_note(graph: Graph) -> str:
+    """Name the formats that were read, and those never tried on a live system."""
+    rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in graph.commands]
+    formats = ", ".join(f"`{row['command']}` ({row['releases']})" for row in rows)
     never = [f"`{row['command']}`" for row in rows if row["tried"] == "no"]
     if not never:
-        return f"Read: {named}"
+        return f"Read: {formats}"
     return (
-        f"Read: {named}. Never tried on a live system: {', '.join(never)}; the format is that of "
+        f"Read: {formats}. Never tried on a live system: {', '.join(never)}; the format is that of "
         "ros2cli's source code"
     )

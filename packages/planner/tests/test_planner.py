@@ -690,55 +690,21 @@ def test_a_table_of_ones_own_may_switch_to_both() -> None:
     assert isinstance(plan.picture(), Figure)
 
 
-def test_advice_says_time_beside_one_second_and_the_gains() -> None:
-    text = ds.plan(FIG3, ds.DDS).advice()
-    flat = " ".join(text.split())
-    assert "3 hosts with 24 processes needs 1.38 s of airtime with DDS." in flat
-    assert "Charged to one second, that is 138% of it, so it does not fit." in flat
-    assert "Channel: paper (802.11n), one access point, infrastructure." in flat
-    assert "Assumes: no losses · no collisions · one message per frame." in flat
-    assert "by standard timing, with which this fleet needs 1.45 s today." in flat
-    composed = remedy(ds.plan(FIG3, ds.DDS), "processes")
-    assert (
-        composed.sentence()
-        == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits"
-    )
-    assert composed.now_fits
-    mind = "Effort: rebuilt nodes. Trade-offs: only nodes built"
-    assert composed.caution().startswith(mind)
-    assert ", which fits." in flat
-    assert max(map(len, text.splitlines())) <= 79
-    assert str(ds.plan(FIG3, ds.DDS)) == text
-    small = ds.plan(ds.Fleet.swarm(2, 1, 5)).advice()
-    assert "so it fits" in small
-    assert " ms of airtime" in small
-    assert "which fits" not in small
-    assert "\n- Phase: SEDP," in text
-    assert "The group" not in text
-    groups = ds.plan(NAV2, ds.ZENOH).advice()
-    assert "- Group laptop: involved in 11% of it." in groups
-    assert "\n- Message type: Declare, nearly all." in groups
+def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
+    assert str(PLAN_OF_FIG3) == PLAN_OF_FIG3.advice()
+    for width in (40, 79):
+        table, *_ = PLAN_OF_FIG3.advice(width).split("What this rests on")
+        assert max(map(len, table.splitlines())) <= width
     sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
-    assert any("changes less than 0.5%" in said for said in sentences)
-    assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in said for said in sentences)
-    one = ds.plan(ds.Fleet.swarm(1, 1, 10)).advice()
-    assert "1 host with 1 process needs" in one
-    one_group = ds.Fleet((replace(robots, processes=8),))
-    assert "composing 8 processes into 1" in remedy(ds.plan(one_group), "processes").what
-    named = ds.Fleet((replace(robots, processes=2), laptop))
-    assert "composing 2 processes of robots into 1" in remedy(ds.plan(named), "processes").what
-    several = ds.Fleet((replace(robots, processes=2), replace(laptop, processes=3)))
-    assert (
-        "composing the processes of each host into 1" in remedy(ds.plan(several), "processes").what
-    )
-    preset = ds.Radio("802.11n", streams=2, mpdus=64).wifi()
-    ranges = " ".join(ds.plan(FIG3, wifi=preset).advice().split())
-    assert "64 messages to one per A-MPDU" in ranges
-    assert "by standard timing" not in ds.plan(FIG3, wifi=preset).advice()
-    # What tears the fleet apart stands last, and under a title of its own.
-    whole, torn = ds.plan(TOLD).advice().split("Changes after which some hosts no longer")
-    assert "Splitting" not in whole
-    assert torn.count("Splitting") == 1
+    assert any("changes less than 0.5%" in sentence for sentence in sentences)
+    assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in s for s in sentences)
+    many, two = replace(robots, processes=8), replace(robots, processes=2)
+    for groups, what in (
+        ((many,), "composing 8 processes into 1"),
+        ((two, laptop), "composing 2 processes of robots into 1"),
+        ((two, replace(laptop, processes=3)), "composing the processes of each host into 1"),
+    ):
+        assert remedy(ds.plan(ds.Fleet(groups)), "processes").what == what
 
 
 def test_table_and_json_hold_the_same_numbers() -> None:

@@ -54,16 +54,16 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
       discostorm fleet --from ros2.txt --hosts 12 --processes 3 > fleet.toml
     """
     with bad_input():
-        seen = ros2_text.read_text(_text(file), display_name(file))
-        found, notes = ros2_text.fleet_of(seen, hosts, processes)
-    notes = [ros2_text.tried(seen), *notes]
-    rows = found.described()
+        graph = ros2_text.read_text(_text(file), display_name(file))
+        members, notes = ros2_text.fleet_of(graph, hosts, processes)
+    notes = [ros2_text.formats_note(graph), *notes]
+    rows = members.described()
     if output.as_json:
         click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:
         print_rows(rows, output)
     else:
-        click.echo(visible(_toml(found, notes)), nl=False)
+        click.echo(visible(_toml(members, notes)), nl=False)
 
 
 def _text(file: str) -> str:
@@ -75,9 +75,9 @@ def _text(file: str) -> str:
         raise BadInput(f"{display_name(file)} must be text in UTF-8, as ROS 2 prints it") from None
 
 
-def _toml(found: ds.Fleet, notes: list[str]) -> str:
+def _toml(members: ds.Fleet, notes: list[str]) -> str:
     lines = [f"# {line}" for note in notes for line in words.wrapped(f"{note}.", 77).splitlines()]
-    for group in found.groups:
+    for group in members.groups:
         lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]
         for key in ("hosts", "processes", "endpoints", "nodes"):
             lines.append(f"{key} = {getattr(group, key):.12g}")

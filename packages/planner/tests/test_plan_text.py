@@ -1,0 +1,57 @@
+"""Every sentence of a plan, compared with stored texts.
+
+`python packages/planner/tests/test_plan_text.py` writes the texts anew; read their diff.
+"""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import discostorm as ds
+from discostorm.robots import laptop, robots
+
+NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
+SWARM = ds.Fleet.swarm(3, 8, 5)
+SENDING = ds.HostGroup(3, 2, 10, name="robots", data=(ds.flows.flow("scan", "all others"),))
+HEAVY = replace(SENDING, hosts=60)
+AC = ds.WIFI["802.11ac 80 MHz 2x2"]
+PLANS = {
+    "swarm_dds": (SWARM, "DDS", ds.PAPER, 1.0),
+    "swarm_zenoh_20_s": (SWARM, "Zenoh", ds.PAPER, 20.0),
+    "swarm_fast_dds_steady": (SWARM, "Fast DDS", ds.PAPER, math.inf),
+    "small_fits": (ds.Fleet.swarm(2, 1, 5), "DDS", ds.PAPER, 1.0),
+    "alone": (ds.Fleet.swarm(1, 1, 10), "DDS", ds.PAPER, 1.0),
+    "nav2_converges": (ds.Fleet((replace(NAV2, hosts=8),)), "Fast DDS", AC, 1.0),
+    "nav2_never_converges": (ds.Fleet((NAV2, laptop())), "DDS", AC, 1.0),
+    "nav2_router": (ds.Fleet((NAV2, laptop())), "Zenoh router", AC, 1.0),
+    "periodic_traffic_fills": (ds.Fleet.swarm(12, 25, 30), "Fast DDS", AC, 1.0),
+    "periods_of_fast_dds": (SWARM, "DDS, periods of Fast DDS", AC, 1.0),
+    "seven_groups": (
+        ds.Fleet(tuple(ds.HostGroup(2, 1 + n % 3, 20 + 5 * n) for n in range(7))),
+        "Cyclone DDS",
+        ds.PAPER,
+        1.0,
+    ),
+    "user_data": (ds.Fleet((SENDING,)), "DDS", ds.PAPER, 1.0),
+    "user_data_overloads": (ds.Fleet((HEAVY,)), "DDS", AC, 1.0),
+}
+
+
+TEXTS = Path(__file__).with_name("plan_texts")
+
+
+def advice(name: str) -> str:
+    fleet, protocol, wifi, window = PLANS[name]
+    return ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window).advice() + "\n"
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_advice_reads_as_stored(name: str) -> None:
+    assert advice(name) == (TEXTS / f"{name}.txt").read_text(encoding="utf-8")
+
+
+if __name__ == "__main__":
+    for plan in PLANS:
+        (TEXTS / f"{plan}.txt").write_text(advice(plan), encoding="utf-8")
