@@ -13,8 +13,8 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.flows import Flow, flow, topics
-from discostorm.messages import data_table
-from discostorm.messages.data_table import answers, frames, framing
+from discostorm.messages import user_data_protocol
+from discostorm.messages.user_data import answers, frames, framing
 from discostorm.model import burst
 from discostorm.wifi.radio import both_ends
 from discostorm_simulation.result import CAUSES
@@ -145,7 +145,7 @@ def test_data_are_the_same_in_every_window() -> None:
 
 def test_topics_of_several_groups_are_rows_of_their_own() -> None:
     desk = ds.HostGroup(1, 1, 5, "desk", data=(flow("scan", "all others"),))
-    table = data_table(ds.DDS, fleet(flow("scan", "one host"), desk=desk))
+    table = user_data_protocol(ds.DDS, fleet(flow("scan", "one host"), desk=desk))
     assert table is not None
     names = [message.name for message in table.messages]
     assert names == [
@@ -252,7 +252,7 @@ def test_a_wrong_topic_says_where_and_what(text: str, told: str) -> None:
 def test_data_are_a_list_of_topics_that_differ() -> None:
     with pytest.raises(ValueError, match=r"data must be tables \[\[groups.data\]\]; got 'scan'"):
         read('data = "scan"')
-    with pytest.raises(ValueError, match="data must have topics that differ; got 'own' twice"):
+    with pytest.raises(ValueError, match="data must have distinct topics; got 'own' twice"):
         fleet(sample(1), sample(2))
     wrong: Any = ("scan",)
     with pytest.raises(TypeError, match=r"data\[0\] must be a Flow"):
@@ -541,7 +541,7 @@ def test_without_recovery_data_are_sent_from_the_start_to_the_end(name: str) -> 
     own = fleet(sample(9_000, True), Flow("scan", "wired host", 5, 1500, False), hosts=4)
     settings: dict[str, Any] = {"recovery": False, "runs": 3, "until": 6.0, "start": [0, 0, 1, 2]}
     found = ds.simulate(own, protocol, ds.PAPER, **settings)
-    table = data_table(protocol, own)
+    table = user_data_protocol(protocol, own)
     assert table is not None
     counts = dict.fromkeys(found.data, 0.0)
     for row in table.messages:
@@ -575,7 +575,7 @@ def test_without_recovery_samples_are_answered_as_they_are_counted() -> None:
         answered = share[[n for n in rows if n.endswith(", answers")]].sum()
         assert answered > 0
         mine = share[[n for n in rows if " of robots, " in n]].sum()
-        table = data_table(protocol, small)
+        table = user_data_protocol(protocol, small)
         assert table is not None
         radio = wifi.radio
         assert radio is not None
