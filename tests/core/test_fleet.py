@@ -226,7 +226,7 @@ def test_repr_reads_well_and_makes_the_same_group() -> None:
         (
             lambda: ds.Fleet(tuple(ds.HostGroup(1, 1, 1, name) for name in "aabb")),
             ValueError,
-            "groups must have names that differ; got 'a' twice",
+            "groups must have distinct names; got 'a' twice",
         ),
         (
             lambda: ds.Fleet((ds.HostGroup([1, 2], 1, 1), ds.HostGroup(1, 1, [1, 2, 3]))),
@@ -378,7 +378,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("[[groups]]\nname = 5\n" + GOOD, r"group 1 \(5\): name must be a str; got 5"),
         (
             ("[[groups]]\nname = 'c'\n" + GOOD) * 2,
-            "groups must have names that differ; got 'c' twice",
+            "groups must have distinct names; got 'c' twice",
         ),
     ],
 )
