@@ -129,7 +129,7 @@ def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
         text=True,
         check=False,
     )
-    assert "protocols must have names that differ; got two 'DDS'" in done.stderr
+    assert "protocols must have distinct names; got two 'DDS'" in done.stderr
 
 
 EVERY = [table for known in ds.PROTOCOLS.values() for table in (known, known.wired) if table]
