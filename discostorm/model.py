@@ -242,7 +242,7 @@ def sum_over_units(
         total = _sum_of_swarm(costs, fleet)
     if not shape:
         return float(total)
-    return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape))
+    return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
 
 
 def polynomial_over_units(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
