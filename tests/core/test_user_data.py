@@ -297,3 +297,10 @@ def test_ready_made_topics_are_as_long_as_their_fields() -> None:
     found = {name: topic["bytes"] for name, topic in topics().items()}
     assert found == {name: aligned(fields) for name, fields in FIELDS.items()}
     assert all(row["source"].startswith("type: ros2/") for row in read_data("fleets/topics.csv"))
+
+
+def test_samples_to_a_wired_host_go_up_and_their_answers_down() -> None:
+    table = user_data_protocol(ds.DDS, fleet(sample(100_000, True, "wired host")))
+    assert table is not None
+    hops = {message.name.rpartition(", ")[2]: message.hops for message in table.messages}
+    assert hops == {"full frames": ("up",), "last frames": ("up",), "answers": ("down",)}

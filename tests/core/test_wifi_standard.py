@@ -18,6 +18,7 @@ from discostorm import _numeric, notation as nt, wifi as wf
 from discostorm._numeric import evaluate
 from discostorm.data import data_path, read_data
 from discostorm.saturation import saturation
+from discostorm.wifi.radio import both_ends
 
 Key = tuple[str, int, int, int, int]
 
@@ -520,3 +521,10 @@ def test_timing_of_bands(band: float, slot: int, sifs: int, extension: int) -> N
     assert times == pytest.approx([t * 1e-6 for t in (slot, sifs, extension, sifs + 2 * slot)])
     # Each retransmission doubles the window: 16 slots, 32 and so on up to 1024.
     assert (radio.cw_min, radio.cw_max) == (2**4 - 1, 2**10 - 1)
+
+
+def test_a_radio_that_says_how_it_aggregates_is_taken_at_its_word() -> None:
+    for mpdus, frames in ((1, 64), (16, 16)):
+        full, single = both_ends(ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi())
+        assert full.aggregation is not None
+        assert (full.aggregation.mpdus, single.aggregation) == (frames, None)

@@ -158,3 +158,12 @@ def test_one_host_and_fleets_without_wireless_hosts_have_answers(
         assert full == float("inf")
     else:
         assert full >= 1
+
+
+def test_a_wired_server_sends_over_the_air_to_wireless_processes_alone() -> None:
+    """Six processes of ten endpoints on the air, one of forty on the wire; all of them match."""
+    fleet = ds.Fleet((ds.HostGroup(3, 2, 10), ds.HostGroup(1, 1, 40, wired=True)), matching=1)
+    unit = ds.Unit("matched endpoint", "other process")
+    row = next(m for m in ds.PROTOCOLS["Fast DDS Discovery Server"].messages if m.unit == unit)
+    assert len(row.hops) == 1
+    assert row.on_air(row.hops[0]).count(fleet) == 6 * (6 * 10 + 40 - 10)
