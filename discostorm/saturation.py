@@ -50,7 +50,7 @@ def saturation_hosts(
         Instead of `processes` and `endpoints`: a fleet of which one group grows, such as robots
         with an operator's laptop.
     group : int or str, optional
-        The group of the fleet that grows, by its index from 0 on or its name; the first if left
+        The group of the fleet that grows, by its index from 0 on [1] or its name; the first if left
         out. Its number of hosts does not matter.
     window : array_like, optional
         The seconds over which utilization is averaged [s], at least 1e-9; the paper's one if left

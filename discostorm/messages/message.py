@@ -29,7 +29,17 @@ HOPS: tuple[Hop, ...] = ("up", "down")
 
 @dataclass(frozen=True)
 class Payload:
-    """Payload size of a message: nominal value and range [B], from 0 to 1e9, and their source."""
+    """Payload size of a message: nominal value, range and where they come from.
+
+    Parameters
+    ----------
+    nominal : float
+        The size to compute with [B], from `low` to `high`.
+    low, high : float
+        The range of sizes [B], from 0 to 1e9.
+    source : str
+        Where the numbers come from.
+    """
 
     nominal: float
     low: float

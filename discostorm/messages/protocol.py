@@ -135,7 +135,12 @@ class Protocol:
     def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
         """Return the messages of an average second of the first ones; each goes up and down.
 
-        Parameters are those of `utilization`.
+        Parameters
+        ----------
+        phase : str, optional
+            One of `phases`; all of them if left out.
+        window : float or sympy.Expr, optional
+            The seconds that are averaged [s], at least 1e-9; the paper's one if left out.
 
         Returns
         -------

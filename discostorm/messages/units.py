@@ -189,7 +189,7 @@ class Unit:
     factor : str, optional
         What multiplies the count, a key of `FACTORS`.
     group : int, optional
-        Index of the group of the fleet that alone counts; all if left out. For user data.
+        Index of the group of the fleet that alone counts [1]; all if left out. For user data.
     wireless : {"holder", "receiver", "any"}, optional
         The end that has to be wireless to count, in a fleet with wired hosts.
 

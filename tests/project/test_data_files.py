@@ -55,7 +55,7 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities"),
-        *("vendors/products", "vendors/configurations", "palette"),
+        *("vendors/products", "vendors/configurations", "vendors/units", "palette"),
     ),
 }
 WITHOUT = {
