@@ -1,4 +1,9 @@
-"""Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable."""
+"""Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable.
+
+A wrong argument raises a ValueError if it is NaN, infinite, out of range, unknown or of a shape
+that does not broadcast, and a TypeError if it is of another kind. Both name the parameter, the
+value and what is allowed.
+"""
 
 import ast
 from functools import cache

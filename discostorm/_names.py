@@ -1,4 +1,4 @@
-"""Names as people write them, whatever their case, hyphens and spaces; the nearest one known."""
+"""Names as people write them, whatever their case, hyphens and spaces; the nearest valid name."""
 
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
@@ -23,25 +23,25 @@ def meant(name: str, names: Iterable[str], aliases: Mapping[str, str]) -> str | 
     >>> meant("fast-dds", ["Fast DDS"], {}), meant("rtps", ["Fast DDS"], {"RTPS": "Fast DDS"})
     ('Fast DDS', 'Fast DDS')
     """
-    by_key = {key(one): full for one, full in aliases.items()}
-    return (by_key | {key(one): one for one in names}).get(key(name))
+    by_key = {key(alias): full for alias, full in aliases.items()}
+    return (by_key | {key(full): full for full in names}).get(key(name))
 
 
-def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name that begins with this one or looks most like it; None if none does.
+def nearest(name: str, valid: Iterable[str]) -> str | None:
+    """Return the valid name that begins with this one or looks most like it; None if none does.
 
     Examples
     --------
     >>> nearest("fastdss", ["Fast DDS", "Cyclone DDS"]), nearest("mqtt", ["Fast DDS"])
     ('Fast DDS', None)
     """
-    by_key = {key(one): one for one in known}
-    begun = sorted((one for one in by_key if key(name) and one.startswith(key(name))), key=len)
-    found = begun or get_close_matches(key(name), by_key, n=1)
-    return by_key[found[0]] if found else None
+    by_key = {key(full): full for full in valid}
+    longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
+    matches = longer or get_close_matches(key(name), by_key, n=1)
+    return by_key[matches[0]] if matches else None
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Return the end of a message: the nearest known name, or nothing."""
-    found = nearest(name, known)
-    return "" if found is None else f". Did you mean {found!r}?"
+def did_you_mean(name: str, valid: Iterable[str]) -> str:
+    """Return the end of a message: the nearest valid name, or nothing."""
+    match = nearest(name, valid)
+    return "" if match is None else f". Did you mean {match!r}?"

@@ -17,16 +17,13 @@ Value = float | NDArray[np.float64]
 
 
 def plain(number: Any) -> Any:
-    """Return a float as int if it is whole, so that expressions show no floats without need."""
+    """Return a whole float as an int, so that expressions show no floats without need."""
     return int(number) if isinstance(number, float) and number.is_integer() else number
 
 
 def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Return the expression with symbols for what it rounds, and what these stand for.
-
-    What is rounded up must stay as it is written: an expanded ratio, or one times a
-    reciprocal, is off by a rounding error, which may lift a whole number over itself.
-    """
+    """Replace what an expression rounds by symbols; return the symbols' meaning, too."""
+    # Left as written, as a ratio times a reciprocal may be rounded up by a rounding error.
     hidden: dict[sp.Expr, sp.Symbol] = {}
     parts = sp.preorder_traversal(expression)
     for part in parts:
@@ -37,14 +34,14 @@ def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]
 
 
 def share(expression: sp.Expr) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Expr]:
-    """Return what the expression shares or rounds, each with its symbol, and what is left."""
+    """Find common subexpressions as `sympy.cse` does, but keep what is rounded in one piece."""
     rest, rounded = hide_rounded(expression)
     shared, (reduced,) = sp.cse([rest])
     return [*rounded.items(), *shared], reduced
 
 
 def shortened(expression: sp.Expr) -> sp.Expr:
-    """Return an expression in which what its terms have in common is multiplied with once."""
+    """Return an expression whose terms multiply with a common factor once."""
     shared, (total,) = sp.cse([sp.factor_terms(expression)])
     for symbol, part in reversed(shared):
         total = sp.collect(total, symbol).subs(symbol, part)
@@ -67,9 +64,8 @@ def compiled(symbols: tuple[sp.Symbol, ...], expression: sp.Basic) -> Callable[.
 def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., Value]:
     """Turn a sympy expression into a NumPy function of its symbols.
 
-    Unlike `sympy.lambdify`, the function returns the shape its arguments broadcast to,
-    also where the expression does not contain one of them, and computes in float64,
-    so integer arrays of any width cannot overflow.
+    Unlike that of `sympy.lambdify`, the function returns the shape to which its arguments
+    broadcast, also where the expression lacks one of them, and computes in float64.
 
     Parameters
     ----------
@@ -83,15 +79,6 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     -------
     callable
         Takes array-likes of finite numbers. Scalars give a float, arrays an ndarray.
-
-    Raises
-    ------
-    ValueError
-        If `expression` contains other symbols, or two have the same name; from the
-        function, if an argument is not finite or the shapes do not broadcast.
-    TypeError
-        If `symbols` or `expression` is not made by sympy; from the function, if an
-        argument is missing or not made of real numbers.
 
     Examples
     --------
@@ -111,8 +98,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         missing = ", ".join(sorted(symbol.name for symbol in unknown))
         raise ValueError(f"symbols must list all that expression contains; {missing} is missing")
     names = [symbol.name for symbol in arguments]
-    if len(set(names)) < len(names):
-        raise ValueError(f"symbols must have names that differ; got {', '.join(names)}")
+    _checks.distinct("symbols", names)
 
     def numeric(*args: ArrayLike, **kwargs: ArrayLike) -> Value:
         given = dict(zip(names, args, strict=False)) | kwargs
@@ -134,61 +120,53 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
 
 
 def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
-    """Return the value of ``expression`` for float64 arrays; of the shape they broadcast to."""
+    """Return the value of an expression, of the shape to which the given arrays broadcast."""
     shape = _checks.shape(**{symbol.name: value for symbol, value in given.items()})
     # What is too small for a float is zero, also where NumPy is told to raise an error.
     with np.errstate(under="ignore"):
-        found = _real(compiled(tuple(given), expression)(*given.values()), expression)
-    return np.array(np.broadcast_to(found, shape)) if shape else float(found)
+        value = compiled(tuple(given), expression)(*given.values())
+    if np.iscomplexobj(value):
+        raise ValueError(f"expression must be real; {expression} is not")
+    return np.array(np.broadcast_to(value, shape)) if shape else float(value)
 
 
 def evaluate_each(
     expressions: Sequence[sp.Expr], given: Mapping[sp.Symbol, float]
 ) -> tuple[float, ...]:
-    """Return the values of several expressions for numbers, compiled as one."""
+    """Return the values of several expressions for scalars, compiled together."""
     values: Any = compiled(tuple(given), sp.Tuple(*expressions))(*given.values())
     return tuple(map(float, values))
 
 
-def _real(value: Value, expression: sp.Expr) -> Value:
-    if np.iscomplexobj(value):
-        raise ValueError(f"expression must be real; {expression} is not")
-    return value
-
-
 @dataclass(frozen=True)
 class Polynomial:
-    """A polynomial in one unknown: adds and multiplies like a number, without cancellation.
+    """A polynomial in one unknown, by its coefficients from the constant on.
 
-    Parameters
-    ----------
-    powers : tuple of float or ndarray
-        The factors of its powers, that of the constant first.
+    It adds and multiplies like a number.
     """
 
-    powers: tuple[Value, ...]
+    coefficients: tuple[Value, ...]
 
     #: Tells NumPy's arrays to leave arithmetic with it to the methods below.
     __array_ufunc__ = None
 
     def __add__(self, other: Any) -> "Polynomial":
-        pairs = zip_longest(self.powers, powers(other), fillvalue=0.0)
-        return Polynomial(tuple(one + another for one, another in pairs))
+        pairs = zip_longest(self.coefficients, _coefficients(other), fillvalue=0.0)
+        return Polynomial(tuple(a + b for a, b in pairs))
 
     def __sub__(self, other: Any) -> "Polynomial":
-        return self + Polynomial(powers(other)) * -1.0
+        return self + Polynomial(_coefficients(other)) * -1.0
 
     def __mul__(self, other: Any) -> "Polynomial":
-        others = powers(other)
-        products: list[Value] = [0.0] * (len(self.powers) + len(others) - 1)
-        for (i, one), (j, another) in product(enumerate(self.powers), enumerate(others)):
-            products[i + j] = products[i + j] + one * another
+        others = _coefficients(other)
+        products: list[Value] = [0.0] * (len(self.coefficients) + len(others) - 1)
+        for (i, a), (j, b) in product(enumerate(self.coefficients), enumerate(others)):
+            products[i + j] = products[i + j] + a * b
         return Polynomial(tuple(products))
 
     __radd__ = __add__
     __rmul__ = __mul__
 
 
-def powers(value: Any) -> tuple[Value, ...]:
-    """Return the factors of the powers of a polynomial, or of a constant."""
-    return value.powers if isinstance(value, Polynomial) else (value,)
+def _coefficients(value: Any) -> tuple[Value, ...]:
+    return value.coefficients if isinstance(value, Polynomial) else (value,)

@@ -1,7 +1,6 @@
-"""Who is on the channel: groups of like hosts, and what a fleet of them counts."""
+"""Who is on the channel: groups of identical hosts, and what a fleet of them counts."""
 
-from collections import Counter
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
@@ -23,11 +22,11 @@ from discostorm.fleet_file import (
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
 
-#: A number, an array, a polynomial or a sympy expression: a fleet counts any of them alike.
+#: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
 Count = Any
 
-#: Most groups in symbols: nobody reads as many, and what they count takes long to write out.
-_MOST_SYMBOLIC = 1000
+#: Maximum number of groups in symbols: what they count takes long to write out.
+_MAX_SYMBOLIC = 1000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -41,30 +40,21 @@ class HostGroup:
     processes : float, array or sympy.Expr
         Processes on each host [1], from 1 to 1e9.
     endpoints : float, array or sympy.Expr
-        Endpoints of each process [1], from 0 to 1e9; of unlike processes, their mean.
+        Endpoints of each process [1], from 0 to 1e9; their mean if processes differ.
     name : str, optional
         What to call it.
     nodes : float, optional
-        Nodes with parameter services in each process [1], from 0 to as many as there are endpoints
-        for, for `plan`; None if it is not known.
+        Nodes with parameter services in each process [1], for `plan`; None if unknown.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
         everywhere: `discostorm.robots.shared_endpoints`.
     wired : bool, optional
-        Whether they are wired to the access point: what they send does not take the air on its way
-        up, and what is sent to them not on its way down. False if left out.
+        Whether they are wired to the access point: their uplink takes no air, nor does the
+        downlink to them. False if left out.
     data : tuple of Flow, optional
-        What each host publishes for others once they know each other; nothing if left out.
-        Discovery does not depend on it: `discostorm.utilization` counts it for the phase "data".
-
-    Raises
-    ------
-    ValueError
-        If a number is NaN, infinite or out of range, or the shapes do not broadcast.
-    TypeError
-        If one is neither made of real numbers nor a sympy expression with symbols, the
-        name is not text, `wired` is neither True nor False, or `data` not made of flows.
+        What each host publishes for others once discovery is complete; nothing if left out.
+        `discostorm.utilization` counts it for the phase "data".
 
     Examples
     --------
@@ -93,47 +83,34 @@ class HostGroup:
             raise type(error)(f"group {_checks.brief(self.name)!r}: {error}") from error
 
     def _check(self) -> None:
-        """Check the numbers, and keep them as floats and arrays that nobody can change."""
-        for count, least in LEAST.items():
+        """Check the numbers, and keep them as floats and read-only arrays."""
+        for count, low in LEAST.items():
             value = getattr(self, count)
-            if (type(value) is float and least <= value <= _checks.MOST) or is_symbolic(value):
+            if is_symbolic(value):
                 continue
-            value = _checks.numbers(count, value, least, _checks.MOST)
-            if isinstance(value, np.ndarray) and value.flags.writeable:
+            value = _checks.numbers(count, value, low, _checks.MOST)
+            if isinstance(value, np.ndarray):
                 value = value.copy()
                 value.flags.writeable = False
             object.__setattr__(self, count, value)
-        if not all(isinstance(count, float) for count in self.counts()):
-            _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
+        _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
+        fewest = self.endpoints
+        if isinstance(fewest, np.ndarray):
+            fewest = float(np.min(fewest, initial=_checks.MOST))
+        elif is_symbolic(fewest):
+            fewest = _checks.MOST
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
-            check_nodes("nodes", nodes, self._fewest_endpoints)
+            check_nodes("nodes", nodes, fewest)
             object.__setattr__(self, "nodes", nodes)
         if not is_symbolic(self.shared):
-            most = self._fewest_endpoints
-            shared = _checks.number("shared", self.shared, 0, most)
+            shared = _checks.number("shared", self.shared, 0, fewest)
             object.__setattr__(self, "shared", shared)
-        self._check_data()
-
-    def _check_data(self) -> None:
-        """Check the flows: of topics that differ, and of as many hosts as one number says."""
-        if isinstance(self.data, tuple) and not self.data:
-            return
-        object.__setattr__(self, "data", _checks.members("data", self.data, Flow))
-        topics = Counter(flow.topic for flow in self.data)
-        if twice := [topic for topic, times in topics.items() if times > 1]:
-            raise ValueError(
-                f"data must have topics that differ; got {_checks.brief(twice[0])!r} twice"
-            )
-        if not isinstance(self.hosts, float):
-            raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
-
-    @property
-    def _fewest_endpoints(self) -> float:
-        """The endpoints that each process has at least; as many as can be if they are symbols."""
-        if isinstance(self.endpoints, np.ndarray):
-            return float(np.min(self.endpoints, initial=_checks.MOST))
-        return self.endpoints if isinstance(self.endpoints, float) else _checks.MOST
+        if self.data != ():
+            object.__setattr__(self, "data", _checks.members("data", self.data, Flow))
+            _checks.distinct("data", (flow.topic for flow in self.data), "topics")
+            if not isinstance(self.hosts, float):
+                raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):
@@ -144,33 +121,24 @@ class HostGroup:
         return hash(self._key())
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
-        # By way of the constructor, which makes the arrays read-only: also those of copies.
-        own = (self.name, self.nodes, self.shared, self.wired, self.data)
-        return HostGroup, (*self.counts(), *own)
+        # By way of the constructor, so that the arrays of copies are read-only, too.
+        return HostGroup, tuple(getattr(self, field.name) for field in fields(self))
 
     def _key(self) -> tuple[Any, ...]:
-        counts = map(_comparable, (*self.counts(), self.shared))
-        return (self.name, self.nodes, self.wired, self.data, *counts)
+        return tuple(_comparable(getattr(self, field.name)) for field in fields(self))
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
         return self.hosts, self.processes, self.endpoints
 
     def __repr__(self) -> str:
-        parts = [
-            f"{name}={_brief(count)}" for name, count in zip(COUNTS, self.counts(), strict=True)
-        ]
-        if self.name:
-            parts.append(f"name={self.name!r}")
-        if self.nodes is not None:
-            parts.append(f"nodes={self.nodes:g}")
-        if np.any(self.shared != 0):
-            parts.append(f"shared={_brief(self.shared)}")
-        if self.wired:
-            parts.append("wired=True")
-        if self.data:
-            parts.append(f"data={self.data!r}")
-        return f"HostGroup({', '.join(parts)})"
+        shown = [f"{name}={_brief(getattr(self, name))}" for name in COUNTS]
+        shown += [f"name={self.name!r}"] * bool(self.name)
+        shown += [] if self.nodes is None else [f"nodes={self.nodes:g}"]
+        shown += [f"shared={_brief(self.shared)}"] * bool(self.shared != 0)
+        shown += ["wired=True"] * self.wired
+        shown += [f"data={self.data!r}"] * bool(self.data)
+        return f"HostGroup({', '.join(shown)})"
 
 
 @dataclass(frozen=True, repr=False)
@@ -183,16 +151,8 @@ class Fleet:
         At least one; their names, where given, differ.
     matching : float, optional
         Share of the endpoints that match one in every other process [1], from 0 to 1, beside
-        those that always do: `HostGroup.shared`. Robots with ROS 2 namespaces of their own have 0,
-        equal robots without have 1. Only tables of what products send depend on it.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, two have the same name, their shapes do not broadcast, or `matching`
-        is out of range.
-    TypeError
-        If one is not a HostGroup, or `matching` not a number.
+        those that always do: `HostGroup.shared`. Robots with their own ROS 2 namespaces have 0,
+        identical robots without have 1. Only tables of products depend on it.
 
     Examples
     --------
@@ -210,11 +170,7 @@ class Fleet:
         matching = _checks.number("matching", self.matching, 0, 1)
         object.__setattr__(self, "matching", matching)
         object.__setattr__(self, "groups", _checks.members("groups", self.groups, HostGroup))
-        names = Counter(group.name for group in self.groups if group.name)
-        if twice := [name for name, times in names.items() if times > 1]:
-            raise ValueError(
-                f"groups must have names that differ; got {_checks.brief(twice[0])!r} twice"
-            )
+        _checks.distinct("groups", (group.name for group in self.groups if group.name))
         _checks.shape(**self.arrays())
 
     def __repr__(self) -> str:
@@ -223,13 +179,13 @@ class Fleet:
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":
-        """Return the paper's homogeneous swarm: one group of like hosts."""
+        """Return the paper's homogeneous swarm: one group."""
         return cls((HostGroup(hosts, processes, endpoints),))
 
     @classmethod
     def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
         """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
-        _checks.whole("groups", groups, 1, _MOST_SYMBOLIC)
+        _checks.whole("groups", groups, 1, _MAX_SYMBOLIC)
         if groups == 1:
             return cls(SWARM.groups, matching)
         return cls(tuple(symbolic_group(index) for index in range(1, int(groups) + 1)), matching)
@@ -240,9 +196,8 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each
         for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally a ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. Hosts that
-        are wired to the access point say ``wired = true``. A group without
-        ``shared`` shares what ROS 2 makes for its processes and nodes
+        and optionally ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group
+        without ``shared`` shares what ROS 2 makes for its processes and nodes
         (`discostorm.robots.shared_endpoints`), for the likely number of nodes if it has no
         ``nodes`` either (`discostorm.robots.likely_nodes`); programs without ROS 2 say
         ``shared = 0``. Above the groups it may have ``matching``; see `Fleet`::
@@ -255,7 +210,7 @@ class Fleet:
             processes = 1
             endpoints = 678
 
-        What robots send besides is a table for each topic, below its group: a ready-made one
+        User data have a table for each topic, below its group: a ready-made topic
         (`discostorm.flows.topics`) or one of your own, with ``rate`` in Hz, ``bytes`` and
         ``reliable``; see `discostorm.flows.Flow`::
 
@@ -280,18 +235,13 @@ class Fleet:
         ValueError
             If it is not TOML, or a key is missing, unknown or has a wrong value; the
             message names the file, the group, the key, the value and the allowed range.
-        TypeError
-            If `path` is neither text nor path-like.
         """
         name = _checks.path("path", path, "a TOML file")
         return cls.from_bytes(read_fleet_file(name), name)
 
     @classmethod
     def from_bytes(cls, content: bytes | bytearray | memoryview, name: str) -> "Fleet":
-        """Return the fleet that the content of a TOML file describes; see `from_toml`.
-
-        Errors call it by its name.
-        """
+        """Return the fleet that the content of a named TOML file describes; see `from_toml`."""
         tables = fleet_tables(content, name)
         groups = []
         try:
@@ -312,37 +262,36 @@ class Fleet:
 
     def processes(self) -> Count:
         """Return the number of processes in the fleet."""
-        return reduce(add, self.processes_of)
+        return reduce(add, self.processes_per_group)
 
     @cached_property
-    def processes_of(self) -> list[Count]:
+    def processes_per_group(self) -> list[Count]:
         """The number of processes of each group."""
         return [group.hosts * group.processes for group in self.groups]
 
     @cached_property
-    def remote_of(self) -> list[Count]:
+    def remote_processes(self) -> list[Count]:
         """For a process of each group, the number of processes on other hosts."""
         return self._remote([True] * len(self.groups))
 
     @cached_property
-    def wireless_remote_of(self) -> list[Count]:
-        """The same of processes on hosts that are not wired."""
+    def wireless_remote_processes(self) -> list[Count]:
+        """For a process of each group, the processes on other hosts that are not wired."""
         return self._remote([not group.wired for group in self.groups])
 
     def _remote(self, counted: list[bool]) -> list[Count]:
-        """Return for a process of each group how many of these groups are on other hosts."""
-        # What comes before and after is added up rather than subtracted from the total, which
-        # would cancel.
-        of = [many if yes else 0 for many, yes in zip(self.processes_of, counted, strict=True)]
+        """Count for a process of each group the processes of the counted groups on other hosts."""
+        # Sums of the groups before and after, as a difference from the total would cancel.
+        of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]
         before = list(accumulate(of[:-1], initial=0))
         after = list(accumulate(of[:0:-1], initial=0))[::-1]
         return [
-            ((group.hosts - 1) * group.processes if yes else 0) + one + other
-            for group, yes, one, other in zip(self.groups, counted, before, after, strict=True)
+            ((group.hosts - 1) * group.processes if yes else 0) + earlier + later
+            for group, yes, earlier, later in zip(self.groups, counted, before, after, strict=True)
         ]
 
     @cached_property
-    def matched_of(self) -> list[Count]:
+    def matched_per_process(self) -> list[Count]:
         """For a process of each group, its endpoints that match one in every other process."""
         share = plain(self.matching)
         shared = (plain(group.shared) for group in self.groups)
@@ -354,7 +303,7 @@ class Fleet:
     @cached_property
     def matched_in_all(self) -> Count:
         """The endpoints in the fleet that match one in every other process."""
-        pairs = zip(self.processes_of, self.matched_of, strict=True)
+        pairs = zip(self.processes_per_group, self.matched_per_process, strict=True)
         return reduce(add, (processes * matched for processes, matched in pairs))
 
     @property
@@ -373,7 +322,7 @@ class Fleet:
         return any(group.wired for group in self.groups)
 
     def reject_wired(self, what: str) -> None:
-        """Raise a ValueError if a group is wired, for those who take all hosts to be on the air."""
+        """Raise a ValueError if a group is wired, for callers that put all hosts on the air."""
         for name, group in zip(self.names, self.groups, strict=True):
             if group.wired:
                 raise ValueError(
@@ -387,7 +336,7 @@ class Fleet:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What its groups are called; one without a name by its number, from 1 on."""
+        """The names of its groups; "group 1" and so on for those without."""
         given = {group.name for group in self.groups}
         numbers = (f"group {number}" for number in range(1, len(self.groups) + 1))
         return tuple(
@@ -396,12 +345,10 @@ class Fleet:
         )
 
     def described(self) -> list[dict[str, Any]]:
-        """Return its groups, of one number each, as what JSON can hold; keys as in `from_toml`."""
+        """Return its groups, of one number each, for JSON; keys as in `from_toml`."""
         return [
             {"name": name}
-            | dict(
-                zip((*COUNTS, "shared"), map(float, (*group.counts(), group.shared)), strict=True)
-            )
+            | {count: float(getattr(group, count)) for count in (*COUNTS, "shared")}
             | ({"wired": True} if group.wired else {})
             | ({"data": [asdict(flow) for flow in group.data]} if group.data else {})
             for name, group in zip(self.names, self.groups, strict=True)
@@ -409,8 +356,6 @@ class Fleet:
 
     def arrays(self) -> dict[str, Count]:
         """Return the counts that are not single numbers, with their names."""
-        if self._of_numbers:
-            return {}
         return {
             f"groups[{index}].{name}": count
             for index, group in enumerate(self.groups)
@@ -418,19 +363,10 @@ class Fleet:
             if not isinstance(count, float)
         }
 
-    @cached_property
-    def _of_numbers(self) -> bool:
-        """Whether all counts are single numbers."""
-        return all(
-            isinstance(count, float)
-            for group in self.groups
-            for count in (*group.counts(), group.shared)
-        )
-
 
 def is_symbolic(value: Any) -> bool:
-    """Return whether it is an expression with an unknown, so that it has no value yet."""
-    if isinstance(value, float):  # as nearly all are
+    """Return whether a count is an expression with an unknown, which has no value yet."""
+    if isinstance(value, float):
         return False
     return isinstance(value, Polynomial) or (
         isinstance(value, sp.Expr) and bool(value.free_symbols)
@@ -442,21 +378,20 @@ def symbolic_group(index: int) -> HostGroup:
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
 
 
-def _comparable(count: Count) -> Any:
-    """Return what two counts have in common if they are the same number, array or expression."""
+def _comparable(value: Any) -> Any:
+    """Return what compares and hashes by value, also for arrays."""
     # A sum, as zeros may be negative.
-    return (count.shape, (count + 0.0).tobytes()) if isinstance(count, np.ndarray) else count
+    return (value.shape, (value + 0.0).tobytes()) if isinstance(value, np.ndarray) else value
 
 
 def _brief(count: Count) -> str:
     if isinstance(count, np.ndarray):
-        text = np.array2string(count, separator=", ", threshold=6, edgeitems=2)
-        return " ".join(text.split())
+        return " ".join(np.array2string(count, separator=", ", threshold=6, edgeitems=2).split())
     return str(count).removesuffix(".0")
 
 
 def _group(table: dict[str, Any]) -> HostGroup:
-    """Return the group of a table of a fleet file, which shares what ROS 2 does if it is silent."""
+    """Return the group of a table of a fleet file."""
     data = []
     for number, topic in enumerate(table.get("data", ()), start=1):
         with told_of(number, topic, "data"):

@@ -1,4 +1,4 @@
-"""User data: what topics send once robots know each other, at which rate and to whom."""
+"""User data: what topics send once discovery is complete, at which rate and to whom."""
 
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
@@ -6,12 +6,12 @@ from typing import Any, Literal, get_args
 from discostorm import _checks, _names
 from discostorm.data import read_data
 
-#: To whom each sample goes; see `Flow`.
+#: Who receives each sample; see `Flow`.
 Receivers = Literal["one host", "wired host", "all others", "multicast"]
 
-#: Most samples a second [Hz], and longest sample [B].
-_MOST_RATE, _MOST_BYTES = 1e6, 1e8
-#: What a table of a fleet file may have.
+#: Allowed rates [Hz] and sizes [B].
+_RANGES = {"rate": (1e-6, 1e6), "bytes": (0.0, 1e8)}
+#: Allowed keys of a table of a fleet file.
 KEYS = ("topic", "to", "rate", "bytes", "reliable")
 
 
@@ -22,26 +22,18 @@ class Flow:
     Parameters
     ----------
     topic : str
-        Its name; no two of a group are the same.
+        Its name, distinct within a group.
     to : {"one host", "wired host", "all others", "multicast"}
-        Who has a reader, one each: one of the other hosts, each as likely; a host that is wired to
-        the access point, whether the fleet lists it or not; every other host; every other host,
-        all of which hear the same multicast frames (over TCP, as Zenoh
-        sends, a copy for each).
+        Where the readers are: on one of the other hosts, each as likely; on a host that is wired to
+        the access point, whether the fleet lists it or not; on every other host, in unicast; on
+        every other host, in multicast (over TCP, as Zenoh sends, in unicast).
     rate : float
         Samples a second of each host [Hz], from 1e-6 to 1e6.
     bytes : float
-        Size of a sample [B], serialized, without the four octets that say how; from 0 to 1e8.
+        Size of a serialized sample [B], without the four octets of its encapsulation; from 0 to
+        1e8.
     reliable : bool
         Whether the reader acknowledges; not by multicast.
-
-    Raises
-    ------
-    ValueError
-        If a number is out of range, the topic has no name, `to` is none of these, or a reliable
-        topic goes by multicast.
-    TypeError
-        If one is of another kind.
 
     Examples
     --------
@@ -60,10 +52,8 @@ class Flow:
         if not self.topic.strip():
             raise ValueError(f"topic must be a text that is not blank; got {self.topic!r}")
         _checks.choice("to", self.to, get_args(Receivers))
-        limits = {"rate": (1e-6, _MOST_RATE), "bytes": (0, _MOST_BYTES)}
-        for name, (least, most) in limits.items():
-            value = _checks.number(name, getattr(self, name), least, most)
-            object.__setattr__(self, name, value)
+        for name, (low, high) in _RANGES.items():
+            object.__setattr__(self, name, _checks.number(name, getattr(self, name), low, high))
         object.__setattr__(self, "reliable", _checks.boolean("reliable", self.reliable))
         if self.reliable and self.to == "multicast":
             raise ValueError(
@@ -91,14 +81,7 @@ def topics() -> dict[str, dict[str, Any]]:
 
 
 def flow(topic: str, to: Receivers, **own: Any) -> Flow:
-    """Return a flow of a ready-made topic, or of one of your own with `rate`, `bytes`, `reliable`.
-
-    Raises
-    ------
-    ValueError
-        If the topic is not ready-made and one of the three is missing, or one is out of range.
-    TypeError
-        If one is of another kind.
+    """Return a flow of a ready-made topic, or of your own with `rate`, `bytes`, `reliable`.
 
     Examples
     --------
@@ -118,7 +101,7 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
 
 
 def flow_of(table: Any) -> Flow:
-    """Return the flow of a table ``[[groups.data]]`` of a fleet file."""
+    """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with topic and to; got {_checks.short(table)}")
     for key, value in table.items():

@@ -1,7 +1,9 @@
 """The model: utilization is the sum over units of what each costs times how many there are.
 
 `unit_costs` says what each unit adds to the airtime (paper, equation 11), a fleet how many of it
-there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12).
+there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12). All of
+it raises a ValueError for an argument that is NaN, infinite, out of range or does not broadcast,
+and a TypeError for one that is no number, `Protocol` or `Wifi`.
 """
 
 from __future__ import annotations
@@ -18,39 +20,25 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._arguments import as_fleet, reject_symbols
-from discostorm._numeric import (
-    Value,
-    compiled,
-    evaluate,
-    evaluate_each,
-    shortened,
-)
-from discostorm.fleet import (
-    COUNTS,
-    SWARM,
-    Fleet,
-)
+from discostorm._numeric import Value, compiled, evaluate, evaluate_each, shortened
+from discostorm.fleet import COUNTS, SWARM, Fleet
 from discostorm.messages import (
     DATA,
     HOPS,
     PAPER_WINDOW,
     Hop,
     Message,
-    OnAir,
     Protocol,
     Schedule,
     Unit,
     checked_window,
-    data_table,
     hop_airtime,
+    user_data_protocol,
 )
 from discostorm.wifi import PAPER, Cast, Wifi
 
 if TYPE_CHECKING:
     import pandas as pd
-
-#: What costs are counted by: units, or those of them that take the air on a hop.
-Counted = Unit | OnAir
 
 #: Length of a frame [B].
 _OCTETS = sp.Symbol("S", positive=True)
@@ -65,20 +53,20 @@ def utilization(
     phase: str | None = None,
     window: ArrayLike = PAPER_WINDOW,
 ) -> Value:
-    r"""Return the fraction of channel time that discovery takes of the first seconds.
+    r"""Return the fraction of channel time that discovery needs in the first seconds.
 
-    .. math:: U = \frac{1}{W} \sum_\phi \left[\mathcal{T}(L^{up}_\phi, R^{up}_\phi)
-        + \mathcal{T}(L^{down}_\phi, R^{down}_\phi)\right]
+    .. math:: U = \sum_u c_u(W) \, n_u
 
-    The window W is the paper's second if left out. What is repeated with a period counts
-    with its rate, so that for a window between two of its instants it is an upper bound.
+    The airtime :math:`c_u` that each unit adds to an average second of the window W, uplink and
+    downlink, times the number :math:`n_u` of these units in the fleet. Periodic traffic counts
+    with its rate, which is an upper bound for a window between two of its instants.
 
     Parameters
     ----------
     protocol : Protocol
         One of `PROTOCOLS`, such as `DDS` or `ZENOH`, or a table of your own.
     hosts : array_like or Fleet
-        Hosts in the network [1], from 1 to 1e9; or a `Fleet` of unlike hosts, in which
+        Hosts in the network [1], from 1 to 1e9; or a `Fleet` of different hosts, in which
         case `processes` and `endpoints` are left out.
     processes : array_like
         Processes on each host [1], from 1 to 1e9.
@@ -87,24 +75,17 @@ def utilization(
     wifi : Wifi, optional
         The channel; the paper's if left out.
     phase : str, optional
-        One of the protocol's phases; all of them if left out. "data" is none of them: it is what
-        the fleet sends besides (`HostGroup.data`), framed as the protocol's product does.
+        One of the protocol's phases; all of them if left out. "data" is not one of them: it is
+        the fleet's user data (`HostGroup.data`), framed as the protocol's product does.
     window : array_like, optional
-        The seconds that are averaged [s], at least 1e-9; infinity for the steady state.
+        The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity for
+        the steady state.
 
     Returns
     -------
     float or ndarray
         Utilization [1]; 1 is a saturated channel, and larger values are seconds of
         airtime. Of the shape the arguments broadcast to; a float for scalars.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, the shapes do not broadcast, or
-        the protocol has no such phase.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` or `wifi` is not one.
 
     References
     ----------
@@ -132,12 +113,10 @@ def utilization(
     """
     fleet = as_fleet(hosts, processes, endpoints)
     if phase == DATA:
-        table = data_table(protocol, fleet)
-        if table is None:
-            shape = _checks.shape(**fleet.arrays(), window=window)
-            return np.zeros(shape) if shape else 0.0
-        return total_of(unit_costs(table, wifi, window, None, fleet.has_wired), fleet, window)
-    return total_of(unit_costs(protocol, wifi, window, phase, fleet.has_wired), fleet, window)
+        costs = _data_costs(protocol, fleet, wifi, window)
+    else:
+        costs = unit_costs(protocol, wifi, window, phase, by_hop=fleet.has_wired)
+    return sum_over_units(costs, fleet, window)
 
 
 def burst(
@@ -147,24 +126,17 @@ def burst(
     endpoints: ArrayLike | None = None,
     wifi: Wifi = PAPER,
 ) -> Value:
-    """Return the airtime of what the start sends beyond the steady state.
+    """Return the airtime that startup needs beyond the steady state.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `utilization`: a swarm, or a `Fleet` of unlike hosts.
+        As for `utilization`.
 
     Returns
     -------
     float or ndarray
         Airtime [s]; with the paper's tables the utilization of their one second.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` or `wifi` is not one.
 
     References
     ----------
@@ -176,51 +148,10 @@ def burst(
     >>> from discostorm.model import burst
     >>> burst(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
     True
-    >>> burst(ds.DDS, ds.Fleet.swarm(7, 2, 10)) == burst(ds.DDS, 7, 2, 10)
-    True
     """
-    _check(protocol, wifi)
     fleet = as_fleet(hosts, processes, endpoints)
     costs = _costs(protocol, wifi, None, lambda schedule: schedule.extra, fleet.has_wired)
-    return total_of(costs, fleet)
-
-
-def total_of(
-    costs: Mapping[Counted, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
-) -> Value:
-    """Return the sum over units of cost times count, in the shape of the fleet and the window."""
-    shape = _checks.shape(**fleet.arrays(), window=window)
-    unlike = len(fleet.groups) > 1 or fleet.has_wired
-    total = sum_over_units(costs, fleet) if unlike else _of_swarm(costs, fleet)
-    if not shape:
-        return float(total)
-    return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape))
-
-
-def sum_over_units(costs: Mapping[Counted, Value], fleet: Fleet) -> Any:
-    """Return the sum over units of cost times count: a number, array, or `Polynomial`."""
-    with np.errstate(under="ignore"):
-        return sum(cost * unit.count(fleet) for unit, cost in costs.items())
-
-
-def _of_swarm(costs: Mapping[Counted, Value], fleet: Fleet) -> Any:
-    """Return the same sum for one group, by a function in which nothing is computed twice."""
-    (group,) = fleet.groups
-    function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
-    with np.errstate(under="ignore"):
-        return function(*group.counts(), group.shared, *costs.values())
-
-
-@cache
-def _swarm_function(
-    units: tuple[Counted, ...], matching: float, shares: bool
-) -> Callable[..., Any]:
-    """Return a function of the counts of a swarm, what is shared and the cost of each unit."""
-    shared = sp.Symbol("N_S", nonnegative=True)
-    swarm = Fleet((replace(SWARM.groups[0], shared=shared if shares else 0.0),), matching)
-    costs = sp.symbols(f"c:{len(units)}", positive=True)
-    total = sp.Add(*(cost * unit.count(swarm) for cost, unit in zip(costs, units, strict=True)))
-    return compiled((*swarm.counts(), shared, *costs), shortened(total))
+    return sum_over_units(costs, fleet)
 
 
 def unit_costs(
@@ -229,24 +160,34 @@ def unit_costs(
     window: ArrayLike = PAPER_WINDOW,
     phase: str | None = None,
     by_hop: bool = False,
-) -> dict[Counted, Value]:
+) -> dict[Unit, Value]:
     """Return what each unit of a protocol adds to an average second of the window [s].
 
-    Those of each hop apart, ``by_hop``, for fleets with wired hosts.
+    With ``by_hop``, for fleets with wired hosts, uplink and downlink apart.
     """
     _check(protocol, wifi)
     protocol.of_phase(phase)  # raises if there is none
-    seconds = checked_window(window)
-    if isinstance(seconds, float):
-        return dict(_mean_costs(protocol, wifi, phase, seconds, by_hop))
-    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(seconds), by_hop)
+    window_s = checked_window(window)
+    if isinstance(window_s, float):
+        return dict(_costs_of_window(protocol, wifi, phase, window_s, by_hop))
+    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window_s), by_hop)
 
 
 @lru_cache(maxsize=4096)
-def _mean_costs(
+def _costs_of_window(
     protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
-) -> dict[Counted, Value]:
+) -> dict[Unit, Value]:
     return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
+
+
+def _data_costs(
+    protocol: Protocol, fleet: Fleet, wifi: Wifi, window: ArrayLike
+) -> dict[Unit, Value]:
+    """Return `unit_costs` of the fleet's user data, as the protocol's product sends them."""
+    _check(protocol, wifi)
+    checked_window(window)
+    table = user_data_protocol(protocol, fleet)
+    return {} if table is None else unit_costs(table, wifi, window, by_hop=fleet.has_wired)
 
 
 def _costs(
@@ -254,25 +195,13 @@ def _costs(
     wifi: Wifi,
     phase: str | None,
     times: Callable[[Schedule], Value],
-    by_hop: bool = False,
-) -> dict[Counted, Value]:
-    """Return the airtime of what is sent for each unit, each message so many times [s]."""
-    costs: dict[Counted, Value] = {} if by_hop else dict.fromkeys(protocol.units(phase), 0.0)
-    for message in protocol.of_phase(phase):
-        airtime = sum(_hop_seconds(message, hop, wifi) for hop in message.hops)
-        if airtime == math.inf and wifi.aggregation is not None:
-            raise ValueError(
-                f"most_bytes of the channel's aggregation must hold every frame of "
-                f"{protocol.name}; got {wifi.aggregation.most_bytes!r}"
-            )
-        sent = message.per_unit * times(message.schedule)
-        if not by_hop:
-            costs[message.unit] = costs[message.unit] + sent * airtime
-            continue
-        for hop in message.hops:
-            counted = message.on_air(hop)
-            costs[counted] = costs.get(counted, 0.0) + sent * _hop_seconds(message, hop, wifi)
-    return costs
+    by_hop: bool,
+) -> dict[Unit, Value]:
+    """Return the airtime for each unit [s] if a schedule sends that many times."""
+    _check(protocol, wifi)
+    return protocol.sum_by_unit(
+        lambda message, hop: _hop_seconds(message, hop, wifi), times, phase, by_hop
+    )
 
 
 def _check(protocol: Protocol, wifi: Wifi) -> None:
@@ -282,27 +211,70 @@ def _check(protocol: Protocol, wifi: Wifi) -> None:
 
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
     """Return the airtime of a message's part of a frame on a hop [s]."""
-    once = _frame_seconds(hop, message.cast, message.frames > 0, message.frame_bytes, wifi)
-    return float(message.frames or 1.0) * once
+    seconds = _frame_seconds(hop, message.cast, message.frames > 0, message.frame_bytes, wifi)
+    if seconds == math.inf and wifi.aggregation is not None:
+        raise ValueError(
+            f"most_bytes of the channel's aggregation must hold every frame of {message.name}; "
+            f"got {wifi.aggregation.most_bytes!r}"
+        )
+    return float(message.frames or 1.0) * seconds
 
 
 @lru_cache(maxsize=4096)
 def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
-    """Return the airtime of a frame, or of octets inside of another frame, on a hop [s].
+    """Return the airtime of a frame on a hop, or of octets inside of another frame [s].
 
-    The function of the length is the same for all messages of a kind, and so compiled once.
+    The expression's function of the length is the same for all messages, and compiled once.
     """
     expression = hop_airtime(hop, cast, framed, _OCTETS, wifi.model)
     with np.errstate(divide="ignore"):
         return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))
 
 
+def sum_over_units(
+    costs: Mapping[Unit, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
+) -> Value:
+    """Return the sum over units of cost times count, in the shape of the fleet and the window."""
+    shape = _checks.shape(**fleet.arrays(), window=window)
+    if len(fleet.groups) > 1 or fleet.has_wired:
+        total = polynomial_over_units(costs, fleet)
+    else:
+        total = _sum_of_swarm(costs, fleet)
+    if not shape:
+        return float(total)
+    return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
+
+
+def polynomial_over_units(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
+    """Return the same sum as the counts are: a number, an array, or a `Polynomial`."""
+    with np.errstate(under="ignore"):
+        return sum(cost * unit.count(fleet) for unit, cost in costs.items())
+
+
+def _sum_of_swarm(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
+    """Return the same sum for one group, by a compiled function of its counts."""
+    (group,) = fleet.groups
+    function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
+    with np.errstate(under="ignore"):
+        return function(*group.counts(), group.shared, *costs.values())
+
+
+@cache
+def _swarm_function(units: tuple[Unit, ...], matching: float, shares: bool) -> Callable[..., Any]:
+    """Return a function of a swarm's counts, its shared endpoints and the cost of each unit."""
+    shared = sp.Symbol("N_S", nonnegative=True)
+    swarm = Fleet((replace(SWARM.groups[0], shared=shared if shares else 0.0),), matching)
+    costs = sp.symbols(f"c:{len(units)}", positive=True)
+    total = sp.Add(*(cost * unit.count(swarm) for cost, unit in zip(costs, units, strict=True)))
+    return compiled((*swarm.counts(), shared, *costs), shortened(total))
+
+
 def by_symbol(
-    argument: str, given: Mapping[Any, Any], known: Mapping[sp.Symbol, object]
+    argument: str, given: Mapping[Any, Any], valid: Mapping[sp.Symbol, object]
 ) -> dict[sp.Symbol, Any]:
-    """Return what is given for symbols, or their names, if all of these are known."""
+    """Return what is given for symbols, or their names, if all of these are valid."""
     _checks.instance(argument, given, Mapping)
-    symbols = {symbol.name: symbol for symbol in known}
+    symbols = {symbol.name: symbol for symbol in valid}
     for name in given:
         if str(name) not in symbols:
             raise ValueError(f"{argument} must name {', '.join(symbols)}; got {str(name)!r}")
@@ -312,31 +284,9 @@ def by_symbol(
 def utilization_at(
     values: Mapping[Any, float], protocol: Protocol, fleet: Fleet, phase: str | None = None
 ) -> Value:
-    """Return the utilization of a fleet with other values of the parameters than the paper's.
+    """Return `utilization` with other values of the parameters than the paper's.
 
-    Parameters
-    ----------
-    values : mapping
-        Symbol or its name to value, in bytes, seconds or bit/s; the paper's value for the
-        parameters left out.
-    protocol : Protocol
-        `DDS`, `ZENOH`, or a table of your own.
-    fleet : Fleet
-        Its counts are numbers or arrays.
-    phase : str, optional
-        One of the protocol's phases; all of them if left out.
-
-    Returns
-    -------
-    float or ndarray
-        Utilization [1], of the shape to which the fleet's counts broadcast.
-
-    Raises
-    ------
-    ValueError
-        If a name is unknown, a value is out of range, or the protocol has no such phase.
-    TypeError
-        If an argument is not of its kind, or a value not one real number.
+    ``values`` maps symbols or their names to values, in bytes, seconds or bit/s.
     """
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("fleet", fleet, Fleet)
@@ -346,13 +296,9 @@ def utilization_at(
         symbol: _checks.number(symbol.name, value, 0, above=symbol in (nt.R_UNI, nt.R_MULTI))
         for symbol, value in by_symbol("values", values, usual).items()
     }
-    symbolic: Mapping[Any, sp.Expr] = (
-        protocol.costs_by_hop(phase)
-        if fleet.has_wired
-        else {unit: protocol.cost(unit, phase) for unit in protocol.units(phase)}
-    )
+    symbolic = protocol.costs(phase, by_hop=fleet.has_wired)
     costs = evaluate_each(list(symbolic.values()), at)
-    return total_of(dict(zip(symbolic, costs, strict=True)), fleet)
+    return sum_over_units(dict(zip(symbolic, costs, strict=True)), fleet)
 
 
 def without_each(
@@ -360,11 +306,10 @@ def without_each(
 ) -> list[float]:
     """Return the utilization of a fleet of numbers without each of its groups in turn [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
-    rests = []
-    for index in range(len(fleet.groups)):
-        groups = fleet.groups[:index] + fleet.groups[index + 1 :]
-        rests.append(float(total_of(costs, replace(fleet, groups=groups))) if groups else 0.0)
-    return rests
+    rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
+    return [
+        float(sum_over_units(costs, replace(fleet, groups=rest))) if rest else 0.0 for rest in rests
+    ]
 
 
 def breakdown(
@@ -379,25 +324,19 @@ def breakdown(
 
     Parameters
     ----------
-    protocol, hosts, processes, endpoints, wifi
-        As for `utilization`, but one swarm or fleet: numbers, not arrays.
-    window : float, optional
-        The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
-        for the steady state.
+    protocol, hosts, processes, endpoints, wifi, window
+        As for `utilization`, but one swarm or fleet and one window: numbers, not arrays.
 
     Returns
     -------
     pandas.DataFrame
-        One row a message, indexed by its name, with columns phase, cast,
+        One row per message, indexed by its name, with columns phase, cast,
         frame_bytes [B], uplink_messages [1], uplink_s [s] and downlink_s [s].
 
     Raises
     ------
     ValueError
-        If an argument is NaN, infinite or out of range, or a message of hosts or processes that
-        are no whole numbers would be sent less than never.
-    TypeError
-        If an argument is not one real number, or `protocol` or `wifi` is not one.
+        Also if fractional hosts or processes would send a negative number of messages.
 
     References
     ----------
@@ -420,8 +359,7 @@ def message_costs(
     protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[dict[str, Any]]:
     """Return the rows of `breakdown`, from the name of the message on."""
-    _checks.instance("protocol", protocol, Protocol)
-    _checks.instance("wifi", wifi, Wifi)
+    _check(protocol, wifi)
     for group in fleet.groups:
         _checks.one_each(zip(COUNTS, group.counts(), strict=True))
     _checks.one_each([("window", window)])
@@ -434,23 +372,19 @@ def message_costs(
                 f"hosts and processes must be whole numbers here, as of {message.name} there would "
                 f"be {count:.4g} messages ({message.unit.name}); got {counts}"
             )
-        load = float(count * message.schedule.mean(window))
-        up, down = (load * (hop in message.hops) for hop in HOPS)
-        if fleet.has_wired:
-            sent = message.per_unit * message.schedule.mean(window)
-            up, down = (
-                float(sent * message.on_air(hop).count(fleet)) if hop in message.hops else 0.0
-                for hop in HOPS
-            )
+        sent = dict.fromkeys(HOPS, 0.0)
+        for unit, hops in message.counted_by(by_hop=fleet.has_wired):
+            load = message.per_unit * unit.count(fleet) * message.schedule.mean(window)
+            sent |= dict.fromkeys(hops, float(load) + 0.0)
         rows.append(
             {
                 "message": message.name,
                 "phase": message.phase,
                 "cast": message.cast,
                 "frame_bytes": message.frame_bytes,
-                "uplink_messages": up,
-                "uplink_s": up * _hop_seconds(message, "up", wifi),
-                "downlink_s": down * _hop_seconds(message, "down", wifi),
+                "uplink_messages": sent["up"],
+                "uplink_s": sent["up"] * _hop_seconds(message, "up", wifi),
+                "downlink_s": sent["down"] * _hop_seconds(message, "down", wifi),
             }
         )
     return rows

@@ -12,15 +12,9 @@ from discostorm.ros2 import (
 
 
 def robots() -> dict[str, HostGroup]:
-    """Return one host of each ready-made robot, by its name.
+    """Return a group of one host for each ready-made robot, by its name.
 
-    Its endpoints are the mean over its processes, which is all that a count of pairs needs.
-
-    Returns
-    -------
-    dict
-        Groups of one host each, in the order of the data file, which says of each part whether
-        its numbers are printed in the paper, counted or estimated, and where they come from.
+    Its endpoints are the mean over its processes, which suffices to count pairs.
 
     Examples
     --------
@@ -39,26 +33,21 @@ def aliases() -> dict[str, str]:
 
 
 def robot(name: str) -> HostGroup:
-    """Return one host of the ready-made robot of a name, in any case, with or without hyphens.
-
-    Raises
-    ------
-    ValueError
-        If there is none; the message has the nearest name.
+    """Return a group of one ready-made robot; its name in any case, with or without hyphens.
 
     Examples
     --------
     >>> robot("turtlebot4").name
     'TurtleBot 4 with Nav2'
     """
-    made, other = robots(), aliases()
-    found = _names.meant(name, made, other)
-    if found is None:
-        like = _names.did_you_mean(name, (*made, *other))
+    groups = robots()
+    full_name = _names.meant(name, groups, aliases())
+    if full_name is None:
+        like = _names.did_you_mean(name, (*groups, *aliases()))
         raise ValueError(
             f"robot must be the name of a ready-made one; got {_checks.brief(name)!r}{like}"
         )
-    return made[found]
+    return groups[full_name]
 
 
 def laptop() -> HostGroup:

@@ -7,27 +7,18 @@ from discostorm.data import read_data
 
 
 def parameter_service_endpoints() -> int:
-    """Return how many endpoints the parameter services of a node have [1]."""
+    """Return the endpoints of a node's parameter services [1]."""
     return sum(int(row["endpoints"]) for row in read_data("fleets/parameter_services.csv"))
 
 
 def shared_endpoints(nodes: float = 0.0) -> float:
-    """Return how many endpoints of a ROS 2 process match one in every other, whatever its names.
+    """Return how many endpoints of a ROS 2 process match one in every other process [1].
 
     Those of topics whose names no ROS 2 namespace changes: a writer and a reader of
     ``ros_discovery_info`` for each process, and of ``/parameter_events`` for each of its nodes
-    (``fleets/shared_topics.csv``, with sources). It is assumed that ``/tf`` and the like are
-    remapped into the namespace, and that nobody subscribes to ``/rosout``.
-
-    Parameters
-    ----------
-    nodes : float, optional
-        Nodes in the process [1]; 0 if left out, as of one that rclcpp did not make.
-
-    Returns
-    -------
-    float
-        How many [1].
+    (``fleets/shared_topics.csv``, with sources). It assumes that ``/tf`` and the like are
+    remapped into the namespace, and that no host subscribes to ``/rosout``. A process that rclcpp
+    did not make has 0 nodes.
 
     Examples
     --------
@@ -41,20 +32,10 @@ def shared_endpoints(nodes: float = 0.0) -> float:
 
 
 def likely_nodes(endpoints: float) -> float:
-    """Return how many nodes a process of so many endpoints has if nobody says: as ready-made ones.
+    """Return the likely number of nodes in a process with that many endpoints [1].
 
-    At least one where the endpoints are enough for its parameter services, else none; more in the
-    ratio of all processes of ``fleets/robots.csv`` that have nodes.
-
-    Parameters
-    ----------
-    endpoints : float
-        Endpoints of the process [1].
-
-    Returns
-    -------
-    float
-        How many [1].
+    None if the endpoints do not suffice for the parameter services of one node, else at least one,
+    and in the ratio of the processes of ``fleets/robots.csv`` that have nodes.
 
     Examples
     --------
@@ -69,22 +50,19 @@ def likely_nodes(endpoints: float) -> float:
 
 @cache
 def endpoints_of_a_node() -> float:
-    """Return how many endpoints the processes of ready-made robots have for each node [1]."""
+    """Return the endpoints per node in the processes of ready-made robots [1]."""
     rows = [row for row in read_data("fleets/robots.csv") if int(row["nodes"])]
     return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)
 
 
 def usually_shared(endpoints: float, nodes: float | None = None) -> float:
-    """Return how many of a process's endpoints are those of `shared_endpoints` [1].
-
-    Where its nodes are not known they are the likely ones; it never shares more than it has.
-    """
-    many = likely_nodes(endpoints) if nodes is None else nodes
-    return min(shared_endpoints(many), endpoints)
+    """Return `shared_endpoints` of a process, for its likely nodes if they are unknown [1]."""
+    nodes = likely_nodes(endpoints) if nodes is None else nodes
+    return min(shared_endpoints(nodes), endpoints)
 
 
 def check_nodes(name: str, nodes: float, endpoints: float) -> None:
-    """Raise a ValueError unless a process of so many endpoints can have so many nodes."""
+    """Raise a ValueError if the nodes' parameter services need more endpoints than there are."""
     each = parameter_service_endpoints()
     if nodes * each > endpoints:
         raise ValueError(

@@ -16,7 +16,7 @@ from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Polynomial, Value
 from discostorm.fleet import SWARM, Count, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.model import sum_over_units, total_of, unit_costs
+from discostorm.model import polynomial_over_units, sum_over_units, unit_costs
 from discostorm.wifi import PAPER, Model, Wifi
 
 
@@ -30,7 +30,7 @@ def saturation_hosts(
     group: int | str = 0,
     window: ArrayLike = PAPER_WINDOW,
 ) -> Value:
-    """Return the number of like hosts at which utilization reaches a limit.
+    """Return the number of identical hosts at which utilization reaches a limit.
 
     The largest number that stays below the limit is one less than this, rounded up.
 
@@ -47,11 +47,11 @@ def saturation_hosts(
     limit : array_like, optional
         Utilization to reach [1], at least that with a single such host and at most 1e100.
     fleet : Fleet, optional
-        In place of `processes` and `endpoints`: a fleet of which one group grows beside the
-        others, such as robots beside an operator's laptop.
+        Instead of `processes` and `endpoints`: a fleet of which one group grows, such as robots
+        with an operator's laptop.
     group : int or str, optional
-        The group of the fleet whose hosts are counted, by its place from 0 on [1] or its name; the
-        first if left out. How many hosts it has does not matter.
+        The group of the fleet that grows, by its index from 0 on [1] or its name; the first if left
+        out. Its number of hosts does not matter.
     window : array_like, optional
         The seconds over which utilization is averaged [s], at least 1e-9; the paper's one if left
         out, infinity for the steady state.
@@ -59,9 +59,8 @@ def saturation_hosts(
     Returns
     -------
     float or ndarray
-        Hosts [1], a real number of at least 1; infinity where nothing is repeated and the
-        window is infinite, as with `DDS` and `ZENOH`: their steady state sends nothing, and any
-        number of hosts fits it.
+        Hosts [1], a real number of at least 1; infinity where any number of hosts fits: if all
+        hosts are wired, or nothing is periodic and the window is infinite, as with `DDS`.
 
     Raises
     ------
@@ -73,9 +72,8 @@ def saturation_hosts(
 
     References
     ----------
-    Paper, Sec. IV-C. Utilization is a polynomial of the hosts, whose powers come from those of the
-    units' counts. `saturation` is its root in symbols; where messages grow faster than the square
-    of the hosts the root is found by bisection.
+    Paper, Sec. IV-C. Utilization is a polynomial of the hosts; `saturation` is its root in
+    symbols. The root is found by bisection if messages grow faster than the square of the hosts.
 
     Examples
     --------
@@ -89,45 +87,47 @@ def saturation_hosts(
     >>> round(ds.saturation_hosts(ds.DDS, fleet=fleet), 4)
     5.3365
     """
-    members, index = _growing(processes, endpoints, fleet, group)
-    costs = unit_costs(protocol, wifi, window, by_hop=members.has_wired)
-    single = total_of(costs, _with_hosts(members, index, 1), window)
-    most = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
-    arrays = members.arrays() if fleet else {"processes": processes, "endpoints": endpoints}
-    shape = _checks.shape(**arrays, window=window, limit=most)
-    short = np.less(most, single)
-    if short.any():
-        low, needed = _checks.first_where(short, most, single)
+    others, index = _growing(processes, endpoints, fleet, group)
+    costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)
+    single = sum_over_units(costs, _with_hosts(others, index, 1), window)
+    top = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
+    arrays = others.arrays() if fleet else {"processes": processes, "endpoints": endpoints}
+    shape = _checks.shape(**arrays, window=window, limit=top)
+    too_low = np.less(top, single)
+    if too_low.any():
+        mask, tops, needed = np.broadcast_arrays(too_low, top, single)
         raise ValueError(
             f"limit must be at least the utilization of a single host"
-            f"{' beside the fleet' if len(members.groups) > 1 else ''} with {protocol.name}, "
-            f"{needed!r}; got {low!r}"
+            f"{' beside the fleet' if len(others.groups) > 1 else ''} with {protocol.name}, "
+            f"{float(needed[mask][0])!r}; got {float(tops[mask][0])!r}"
         )
-    total = sum_over_units(costs, _with_hosts(members, index, Polynomial((1.0, 1.0))))
+    total = polynomial_over_units(costs, _with_hosts(others, index, Polynomial((1.0, 1.0))))
+    if all(member.wired for member in others.groups):
+        total = Polynomial((0.0,))
     if not isinstance(total, Polynomial):
         raise ValueError(f"utilization must grow with hosts; that of {protocol.name} does not")
-    hosts = 1 + _root(total.powers[1:], most - single)
-    # At the least limit allowed, rounding could give a little less than one host, and a
-    # channel that hosts do not fill would have any number.
-    found = np.where(np.isnan(hosts), math.inf, np.maximum(hosts, 1.0))
-    return np.array(np.broadcast_to(found, shape)) if shape else float(found)
+    hosts = 1 + _root(total.coefficients[1:], top - single)
+    # Rounding could give a little less than one host at the lowest limit allowed, and a channel
+    # that hosts do not fill has no root.
+    hosts = np.where(np.isnan(hosts), math.inf, np.maximum(hosts, 1.0))
+    return np.array(np.broadcast_to(hosts, shape)) if shape else float(hosts)
 
 
 def _growing(
     processes: ArrayLike | None, endpoints: ArrayLike | None, fleet: Fleet | None, group: int | str
 ) -> tuple[Fleet, int]:
-    """Return the fleet of which a group grows, and the place of the group."""
+    """Return the fleet of which a group grows, and the index of the group."""
     if fleet is None:
-        members = Fleet.swarm(1, processes, endpoints)
-        reject_symbols(members)
-        return members, 0
+        fleet = Fleet.swarm(1, processes, endpoints)
+        reject_symbols(fleet)
+        return fleet, 0
     _checks.instance("fleet", fleet, Fleet)
-    members = as_fleet(fleet, processes, endpoints)
+    fleet = as_fleet(fleet, processes, endpoints).without_data()
     if isinstance(group, str):
-        _checks.choice("group", group, members.names)
-        return members, members.names.index(group)
-    _checks.whole("group", group, 0, len(members.groups) - 1)
-    return members, int(group)
+        _checks.choice("group", group, fleet.names)
+        return fleet, fleet.names.index(group)
+    _checks.whole("group", group, 0, len(fleet.groups) - 1)
+    return fleet, int(group)
 
 
 def _with_hosts(fleet: Fleet, index: int, hosts: Count) -> Fleet:
@@ -137,14 +137,14 @@ def _with_hosts(fleet: Fleet, index: int, hosts: Count) -> Fleet:
 
 
 def _root(factors: tuple[Value, ...], rest: Value) -> Value:
-    """Return where a polynomial with these factors of its powers, from the first on, is `rest`."""
-    first, second, *higher = (*factors, 0.0)
+    """Return where a polynomial with these coefficients, from the linear one on, is `rest`."""
+    first, second, *higher = (*factors, 0.0, 0.0)
     with np.errstate(all="ignore"):
         if not any(np.any(factor) for factor in higher):
             return np.divide(2 * rest, first + np.sqrt(first**2 + 4 * second * rest))
         low, high = np.zeros(np.shape(rest)), np.ones(np.shape(rest))
-        while (short := _polynomial(factors, high) < rest).any():
-            high = np.where(short, 2 * high, high)
+        while (too_low := _polynomial(factors, high) < rest).any():
+            high = np.where(too_low, 2 * high, high)
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             over = _polynomial(factors, middle) >= rest
@@ -156,7 +156,7 @@ def _polynomial(factors: tuple[Value, ...], x: Value) -> Any:
     return sum(factor * x**power for power, factor in enumerate(factors, start=1))
 
 
-#: Until what is left of the bracket is less than the last digit of a float64.
+#: Until the bracket is smaller than the last digit of a float64.
 _HALVINGS = 56
 _GROWS = "utilization must grow with hosts, at most as their square to be solved in symbols"
 
@@ -169,18 +169,14 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
 
     .. math:: N_H = 1 + \frac{2 (U_{limit} - c)}{b + \sqrt{b^2 + 4 a (U_{limit} - c)}}
 
-    which is the usual formula, in the form that does not cancel in floating point.
-
-    Raises
-    ------
-    ValueError
-        If the utilization grows faster than that, or not at all.
+    which is the usual formula, in the form that does not cancel in floating point. A ValueError
+    says if utilization grows faster than that, or not at all.
     """
-    return _solved(*_powers(utilization))
+    return _solved(*_quadratic(utilization))
 
 
-def _powers(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
-    """Return what multiplies the square, first and zeroth power of N_H - 1."""
+def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return the coefficients of the square, first and zeroth power of N_H - 1."""
     more = sp.Symbol("x", positive=True)
     polynomial = utilization.subs(nt.N_H, 1 + more)
     if polynomial.diff(more, 3) != 0:
@@ -192,7 +188,7 @@ def _powers(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
 
 
 def _solved(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
-    """Return the N_H of `solve_hosts` for these factors of the powers of N_H - 1."""
+    """Return the N_H of `solve_hosts` for these coefficients."""
     if a == 0 and b == 0:
         raise ValueError(_GROWS)
     rest = nt.U_LIMIT - c
@@ -208,14 +204,13 @@ def saturation(
 ) -> sp.Expr:
     """Return the N_H at which utilization reaches U_limit, in symbols; see `solve_hosts`.
 
-    With `groups_beside`, N_H like hosts share the channel with that many groups of
-    other hosts (N_H1, N_P1, N_E1 and so on).
+    With `groups_beside`, that many other groups (N_H1, N_P1, N_E1 and so on) share the channel.
     """
-    beside = (symbolic_group(index) for index in range(1, groups_beside + 1))
-    fleet = Fleet((*SWARM.groups, *beside))
+    others = (symbolic_group(index) for index in range(1, groups_beside + 1))
+    fleet = Fleet((*SWARM.groups, *others))
     # Solved with a symbol for what each unit costs, which is many terms.
-    costs = {unit: protocol.cost(unit, None, model, window) for unit in protocol.units()}
-    some = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
-    total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in some.items()))
-    known = {symbol: costs[unit] for symbol, unit in some.items()}
-    return _solved(*(power.xreplace(known) for power in _powers(total)))
+    costs = protocol.costs(None, model, window)
+    symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
+    total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))
+    values = {symbol: costs[unit] for symbol, unit in symbols.items()}
+    return _solved(*(coefficient.xreplace(values) for coefficient in _quadratic(total)))

@@ -1,13 +1,13 @@
-r"""What 100% means: which messages are sent once, which for ever, and how long a start takes.
+"""What 100% means: which messages are sent once, which periodically, and how long startup takes.
 
-The paper divides the airtime of a start-up burst by one second. The tables of products say
-of each message when it is sent, and how long their lease is; so the burst and the steady
-state come apart, and any window can take the place of the second.
+The paper divides the airtime of a startup burst by one second. The tables of products say when
+each message is sent, and how long their lease is. So burst and steady state come apart, and any
+window can replace the second.
 
-Assumptions: all processes start at time 0, nothing is lost or sent again, nobody collides, and
-the channel carries without a gap whatever waits. Answers are sent at the time of what they
-answer. So times are those of a start at its best, as far as losses, collisions and queues are
-concerned; the book's page "What the model leaves out" lists what else errs, and which way.
+Assumes: all processes start at time 0, nothing is lost, repeated or collides, the channel carries
+waiting frames without a gap, and answers are sent at the time of what they answer. So times are
+lower bounds as far as losses, collisions and queues go. Bad arguments raise a ValueError (NaN,
+infinite, out of range, shapes that do not broadcast) or a TypeError (no number, no protocol).
 """
 
 from collections.abc import Iterable
@@ -19,6 +19,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
+from discostorm._arguments import as_fleet
 from discostorm._numeric import Value, evaluate
 from discostorm.fleet import COUNTS, Fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
@@ -28,20 +29,20 @@ from discostorm.wifi import PAPER, Wifi
 #: Airtime of a burst [s], and the utilization of the steady state [1].
 BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 
-#: By when the channel has caught up with the burst [s].
+#: When the channel has drained the backlog of the burst [s].
 DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
-#: What rounding may make of a time [1].
+#: Relative rounding error of a time [1].
 _ROUNDING = 1e-9
 
-#: Most times of a message that `first_idle` looks at.
-_MOST_TIMES = 1e6
+#: Maximum number of times of a message that `first_idle` tries.
+_MAX_TIMES = 1e6
 
 
 def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
-    """Return `DRAIN` of bursts [s] beside steady states [1]; see `drain_time`.
+    """Return `drain_time` from bursts [s] and steady states [1].
 
-    A steady state of 1 fills the channel, which is then never silent: infinity, also of no burst.
+    A steady state of 1 fills the channel, which then never goes idle: infinity, even without burst.
     """
     burst_s = _checks.numbers("extra", extra, 0, _checks.MOST_UTILIZATION)
     steady_part = _checks.numbers("steady", steady, 0, _checks.MOST_UTILIZATION)
@@ -56,39 +57,22 @@ def drain_time(
     endpoints: ArrayLike | None = None,
     wifi: Wifi = PAPER,
 ) -> Value:
-    r"""Return by when the channel has caught up with the start, without losses or collisions.
+    r"""Return when the channel has drained the startup backlog, without losses or collisions.
 
     .. math:: t = \frac{B}{1 - \rho}
 
-    B is the airtime of the burst, :math:`\rho` the utilization of the steady state.
-    It is a bound: `first_idle` tells when the channel really has, with each repeated message
-    sent at its own instant, and is never later.
+    B is the airtime of the burst, :math:`\rho` the utilization of the steady state. It is an upper
+    bound of `first_idle`, which sends each periodic message at its own instant.
 
     Parameters
     ----------
-    protocol : Protocol
-        One of `PROTOCOLS`, or a table of your own.
-    hosts : array_like or Fleet
-        Hosts in the network [1], from 1 to 1e9; or a `Fleet` of unlike hosts, in which
-        case `processes` and `endpoints` are left out.
-    processes : array_like
-        Processes on each host [1], from 1 to 1e9.
-    endpoints : array_like
-        Endpoints of each process [1], from 0 to 1e9.
-    wifi : Wifi, optional
-        The channel; the paper's if left out.
+    protocol, hosts, processes, endpoints, wifi
+        As for `discostorm.utilization`.
 
     Returns
     -------
     float or ndarray
-        Time after the start [s]; infinity where the steady state fills the channel.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` is not one.
+        Time after startup [s]; infinity where the steady state fills the channel.
 
     References
     ----------
@@ -114,31 +98,20 @@ def demand(
     endpoints: ArrayLike,
     wifi: Wifi = PAPER,
 ) -> Value:
-    """Return the airtime of all that is sent from the start up to a time.
+    """Return the airtime of all messages from startup up to a time.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
         As for `drain_time`.
     time : array_like
-        Time after the start [s], at least 0; what is sent just then counts.
+        Time after startup [s], at least 0; messages at that instant count.
 
     Returns
     -------
     float or ndarray
         Airtime [s], of the shape that the arguments broadcast to. The channel has carried
         at most `time` seconds of it.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, or the shapes do not broadcast.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` is not one.
-
-    References
-    ----------
-    As for `drain_time`.
 
     Examples
     --------
@@ -148,15 +121,17 @@ def demand(
     array([0.1495, 0.2245, 0.2395])
     """
     _checks.instance("protocol", protocol, Protocol)
-    _checks.shape(time=time, hosts=hosts, processes=processes, endpoints=endpoints)
+    time_s = _checks.numbers("time", time, 0)
+    swarm = as_fleet(hosts, processes, endpoints)
+    _checks.shape(time=time_s, **swarm.arrays())
     total: Value = 0.0
-    for schedule, each in _rounds(protocol, hosts, processes, endpoints, wifi).items():
-        total = total + each * schedule.sent(time)
+    for schedule, each in _rounds(protocol, swarm, None, None, wifi).items():
+        total = total + each * schedule.sent(time_s)
     return total
 
 
 def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
-    """Return for each schedule the airtime of all that is sent by it at one of its times [s]."""
+    """Return for each schedule the airtime of its messages at one of its times [s]."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
@@ -174,7 +149,7 @@ def first_idle(
     endpoints: float,
     wifi: Wifi = PAPER,
 ) -> float:
-    """Return when the channel falls silent for the first time after the start.
+    """Return when the channel goes idle for the first time after startup.
 
     Parameters
     ----------
@@ -184,20 +159,14 @@ def first_idle(
     Returns
     -------
     float
-        Time after the start [s]; zero if nothing is sent at once, infinity if the traffic
-        that stays fills the channel.
+        Time after startup [s]; zero if nothing is sent at once, infinity if periodic traffic
+        fills the channel.
 
     Raises
     ------
     ValueError
-        If an argument is NaN, infinite or out of range, or the traffic that stays fills the
-        channel so nearly that a million times would have to be looked at.
-    TypeError
-        If an argument is not one real number.
-
-    References
-    ----------
-    As for `drain_time`.
+        Also if periodic traffic fills the channel so nearly that a million times would have to be
+        tried.
 
     Examples
     --------
@@ -211,8 +180,8 @@ def first_idle(
     if bound == np.inf:
         return np.inf
     rounds = _rounds(protocol, hosts, processes, endpoints, wifi)
-    # Behind the last of all starts what is sent is at most one round behind the line that bounds
-    # it, so that the channel cannot be idle before the line of a round less says so.
+    # After the last start, traffic is at most one round below the line B + rho t that bounds it, so
+    # the channel is not idle before a line that is one round lower meets t.
     last = max(schedule.starts[-1] for schedule in rounds)
     round_s = sum(float(each) for schedule, each in rounds.items() if schedule.period < np.inf)
     steady = sum(float(each) * schedule.per_second for schedule, each in rounds.items())
@@ -223,31 +192,31 @@ def first_idle(
     at = (hosts, processes, endpoints, wifi)
     if bound <= last:
         return _first_gap(early, np.inf, protocol, *at)
-    if (bound - busy) / min(schedule.period for schedule in rounds) > _MOST_TIMES:
+    if (bound - busy) / min(schedule.period for schedule in rounds) > _MAX_TIMES:
         raise ValueError(
-            "hosts, processes and endpoints must be fewer to say when the channel falls silent: it "
-            f"is so full that this may be at any of more than {_MOST_TIMES:g} times; got "
+            "hosts, processes and endpoints must be fewer to say when the channel goes idle: it "
+            f"is so full that this may be at any of more than {_MAX_TIMES:g} times; got "
             f"{hosts:g}, {processes:g} and {endpoints:g}. `drain_time` says by when it is"
         )
-    found = _first_gap(early, -np.inf, protocol, *at)
-    if found < np.inf:
-        return found
+    idle = _first_gap(early, -np.inf, protocol, *at)
+    if idle < np.inf:
+        return idle
     return _first_gap(np.union1d([busy], _times(rounds, busy, bound)), np.inf, protocol, *at)
 
 
 def _times(schedules: Iterable[Schedule], since: float, until: float) -> NDArray[np.float64]:
     """Return all times at which anything is sent, in order [s]."""
-    return np.unique(np.concatenate([one.times(until, since) for one in schedules]))
+    return np.unique(np.concatenate([schedule.times(until, since) for schedule in schedules]))
 
 
 def _first_gap(times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any) -> float:
-    """Return when all is carried first before the next of the times, or the end; else infinity."""
+    """Return when all is first carried before the next of the times, or the end; else infinity."""
     carried = np.asarray(demand(protocol, times, *swarm))
     gaps = carried[carried <= np.append(times[1:], end)]
     return float(gaps[0]) if gaps.size else np.inf
 
 
-#: What `outlook` says, from best to worst: of a start without losses, collisions or full queues.
+#: The results of `outlook`, from best to worst.
 OUTLOOKS = ("within a second at best", "slow at best", "leases at risk", "never catches up")
 
 
@@ -258,7 +227,7 @@ def outlook(
     endpoints: float,
     wifi: Wifi = PAPER,
 ) -> str:
-    """Return in words how the start of a swarm ends, without losses or collisions.
+    """Return in words how the startup of a swarm ends, without losses or collisions.
 
     Parameters
     ----------
@@ -268,21 +237,9 @@ def outlook(
     Returns
     -------
     str
-        "within a second at best" if the burst is carried in the paper's one second if nothing
-        is lost; "slow at best" if it then is carried within the lease; "leases at risk" if it
-        takes longer even so, and peers may be dropped and the burst be sent again before it
-        was carried; "never catches up" if the steady state fills the channel.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range.
-    TypeError
-        If an argument is not one real number.
-
-    References
-    ----------
-    As for `drain_time`.
+        "within a second at best" if the burst drains in the paper's one second; "slow at best"
+        if it drains within the lease; "leases at risk" if it takes longer, so that peers may time
+        out and the burst be repeated; "never catches up" if the steady state fills the channel.
 
     Examples
     --------

@@ -1,8 +1,10 @@
 """How sure the numbers are: bounds, sensitivities and samples over the parameters' ranges.
 
-A parameter is whatever utilization depends on besides the counts of hosts, processes and
-endpoints: payloads, headers, rates and overheads. The ranges of payloads come with the
-protocol's messages, those of the others from ``data/paper/parameter_ranges.csv``.
+Parameters are all that utilization depends on besides the counts of hosts, processes and
+endpoints: payloads, headers, rates and overheads. The ranges of payloads come with the protocol's
+messages, those of the others from ``data/paper/parameter_ranges.csv``. ``ranges`` replaces them:
+symbol or its name to (low, high), in bytes, seconds or bit/s. Bad arguments raise a ValueError
+(out of range, unknown name, shapes that do not broadcast) or a TypeError (no number, no protocol).
 """
 
 from __future__ import annotations
@@ -11,7 +13,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from numbers import Integral
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -32,41 +33,42 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Range = tuple[float, float]
-Ranges = dict[sp.Symbol, Range]
 #: Ranges that a caller gives; a key is a symbol or its name.
 GivenRanges = Mapping[Any, Range]
+#: A value of each parameter.
+Values = dict[sp.Symbol, float]
+Samples = dict[sp.Symbol, NDArray[np.float64]]
 
-#: Most samples taken at once: each parameter then fills 800 MB.
+#: Maximum number of samples: each parameter then fills 800 MB.
 MOST_SAMPLES = 10**8
 
 _SI = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
 
 class Bounds(NamedTuple):
-    """Least and greatest value that a quantity can take."""
+    """Minimum and maximum of a quantity."""
 
     low: Value
     high: Value
 
 
 @cache
-def _assumed() -> Ranges:
+def _assumed() -> dict[sp.Symbol, Range]:
     """Return the ranges of the data file in SI units, each the sum of its parts."""
-    # Fractions, as a range must end exactly where the paper's value stands.
+    # Fractions, as a range must end exactly at the paper's value.
     ends = {f"H_{name}": [Fraction(size)] * 2 for name, size in header_bytes().items()}
     for row in read_data("paper/parameter_ranges.csv"):
-        low, high = ends.get(row["parameter"], [Fraction(0)] * 2)
-        scale = _SI[row["unit"]]
-        ends[row["parameter"]] = [
-            low + Fraction(row["low"]) * scale,
-            high + Fraction(row["high"]) * scale,
-        ]
+        sums = ends.get(row["parameter"], [Fraction(0)] * 2)
+        parts = (Fraction(row[end]) * _SI[row["unit"]] for end in ("low", "high"))
+        ends[row["parameter"]] = [a + b for a, b in zip(sums, parts, strict=True)]
     return {
         nt.NOTATION[name].symbol: (float(low), float(high)) for name, (low, high) in ends.items()
     }
 
 
-def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ranges:
+def parameter_ranges(
+    protocol: Protocol, given: GivenRanges | None = None
+) -> dict[sp.Symbol, Range]:
     """Return the range of every parameter that a protocol's utilization depends on.
 
     Parameters
@@ -74,20 +76,12 @@ def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ra
     protocol : Protocol
         One of `PROTOCOLS`, or a table of your own.
     given : mapping, optional
-        Ranges that replace the assumed ones: symbol or its name to (low, high), in
-        bytes, seconds or bit/s.
+        Ranges that replace the assumed ones.
 
     Returns
     -------
     dict
         Symbol to (low, high) in bytes, seconds or bit/s.
-
-    Raises
-    ------
-    ValueError
-        If a name is unknown, or a range is not one.
-    TypeError
-        If an end of a range is not a real number, or the protocol is not one.
 
     References
     ----------
@@ -100,37 +94,28 @@ def parameter_ranges(protocol: Protocol, given: GivenRanges | None = None) -> Ra
     (65000000.0, 144400000.0)
     """
     _checks.instance("protocol", protocol, Protocol)
-    found: Ranges = {
-        message.payload_symbol: (message.payload.low, message.payload.high)
-        for message in protocol.messages
-    }
+    ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
     used = protocol.utilization().free_symbols
-    found |= {name: ends for name, ends in _assumed().items() if name in used}
-    for name, ends in by_symbol("ranges", {} if given is None else given, found).items():
+    ranges |= {symbol: ends for symbol, ends in _assumed().items() if symbol in used}
+    for symbol, ends in by_symbol("ranges", {} if given is None else given, ranges).items():
         try:
             low, high = ends
         except (TypeError, ValueError):
-            raise ValueError(f"{name} must have a range (low, high); got {ends!r}") from None
-        rate = name in (nt.R_UNI, nt.R_MULTI)
-        low = _checks.number(f"low end of {name}", low, 0, above=rate)
-        found[name] = low, _checks.number(f"high end of {name}", high, low)
-    return found
+            raise ValueError(f"{symbol} must have a range (low, high); got {ends!r}") from None
+        rate = symbol in (nt.R_UNI, nt.R_MULTI)
+        low = _checks.number(f"low end of {symbol}", low, 0, above=rate)
+        ranges[symbol] = low, _checks.number(f"high end of {symbol}", high, low)
+    return ranges
 
 
 @cache
 def directions(protocol: Protocol, phase: str | None = None) -> dict[sp.Symbol, int]:
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
-    Utilization is a sum of counts, which are never negative, times the airtime that each
-    counted unit costs. So it is enough that each of these costs is monotone, whatever
-    the fleet: the signs hold for all values of all symbols.
-
-    Raises
-    ------
-    ValueError
-        If the protocol has no such phase, or utilization is not monotone in a parameter.
+    Utilization is a sum of counts, which are never negative, times what each unit costs. So it is
+    enough that each cost is monotone, whatever the fleet. If one is not, a ValueError says so.
     """
-    costs = [protocol.cost(message.unit, phase) for message in protocol.of_phase(phase)]
+    costs = list(protocol.costs(phase).values())
     signs = {}
     for symbol in sorted(sp.Add(*costs).free_symbols, key=str):
         slopes = [sp.expand(cost.diff(symbol)) for cost in costs]
@@ -145,15 +130,15 @@ def directions(protocol: Protocol, phase: str | None = None) -> dict[sp.Symbol, 
 
 def _corners(
     protocol: Protocol, phase: str | None, given: GivenRanges | None
-) -> tuple[dict[sp.Symbol, float], dict[sp.Symbol, float]]:
-    """Return the parameters at which utilization is least, and greatest."""
-    ends = parameter_ranges(protocol, given=given)
+) -> tuple[Values, Values]:
+    """Return the parameters at which utilization is minimal, and maximal."""
     signs = directions(protocol, phase)
-    least, greatest = {}, {}
-    for name, (low, high) in ends.items():
-        falls = signs.get(name) == -1
-        least[name], greatest[name] = (high, low) if falls else (low, high)
-    return least, greatest
+    ends = {
+        symbol: (high, low) if signs.get(symbol) == -1 else (low, high)
+        for symbol, (low, high) in parameter_ranges(protocol, given).items()
+    }
+    low, high = ({symbol: pair[index] for symbol, pair in ends.items()} for index in (0, 1))
+    return low, high
 
 
 def bounds(
@@ -165,19 +150,15 @@ def bounds(
     phase: str | None = None,
     ranges: GivenRanges | None = None,
 ) -> Bounds:
-    """Return the least and greatest utilization with every parameter in its range.
+    """Return the minimum and maximum utilization with every parameter in its range.
 
-    As utilization is monotone in each parameter (`directions`), it is least and greatest
-    at two known corners of the box of ranges: the bounds are attained.
+    As utilization is monotone in each parameter (`directions`), both are attained at corners of
+    the box of ranges.
 
     Parameters
     ----------
-    protocol : Protocol
-        `DDS`, `ZENOH`, or a table of your own.
-    hosts, processes, endpoints : array_like, or a Fleet alone
-        How many there are [1], as for `discostorm.utilization`.
-    phase : str, optional
-        One of the protocol's phases; all of them if left out.
+    protocol, hosts, processes, endpoints, phase
+        As for `discostorm.utilization`.
     ranges : mapping, optional
         Ranges that replace the assumed ones; see `parameter_ranges`.
 
@@ -185,14 +166,6 @@ def bounds(
     -------
     Bounds
         ``low`` and ``high`` [1], each of the shape the arguments broadcast to.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, a name is unknown, or the shapes
-        do not broadcast.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` is not one.
 
     References
     ----------
@@ -206,11 +179,8 @@ def bounds(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    least, greatest = _corners(protocol, phase, ranges)
-    return Bounds(
-        utilization_at(least, protocol, fleet, phase),
-        utilization_at(greatest, protocol, fleet, phase),
-    )
+    corners = _corners(protocol, phase, ranges)
+    return Bounds(*(utilization_at(corner, protocol, fleet, phase) for corner in corners))
 
 
 def saturation_bounds(
@@ -221,10 +191,7 @@ def saturation_bounds(
     limit: ArrayLike = 1.0,
     ranges: GivenRanges | None = None,
 ) -> Bounds:
-    """Return the fewest and most hosts at which utilization can reach a limit.
-
-    Utilization grows with the hosts, so the saturation point is least where utilization
-    is greatest.
+    """Return the minimum and maximum number of hosts at which utilization can reach a limit.
 
     Parameters
     ----------
@@ -238,14 +205,6 @@ def saturation_bounds(
     Bounds
         ``low`` and ``high`` [1], real numbers of hosts.
 
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, a name is unknown, or the shapes
-        do not broadcast.
-    TypeError
-        If an argument is not made of real numbers, or `protocol` is not one.
-
     Examples
     --------
     >>> import discostorm as ds
@@ -253,11 +212,9 @@ def saturation_bounds(
     >>> low < ds.saturation_hosts(ds.DDS, 2, 10) < high
     True
     """
-    least, greatest = _corners(protocol, None, ranges)
-    return Bounds(
-        _saturation(protocol, processes, endpoints, limit, greatest),
-        _saturation(protocol, processes, endpoints, limit, least),
-    )
+    # Saturation needs the fewest hosts where utilization is maximal.
+    corners = reversed(_corners(protocol, None, ranges))
+    return Bounds(*(_saturation(protocol, processes, endpoints, limit, at) for at in corners))
 
 
 def _saturation(
@@ -265,23 +222,21 @@ def _saturation(
     processes: ArrayLike,
     endpoints: ArrayLike,
     limit: ArrayLike,
-    values: Mapping[sp.Symbol, float],
+    values: Values,
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
-    messages = tuple(_resized(message, values) for message in protocol.messages)
-    at = PAPER.values() | dict(values)
-    unicast, multicast = Link(at[nt.R_UNI], at[nt.O_UNI]), Link(at[nt.R_MULTI], at[nt.O_MULTI])
-    wifi = Wifi(PAPER.name, unicast, multicast)
-    return saturation_hosts(replace(protocol, messages=messages), processes, endpoints, wifi, limit)
 
+    def resized(message: Message) -> Message:
+        # A longer header is added to the payload: only their sum is on the air.
+        header = values[nt.NOTATION[f"H_{message.transport}"].symbol]
+        longer = header - header_bytes()[message.transport]
+        size = values[message.payload_symbol] + longer
+        return replace(message, payload=Payload(size, size, size, message.payload.source))
 
-def _resized(message: Message, values: Mapping[sp.Symbol, float]) -> Message:
-    """Return a message with other values of payload and header."""
-    # What a header is longer is added to the payload: only their sum is on the air.
-    header = nt.NOTATION[f"H_{message.transport}"].symbol
-    longer = values[header] - header_bytes()[message.transport]
-    size = values[message.payload_symbol] + longer
-    return replace(message, payload=Payload(size, size, size, message.payload.source))
+    at = PAPER.values() | values
+    links = Link(at[nt.R_UNI], at[nt.O_UNI]), Link(at[nt.R_MULTI], at[nt.O_MULTI])
+    table = replace(protocol, messages=tuple(map(resized, protocol.messages)))
+    return saturation_hosts(table, processes, endpoints, Wifi(PAPER.name, *links), limit)
 
 
 def sensitivity(
@@ -303,14 +258,8 @@ def sensitivity(
 
     Parameters
     ----------
-    protocol : Protocol
-        `DDS`, `ZENOH`, or a table of your own.
-    processes : float
-        Processes on each host [1], from 1 to 1e9.
-    endpoints : float
-        Endpoints of each process [1], from 0 to 1e9.
-    limit : float, optional
-        Utilization to reach [1], at least that of a single host.
+    protocol, processes, endpoints, limit
+        As for `discostorm.saturation_hosts`, but one number each.
     values : mapping, optional
         Where to take the derivatives: symbol or its name to value, in bytes, seconds or
         bit/s; the paper's value for the parameters left out.
@@ -320,18 +269,11 @@ def sensitivity(
     Returns
     -------
     pandas.DataFrame
-        One row a parameter, the one that can move the saturation point most first, with
+        One row per parameter, the one that can move the saturation point most first, with
         columns value, low and high [B, s or bit/s], slope [hosts per unit of the
         parameter], elasticity [1] (percent more hosts for one percent more of it), and
         hosts_at_low and hosts_at_high [1], the saturation point with this parameter alone
         at the ends of its range.
-
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, or a name is unknown.
-    TypeError
-        If an argument is not one real number, or `protocol` is not one.
 
     Examples
     --------
@@ -342,11 +284,11 @@ def sensitivity(
     import pandas as pd  # here, as it would double the time of importing discostorm
 
     _checks.one_each((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
-    ends = parameter_ranges(protocol, given=ranges)
+    ends = parameter_ranges(protocol, ranges)
     usual = protocol.values() | PAPER.values()
-    given = by_symbol("values", {} if values is None else values, ends)
+    usual |= by_symbol("values", {} if values is None else values, ends)
     at = {
-        name: _checks.number(str(name), given.get(name, usual[name]), low, high)
+        name: _checks.number(str(name), usual[name], low, high)
         for name, (low, high) in ends.items()
     }
     hosts = _saturation(protocol, processes, endpoints, limit, at)
@@ -383,7 +325,7 @@ def sample(
     size: int = 1_000_000,
     seed: int = 2026,
     ranges: GivenRanges | None = None,
-) -> dict[sp.Symbol, NDArray[np.float64]]:
+) -> Samples:
     """Draw every parameter from its range, uniformly and independently.
 
     Parameters
@@ -400,15 +342,8 @@ def sample(
     Returns
     -------
     dict
-        Symbol to samples in bytes, seconds or bit/s: what a function that
-        `discostorm.lambdify` made of an expression in these symbols takes.
-
-    Raises
-    ------
-    ValueError
-        If `size` or `seed` is out of range, or a name is unknown.
-    TypeError
-        If `size` or `seed` is not an integer, or the protocol is not one.
+        Symbol to samples in bytes, seconds or bit/s: what a function of `discostorm.lambdify`
+        in these symbols takes.
 
     Examples
     --------
@@ -430,53 +365,22 @@ def sample_together(
     size: int = 1_000_000,
     seed: int = 2026,
     ranges: Sequence[GivenRanges | None] | None = None,
-) -> tuple[dict[sp.Symbol, NDArray[np.float64]], ...]:
-    """Draw the parameters of several protocols that share a channel.
+) -> tuple[Samples, ...]:
+    """Draw the parameters of several protocols that share a channel; see `sample`.
 
-    What they share is drawn once: the parameters of the channel, and payloads of the same
-    name and range. Messages of the same name whose ranges differ are drawn apart.
-
-    Parameters
-    ----------
-    protocols : sequence of Protocol
-        At least one.
-    size, seed
-        As for `sample`.
-    ranges : sequence of mapping, optional
-        For each protocol the ranges that replace the assumed ones, or None.
-
-    Returns
-    -------
-    tuple of dict
-        For each protocol what `sample` returns.
-
-    Raises
-    ------
-    ValueError
-        If `size` or `seed` is out of range, or a name is unknown.
-    TypeError
-        If `size` or `seed` is not an integer, or a protocol is not one.
+    Parameters with the same name and range are drawn once for all. ``ranges`` has for each
+    protocol the ranges that replace the assumed ones, or None.
     """
-    size = _whole("size", size, 1, MOST_SAMPLES)
-    generator = np.random.default_rng(_whole("seed", seed, 0))
+    _checks.whole("size", size, 1, MOST_SAMPLES)
+    _checks.whole("seed", seed, 0)
+    generator = np.random.default_rng(int(seed))
     tables = _checks.members("protocols", protocols, Protocol)
     drawn: dict[tuple[sp.Symbol, Range], NDArray[np.float64]] = {}
     samples = []
     for protocol, given in zip(tables, ranges or [None] * len(tables), strict=True):
-        own = parameter_ranges(protocol, given=given)
-        for name, (low, high) in own.items():
-            if (name, (low, high)) not in drawn:
-                drawn[name, (low, high)] = generator.uniform(low, high, size)
-        samples.append({name: drawn[name, ends] for name, ends in own.items()})
+        own = parameter_ranges(protocol, given)
+        for symbol, (low, high) in own.items():
+            if (symbol, (low, high)) not in drawn:
+                drawn[symbol, (low, high)] = generator.uniform(low, high, int(size))
+        samples.append({symbol: drawn[symbol, ends] for symbol, ends in own.items()})
     return tuple(samples)
-
-
-def _whole(name: str, value: object, low: int, high: int | None = None) -> int:
-    allowed = f"an integer of at least {low}" + (f" and at most {high}" if high else "")
-    # A duration is an integer to NumPy.
-    if not isinstance(value, Integral) or isinstance(value, (bool, np.timedelta64)):
-        raise TypeError(f"{name} must be {allowed}; got {value!r}")
-    number = int(value)
-    if number < low or (high is not None and number > high):
-        raise ValueError(f"{name} must be {allowed}; got {number}")
-    return number

@@ -1,74 +1,44 @@
 """A discovery protocol is a table of messages; its load and utilization follow from it.
 
 `units` says what is counted, `schedule` when it is sent, `message` is a row of the table, and
-`protocol` the table. `data_table` makes one of what a fleet sends besides discovery.
+`protocol` the table. `user_data` makes a table of what a fleet sends besides discovery.
 """
 
-from discostorm.messages.data_table import DATA, data_table
 from discostorm.messages.message import (
-    HOPS,
-    LEAST_PER_UNIT,
-    Hop,
-    Message,
-    Payload,
-    Role,
-    Transport,
-    header_bytes,
-    hop_airtime,
+    HOPS as HOPS,
+    Hop as Hop,
+    Message as Message,
+    Payload as Payload,
+    Role as Role,
+    Transport as Transport,
+    header_bytes as header_bytes,
+    hop_airtime as hop_airtime,
 )
-from discostorm.messages.protocol import Basis, Family, Protocol, Timers
-from discostorm.messages.schedule import ONCE, PAPER_WINDOW, Schedule, checked_window
+from discostorm.messages.protocol import (
+    Basis as Basis,
+    Family as Family,
+    Protocol as Protocol,
+    Timers as Timers,
+)
+from discostorm.messages.schedule import (
+    ONCE as ONCE,
+    PAPER_WINDOW as PAPER_WINDOW,
+    Schedule as Schedule,
+    checked_window as checked_window,
+)
 from discostorm.messages.units import (
-    AWAY,
-    ENDPOINT,
-    ENDPOINT_PAIR,
-    FLEET,
-    HOST,
-    HOST_PAIR,
-    KIND_ENDPOINT,
-    MATCHED_WRITER,
-    PAIR,
-    PROCESS,
-    UNITS,
-    UNMATCHED,
-    Hosts,
-    OnAir,
-    Unit,
+    AWAY as AWAY,
+    ENDPOINT as ENDPOINT,
+    ENDPOINT_PAIR as ENDPOINT_PAIR,
+    FLEET as FLEET,
+    HOST as HOST,
+    HOST_PAIR as HOST_PAIR,
+    KIND_ENDPOINT as KIND_ENDPOINT,
+    MATCHED_WRITER as MATCHED_WRITER,
+    PAIR as PAIR,
+    PROCESS as PROCESS,
+    UNITS as UNITS,
+    Hosts as Hosts,
+    Unit as Unit,
 )
-
-__all__ = [
-    "AWAY",
-    "DATA",
-    "ENDPOINT",
-    "ENDPOINT_PAIR",
-    "FLEET",
-    "HOPS",
-    "HOST",
-    "HOST_PAIR",
-    "KIND_ENDPOINT",
-    "LEAST_PER_UNIT",
-    "MATCHED_WRITER",
-    "ONCE",
-    "PAIR",
-    "PAPER_WINDOW",
-    "PROCESS",
-    "UNITS",
-    "UNMATCHED",
-    "Basis",
-    "Family",
-    "Hop",
-    "Hosts",
-    "Message",
-    "OnAir",
-    "Payload",
-    "Protocol",
-    "Role",
-    "Schedule",
-    "Timers",
-    "Transport",
-    "Unit",
-    "checked_window",
-    "data_table",
-    "header_bytes",
-    "hop_airtime",
-]
+from discostorm.messages.user_data import DATA as DATA, user_data_protocol as user_data_protocol

@@ -1,8 +1,8 @@
 """A protocol: its table of messages, and the load and utilization that follow from it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any, Literal, TypeVar, get_args
 
 import numpy as np
 import sympy as sp
@@ -10,44 +10,33 @@ import sympy as sp
 from discostorm import _checks
 from discostorm._numeric import plain
 from discostorm.fleet import SWARM, Fleet
-from discostorm.messages.message import HEADER_SYMBOLS, Message, header_bytes
+from discostorm.messages.message import HEADER_SYMBOLS, Hop, Message, header_bytes
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
-from discostorm.messages.units import OnAir, Unit
+from discostorm.messages.units import Unit
 from discostorm.wifi import Model
 
-#: The kin of a protocol: which remedies work for it, and how it repairs what is lost.
+#: Decides which remedies work for a protocol, and how it recovers losses.
 Family = Literal["DDS", "Zenoh"]
 
-#: Where the counts of a table are from: the paper; the paper, with the times of a product; a
-#: product, measured as shipped; a product, measured as arranged against the storm; a proposal.
+Cost = TypeVar("Cost", float, Any)
+
+#: Where the counts of a table are from: the paper; the paper with a product's timers; a product
+#: measured as shipped; a product measured in a configuration that sends less; a proposal.
 Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 
 
 @dataclass(frozen=True)
 class Timers:
-    """When a middleware sends again what its table does not repeat; the simulator needs them.
+    """A middleware's timers for what its table does not repeat; the simulator needs them.
 
     Parameters
     ----------
     announce_interval_initial, announce_interval_max : float, optional
-        Time from an announcement to the next [s], doubled each time up to the most, if the table
-        has announcements at the start alone. 0, as if left out: they are not repeated.
+        Time from an announcement to the next [s], doubled each time up to the maximum, if the
+        table has announcements at startup alone. If left out they are not repeated.
     heartbeat_period_initial, heartbeat_period_max : float, optional
         Time from a heartbeat to the next [s] while data are not acknowledged, doubled each time up
-        to the most; 1 if left out.
-
-    Raises
-    ------
-    ValueError
-        If a time is out of range, or a first one above its most.
-    TypeError
-        If one is not a number.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> ds.ZENOH.timers.announce_interval_max
-    8.0
+        to the maximum; 1 if left out.
     """
 
     announce_interval_initial: float = 0.0
@@ -58,9 +47,9 @@ class Timers:
     def __post_init__(self) -> None:
         _checks.plain_numbers(self)
         for interval, above in (("announce_interval", False), ("heartbeat_period", True)):
-            first, most = f"{interval}_initial", f"{interval}_max"
-            _checks.number(most, getattr(self, most), 0, _checks.MOST_SECONDS, above=above)
-            _checks.number(first, getattr(self, first), 0, getattr(self, most), above=above)
+            initial, longest = f"{interval}_initial", f"{interval}_max"
+            _checks.number(longest, getattr(self, longest), 0, _checks.MOST_SECONDS, above=above)
+            _checks.number(initial, getattr(self, initial), 0, getattr(self, longest), above=above)
 
 
 @dataclass(frozen=True)
@@ -74,34 +63,24 @@ class Protocol:
     messages : tuple of Message
         At least one; their names differ.
     lease : float, optional
-        How long a silent peer counts as alive [s], above 0; for ever if left out.
+        How long a silent peer counts as alive [s], above 0; indefinitely if left out.
     wired : Protocol, optional
-        The table of the same product on a network that it takes for wired, if it sends otherwise
-        there. A capture is held against that one if it shows so.
+        The table of the same product on a network that it takes for wired, if it differs. A
+        capture is compared with that one if it shows so.
     family : {"DDS", "Zenoh"}, optional
-        The kin of the protocol, which decides on remedies; None if it is of neither.
+        Decides which remedies work; None if it is of neither.
     product : str, optional
-        The product whose defaults it has, such as "Fast DDS"; None if it is no product's.
+        The product whose defaults it has, such as "Fast DDS".
     basis : {"paper", "timed", "measured", "mitigated", "proposal"}, optional
-        Where its counts are from: the paper; the paper, with the times of a product; a product,
-        measured as shipped; the same, arranged against the storm; a proposal. None of your own.
+        Where its counts are from; None for a table of your own.
     timers : Timers, optional
-        When it sends again what the table does not repeat; needed to simulate recovery.
+        Needed to simulate recovery.
     captured : tuple of int, optional
-        The most hosts, processes of all and endpoints of a process that it was measured with [1];
-        not always of the same run. None if it was not fitted to captures.
+        The most hosts, processes in all and endpoints of a process that it was measured with [1],
+        not always in the same run. None if it was not fitted to captures.
     key : str, optional
-        What data files call it: simulations, prediction errors, remedies. None for a table of your
-        own, and for a copy whose messages or timers you change.
-
-    Raises
-    ------
-    ValueError
-        If there is no message, two have the same name, the lease is out of range, or `family` or
-        `basis` is none of the above.
-    TypeError
-        If a name is not text, one is not a Message, the lease not a number, or `timers` not
-        Timers.
+        The name of this table in data files: simulations, prediction errors, remedies. None for a
+        table of your own, and for a copy whose messages or timers you change.
     """
 
     name: str
@@ -119,22 +98,23 @@ class Protocol:
         _checks.instance("name", self.name, str)
         if not self.name.strip():
             raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
-        if self.wired is not None:
-            _checks.instance("wired", self.wired, Protocol)
-        for name, known in (("family", Family), ("basis", Basis)):
-            if getattr(self, name) is not None:
-                _checks.choice(name, getattr(self, name), get_args(known), ", or None")
-        for name, kind in (("product", str), ("timers", Timers), ("key", str)):
+        for name, kind in (
+            ("wired", Protocol),
+            ("product", str),
+            ("timers", Timers),
+            ("key", str),
+        ):
             if getattr(self, name) is not None:
                 _checks.instance(name, getattr(self, name), kind)
+        for name, words in (("family", Family), ("basis", Basis)):
+            if getattr(self, name) is not None:
+                _checks.choice(name, getattr(self, name), get_args(words), ", or None")
         if self.captured is not None:
             object.__setattr__(self, "captured", _checks.members("captured", self.captured, int))
         _checks.plain_numbers(self)
         _checks.number("lease", self.lease, 0, above=True, endless=True)
         object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
-        names = [message.name for message in self.messages]
-        if len(set(names)) < len(names):
-            raise ValueError(f"messages must have names that differ; got {', '.join(names)}")
+        _checks.distinct("messages", [message.name for message in self.messages])
 
     @property
     def phases(self) -> tuple[str, ...]:
@@ -142,13 +122,7 @@ class Protocol:
         return tuple(dict.fromkeys(message.phase for message in self.messages))
 
     def of_phase(self, phase: str | None = None) -> tuple[Message, ...]:
-        """Return the messages of a phase, or all of them.
-
-        Raises
-        ------
-        ValueError
-            If the protocol has no such phase.
-        """
+        """Return the messages of a phase, or all of them."""
         if phase is not None:
             _checks.choice("phase", phase, self.phases, f" for {self.name}, or None")
         return tuple(message for message in self.messages if phase in (None, message.phase))
@@ -159,37 +133,28 @@ class Protocol:
         return any(message.schedule.per_second for message in self.messages)
 
     def message(self, name: str) -> Message:
-        """Return the message of that name.
-
-        Raises
-        ------
-        ValueError
-            If the protocol has no such message.
-        """
+        """Return the message of that name."""
         _checks.choice("name", name, [message.name for message in self.messages])
         return next(message for message in self.messages if message.name == name)
 
-    def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
-        r"""Return the number of messages of an average second of the first ones.
+    def units(self, phase: str | None = None) -> tuple[Unit, ...]:
+        """Return the units by which the messages of a phase, or all, are counted."""
+        return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
 
-        Each goes up and down again, unless its row says otherwise.
+    def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
+        """Return the messages of an average second of the first ones; each goes up and down.
 
         Parameters
         ----------
         phase : str, optional
             One of `phases`; all of them if left out.
         window : float or sympy.Expr, optional
-            How many seconds are averaged [s], at least 1e-9; the paper's one if left out.
+            The seconds that are averaged [s], at least 1e-9; the paper's one if left out.
 
         Returns
         -------
         sympy.Expr
             In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
-
-        Raises
-        ------
-        ValueError
-            If the protocol has no such phase, or the window is out of range.
 
         Examples
         --------
@@ -197,58 +162,12 @@ class Protocol:
         >>> ds.DDS.load("SPDP")
         N_H*N_P
         """
-        span = checked_window(window)
+        window_s = checked_window(window)
         return sp.factor(
-            sum(message.schedule.mean(span) * message.load() for message in self.of_phase(phase))
-        )
-
-    def cost(
-        self,
-        unit: Unit,
-        phase: str | None = None,
-        model: Model = "linear",
-        window: sp.Expr | float = PAPER_WINDOW,
-    ) -> sp.Expr:
-        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
-        span = checked_window(window)
-        return self._cost(unit, phase, model, lambda schedule: schedule.mean(span))
-
-    def _cost(
-        self, unit: Unit, phase: str | None, model: Model, times: Callable[[Schedule], Any]
-    ) -> sp.Expr:
-        _checks.instance("unit", unit, Unit)
-        return sp.Add(
-            *(
-                message.per_unit * times(message.schedule) * message.airtime(model)
-                for message in self.of_phase(phase)
-                if message.unit == unit
+            sum(
+                message.schedule.mean(window_s) * message.load() for message in self.of_phase(phase)
             )
         )
-
-    def costs_by_hop(
-        self,
-        phase: str | None = None,
-        model: Model = "linear",
-        window: sp.Expr | float = PAPER_WINDOW,
-    ) -> dict[OnAir, sp.Expr]:
-        """Return `cost` of each hop apart, for fleets with wired hosts [s]."""
-        span = checked_window(window)
-        return self._by_hop(phase, model, lambda schedule: schedule.mean(span))
-
-    def _by_hop(
-        self, phase: str | None, model: Model, times: Callable[[Schedule], Any]
-    ) -> dict[OnAir, sp.Expr]:
-        costs: dict[OnAir, sp.Expr] = {}
-        for message in self.of_phase(phase):
-            sent = message.per_unit * times(message.schedule)
-            for hop in message.hops:
-                counted = message.on_air(hop)
-                costs[counted] = costs.get(counted, 0) + sent * message.airtime_of(hop, model)
-        return costs
-
-    def units(self, phase: str | None = None) -> tuple[Unit, ...]:
-        """Return what the messages of a phase, or all, are counted by."""
-        return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
 
     def utilization(
         self,
@@ -257,12 +176,12 @@ class Protocol:
         model: Model = "linear",
         window: sp.Expr | float = PAPER_WINDOW,
     ) -> sp.Expr:
-        r"""Return the fraction of channel time that discovery takes of the first seconds.
+        r"""Return the fraction of channel time that discovery needs in the first seconds.
 
         .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
             L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
 
-        A message that is sent K times at the start, the last time at :math:`t_K`, and then
+        A message that is sent K times at startup, the last time at :math:`t_K`, and then
         with period P counts :math:`x = K - t_K / P` times besides its period. The paper's
         messages are sent once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
@@ -282,41 +201,69 @@ class Protocol:
         -------
         sympy.Expr
             In all symbols of the notation; paper, equation (12).
-
-        Raises
-        ------
-        ValueError
-            If the protocol has no such phase, the window is out of range, or there is no
-            such model.
-        TypeError
-            If `fleet` is not a Fleet, or the window not a number.
         """
-        span = checked_window(window)
-        return self._utilization(phase, fleet, model, lambda schedule: schedule.mean(span))
+        window_s = checked_window(window)
+        return self._total(phase, fleet, model, lambda schedule: schedule.mean(window_s))
 
     def burst(
         self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
     ) -> sp.Expr:
-        """Return the airtime [s] of what the start sends beyond the steady state.
+        """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
+        return self._total(phase, fleet, model, lambda schedule: plain(schedule.extra))
 
-        Messages that are only sent with their period are not in it. The parameters are
-        those of `utilization`.
+    def cost(
+        self,
+        unit: Unit,
+        phase: str | None = None,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+    ) -> sp.Expr:
+        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
+        _checks.instance("unit", unit, Unit)
+        return self.costs(phase, model, window).get(unit, sp.Integer(0))
+
+    def costs(
+        self,
+        phase: str | None = None,
+        model: Model = "linear",
+        window: sp.Expr | float = PAPER_WINDOW,
+        by_hop: bool = False,
+    ) -> dict[Unit, sp.Expr]:
+        """Return `cost` of each unit [s]; with ``by_hop`` each hop apart, for wired hosts."""
+        window_s = checked_window(window)
+        return self.sum_by_unit(
+            lambda message, hop: message.airtime_of(hop, model),
+            lambda schedule: schedule.mean(window_s),
+            phase,
+            by_hop,
+        )
+
+    def sum_by_unit(
+        self,
+        airtime: Callable[[Message, Hop], Cost],
+        times: Callable[[Schedule], Any],
+        phase: str | None = None,
+        by_hop: bool = False,
+    ) -> dict[Unit, Cost]:
+        """Return how much airtime its messages need for each unit [s].
+
+        ``airtime`` is that of a message on a hop, ``times`` how often a schedule sends it.
         """
-        return self._utilization(phase, fleet, model, lambda schedule: plain(schedule.extra))
+        costs: dict[Unit, Cost] = {}
+        for message in self.of_phase(phase):
+            sent = message.per_unit * times(message.schedule)
+            for unit, hops in message.counted_by(by_hop):
+                costs[unit] = costs.get(unit, 0) + sent * sum(airtime(message, hop) for hop in hops)
+        return costs
 
-    def _utilization(
+    def _total(
         self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]
     ) -> sp.Expr:
         _checks.instance("fleet", fleet, Fleet)
-        if fleet.has_wired:
-            by_hop = self._by_hop(phase, model, times)
-            return sp.Add(*(on_air.count(fleet) * cost for on_air, cost in by_hop.items()))
-        return sp.Add(
-            *(
-                unit.count(fleet) * self._cost(unit, phase, model, times)
-                for unit in self.units(phase)
-            )
+        costs: Mapping[Unit, sp.Expr] = self.sum_by_unit(
+            lambda message, hop: message.airtime_of(hop, model), times, phase, fleet.has_wired
         )
+        return sp.Add(*(unit.count(fleet) * cost for unit, cost in costs.items()))
 
     def values(self) -> dict[sp.Symbol, float]:
         """Return the nominal value of each payload and header symbol [B]."""

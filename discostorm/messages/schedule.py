@@ -13,20 +13,19 @@ from discostorm._numeric import Value, plain
 #: The window that the paper divides by [s] (Sec. IV-B).
 PAPER_WINDOW = 1.0
 
-#: A message counts as sent at a time that misses its instant by rounding alone [periods].
+#: A time that misses an instant by less than this counts as that instant [periods].
 _ROUNDING = 1e-9
 
-#: Most periods that `Schedule.times` goes through.
-_MOST_ROUNDS = 1e8
+#: Maximum number of periods that `Schedule.times` lists.
+_MAX_ROUNDS = 1e8
 
 
 def checked_window(window: sp.Expr | ArrayLike) -> Any:
-    """Return a window [s] in symbols, or as numbers above zero."""
+    """Return a window [s] as it is if it is an expression, else as numbers above zero."""
     if isinstance(window, sp.Expr) and window.free_symbols:
         return window
-    span = np.inf if window is sp.oo else window
-    check = _checks.numbers if isinstance(span, (np.ndarray, list, tuple)) else _checks.number
-    return check("window", span, _checks.LEAST_SECONDS, endless=True)
+    window_s = np.inf if window is sp.oo else window
+    return _checks.numbers("window", window_s, _checks.LEAST_SECONDS, endless=True)
 
 
 @dataclass(frozen=True)
@@ -40,13 +39,6 @@ class Schedule:
         period, and no two further apart.
     period : float
         Time between two later ones [s], at least 1e-9; infinity if none comes later.
-
-    Raises
-    ------
-    ValueError
-        If a time or the period is out of range, or the times are not in order.
-    TypeError
-        If the starts are not several times, or one is not a number.
 
     Examples
     --------
@@ -77,13 +69,7 @@ class Schedule:
             )
 
     def __str__(self) -> str:
-        """Return the schedule in words.
-
-        Examples
-        --------
-        >>> print(Schedule((0, 0.1), 8))
-        at 0 and 0.1 s, then every 8 s
-        """
+        """Return the schedule in words: "at 0 and 0.1 s, then every 8 s"."""
         times = [f"{time:g}" for time in self.starts]
         before = ", ".join(times[:-1]) + " and " if len(times) > 1 else ""
         if self.period == np.inf:
@@ -97,11 +83,10 @@ class Schedule:
 
     @property
     def extra(self) -> float:
-        r"""How many the start sends beyond those of the period [1].
+        r"""How many startup sends beyond those of the period [1].
 
-        With K times at the start, the last at :math:`t_K`, and period P, the number sent
-        until t is at most :math:`K - t_K / P + t / P`. The part that does not grow is
-        the extra; the bound is met each time the message has just been sent with its period.
+        With K times at startup, the last at :math:`t_K`, and period P, the number sent until t is
+        at most :math:`K - t_K / P + t / P`. The part that does not grow with t is the extra.
         """
         return len(self.starts) - self.starts[-1] / self.period
 
@@ -110,35 +95,17 @@ class Schedule:
 
         As an upper bound, see `extra`. The window may be an array or a sympy expression [s].
         """
-        span = checked_window(window)
-        if isinstance(span, float):
-            return plain(self.extra / span + self.per_second)
-        return plain(self.extra) / span + plain(self.per_second)
+        window_s = checked_window(window)
+        if isinstance(window_s, float):
+            return plain(self.extra / window_s + self.per_second)
+        return plain(self.extra) / window_s + plain(self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
-        """Return how many are sent from 0 up to and including a time.
-
-        Parameters
-        ----------
-        time : array_like
-            Time after the start [s], at least 0.
-
-        Returns
-        -------
-        float or ndarray
-            How many [1].
-
-        Raises
-        ------
-        ValueError
-            If a time is NaN, infinite or negative.
-        TypeError
-            If it is not made of real numbers.
-        """
-        now = np.asarray(_checks.numbers("time", time, 0))
+        """Return how many are sent from 0 up to and including a time [s]."""
+        time_s = np.asarray(_checks.numbers("time", time, 0))
         with np.errstate(under="ignore"):
-            later = now * (1 + _ROUNDING)
-            rounds = np.floor((now - self.starts[-1]) / self.period + _ROUNDING)
+            later = time_s * (1 + _ROUNDING)
+            rounds = np.floor((time_s - self.starts[-1]) / self.period + _ROUNDING)
         count = np.searchsorted(self.starts, later, side="right").astype(float)
         count += np.maximum(rounds, 0)
         return count if count.ndim else count.item()
@@ -147,7 +114,7 @@ class Schedule:
         """Return the times from `since` up to `until` at which the message is sent [s]."""
         last = self.starts[-1]
         since = _checks.number("since", since, 0)
-        most = max(last, since) + _MOST_ROUNDS * self.period
+        most = max(last, since) + _MAX_ROUNDS * self.period
         until = _checks.number("until", until, 0, most)
         before = max(0, int((since - last) / self.period - _ROUNDING))
         rounds = max(0, int((until - last) / self.period + _ROUNDING))

@@ -8,21 +8,8 @@ from discostorm.messages import Timers
 def defaults(product: str) -> dict[str, float]:
     """Return a product's default periods, leases, counts and sizes by the name of the quantity.
 
-    Parameters
-    ----------
-    product : str
-        "Fast DDS", "Cyclone DDS", "Zenoh" or "rmw_zenoh".
-
-    Returns
-    -------
-    dict
-        Values in seconds, bytes or 1; the data file ``vendors/middleware_defaults.csv`` tells the
-        unit, meaning and source of each.
-
-    Raises
-    ------
-    ValueError
-        If there is no such product.
+    The product is "Fast DDS", "Cyclone DDS", "Zenoh" or "rmw_zenoh"; values are in seconds, bytes
+    or 1. ``vendors/middleware_defaults.csv`` has the unit, meaning and source of each.
 
     Examples
     --------
@@ -35,7 +22,7 @@ def defaults(product: str) -> dict[str, float]:
 
 
 def timers(product: str) -> Timers:
-    """Return when a product sends again what its table does not repeat; see `defaults`.
+    """Return a product's timers for what its table does not repeat; see `defaults`.
 
     Examples
     --------

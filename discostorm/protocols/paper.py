@@ -1,6 +1,6 @@
 """DDS and Zenoh discovery as the paper counts them (Sec. III, equations 1 to 10).
 
-Simulated with recovery, they have the timers of Fast DDS and of Zenoh, as the paper names none.
+For simulated recovery they have the timers of Fast DDS and of Zenoh, as the paper names none.
 """
 
 from typing import cast as typed
@@ -29,7 +29,7 @@ def table2(
     per_unit: float,
     answers: str | None = None,
 ) -> Message:
-    """Return the message of that name, with what the file of the paper's Table II says of it."""
+    """Return a message of the paper's Table II; the data file has its size, transport and role."""
     (row,) = (row for row in read_data("paper/table2.csv") if row["message"] == name)
     payload = Payload(
         float(row["payload_B"]), float(row["low_B"]), float(row["high_B"]), row["source"]

@@ -1,148 +1,56 @@
 """The paper's counts with the announcements, periods and leases of products.
 
-How many messages of which size is the paper's, when they are sent the product's. What the
-products themselves send is in the files of their names.
+The paper says how many messages are sent and how long they are, the product when: rows of
+``data/vendors/timed.csv``, each a message of the paper with what differs from it.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
-from itertools import accumulate
+from typing import Any
 
-from discostorm.messages import PAIR, Message, Payload, Protocol, Schedule
+from discostorm._numeric import plain
+from discostorm.data import read_data
+from discostorm.messages import UNITS, Message, Payload, Protocol
+from discostorm.protocols.as_built import schedule
 from discostorm.protocols.defaults import defaults, timers
 from discostorm.protocols.paper import DDS, ZENOH
 
-_FAST_VALUE = defaults("Fast DDS")
-_FAST_SPDP = replace(
-    DDS.message("SPDP"),
-    schedule=Schedule(
-        tuple(
-            n * _FAST_VALUE["initial_period"]
-            for n in range(int(_FAST_VALUE["initial_announcements"]) + 1)
-        ),
-        _FAST_VALUE["announcement_period"],
-    ),
-)
 
-FAST_DDS_PERIODS = Protocol(
-    "DDS, periods of Fast DDS",
-    (
-        _FAST_SPDP,
-        # Each announcement goes to every participant that is known, too.
-        replace(
-            _FAST_SPDP,
-            name="UnicastSPDP",
-            cast="unicast",
-            unit=PAIR,
-            per_unit=_FAST_VALUE["unicast_copies"],
-        ),
-        *DDS.of_phase("SEDP"),
-    ),
-    lease=_FAST_VALUE["lease"],
-    family="DDS",
-    product="Fast DDS",
-    key="DDS, periods of Fast DDS",
-    basis="timed",
-    timers=timers("Fast DDS"),
-)
+def _message(row: Mapping[str, str], paper: Protocol) -> Message:
+    """Return a message of the paper, changed where the row is not empty."""
+    changes: dict[str, Any] = {name: row[name] for name in ("phase", "cast", "role") if row[name]}
+    if row["unit"]:
+        changes["unit"] = UNITS[row["unit"]]
+    if row["per_unit"]:
+        changes["per_unit"] = plain(float(row["per_unit"]))
+    if row["starts_s"]:
+        changes["schedule"] = schedule(row)
+    if row["answers"]:
+        changes["answers"] = None if row["answers"] == "-" else row["answers"]
+    if row["payload_B"]:
+        size = float(row["payload_B"])
+        changes |= {"payload": Payload(size, size, size, row["source"]), "kind": row["message"]}
+    return replace(paper.message(row["like"]), name=row["message"], **changes)
 
-_CYCLONE_VALUE = defaults("Cyclone DDS")
-_CYCLONE_LEASE = _CYCLONE_VALUE["lease"]
-_CYCLONE_ANNOUNCEMENT = Schedule(
-    (0.0, _CYCLONE_VALUE["second_announcement"]),
-    min(_CYCLONE_VALUE["spdp_interval"], _CYCLONE_LEASE - _CYCLONE_VALUE["spdp_margin"]),
-)
-_CYCLONE_REPLIES = Schedule(
-    tuple(
-        n * _CYCLONE_VALUE["directed_period"]
-        for n in range(int(_CYCLONE_VALUE["directed_replies"]))
+
+def _timed(paper: Protocol, product: str, name: str) -> Protocol:
+    """Return the paper's table with a product's schedules, lease and timers."""
+    rows = [row for row in read_data("vendors/timed.csv") if row["protocol"] == name]
+    return replace(
+        paper,
+        name=name,
+        key=name,
+        messages=tuple(_message(row, paper) for row in rows),
+        lease=defaults(product)["lease"],
+        product=product,
+        basis="timed",
+        timers=timers(product),
     )
-)
-_CYCLONE_ALIVE = Schedule((0.0,), _CYCLONE_LEASE - _CYCLONE_VALUE["liveliness_margin"])
-_CYCLONE_SIZE = _CYCLONE_VALUE["liveliness_payload"]
-
-CYCLONE_DDS_PERIODS = Protocol(
-    "DDS, periods of Cyclone DDS",
-    (
-        replace(DDS.message("SPDP"), schedule=_CYCLONE_ANNOUNCEMENT),
-        # To a participant that was not known.
-        replace(
-            DDS.message("SPDP"),
-            name="DirectedSPDP",
-            cast="unicast",
-            unit=PAIR,
-            schedule=_CYCLONE_REPLIES,
-            answers="SPDP",
-        ),
-        *DDS.of_phase("SEDP"),
-        Message(
-            "Liveliness",
-            "Liveliness",
-            "unicast",
-            "UDP",
-            Payload(
-                _CYCLONE_SIZE,
-                _CYCLONE_SIZE,
-                _CYCLONE_SIZE,
-                "data/vendors/middleware_defaults.csv, liveliness_payload",
-            ),
-            PAIR,
-            1,
-            _CYCLONE_ALIVE,
-            role="other",
-        ),
-        replace(
-            DDS.message("ACKNACK"),
-            name="LivelinessACK",
-            phase="Liveliness",
-            role="other",
-            per_unit=1,
-            schedule=_CYCLONE_ALIVE,
-            answers="Liveliness",
-        ),
-    ),
-    lease=_CYCLONE_LEASE,
-    family="DDS",
-    product="Cyclone DDS",
-    key="DDS, periods of Cyclone DDS",
-    basis="timed",
-    timers=timers("Cyclone DDS"),
-)
-
-_ZENOH_VALUE = defaults("Zenoh")
 
 
-def _gaps() -> list[float]:
-    """Return the times between the first Scouts [s]: each longer, up to the period."""
-    gaps = [0.0, _ZENOH_VALUE["scout_first"]]
-    while gaps[-1] * _ZENOH_VALUE["scout_factor"] < _ZENOH_VALUE["scout_most"]:
-        gaps.append(gaps[-1] * _ZENOH_VALUE["scout_factor"])
-    return gaps
-
-
-_ZENOH_SCOUTING = Schedule(tuple(accumulate(_gaps())), _ZENOH_VALUE["scout_most"])
-_ZENOH_KEEP_ALIVE = _ZENOH_VALUE["lease"] / _ZENOH_VALUE["keep_alives"]
-
-ZENOH_PERIODS = Protocol(
-    "Zenoh, periods of Zenoh peer",
-    (
-        replace(ZENOH.message("Scout"), schedule=_ZENOH_SCOUTING),
-        replace(ZENOH.message("Hello"), per_unit=_ZENOH_VALUE["hellos"], schedule=_ZENOH_SCOUTING),
-        ZENOH.message("Declare"),
-        # One each way, the first after a period of silence.
-        replace(
-            ZENOH.message("KeepAlive"),
-            per_unit=1,
-            schedule=Schedule((_ZENOH_KEEP_ALIVE,), _ZENOH_KEEP_ALIVE),
-            answers=None,
-        ),
-    ),
-    lease=_ZENOH_VALUE["lease"],
-    family="Zenoh",
-    product="Zenoh",
-    key="Zenoh, periods of Zenoh peer",
-    basis="timed",
-    timers=timers("Zenoh"),
-)
+FAST_DDS_PERIODS = _timed(DDS, "Fast DDS", "DDS, periods of Fast DDS")
+CYCLONE_DDS_PERIODS = _timed(DDS, "Cyclone DDS", "DDS, periods of Cyclone DDS")
+ZENOH_PERIODS = _timed(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
 
 
 def by_product() -> dict[str, Protocol]:
@@ -153,9 +61,6 @@ def by_product() -> dict[str, Protocol]:
     >>> list(by_product())
     ['Cyclone DDS', 'Fast DDS', 'Zenoh peer']
     """
-    tables = {
-        "Cyclone DDS": CYCLONE_DDS_PERIODS,
-        "Fast DDS": FAST_DDS_PERIODS,
-        "Zenoh peer": ZENOH_PERIODS,
-    }
-    return {name: replace(table, name=name) for name, table in tables.items()}
+    tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
+    products = {table.name.rpartition("periods of ")[2]: table for table in tables}
+    return {name: replace(table, name=name) for name, table in products.items()}

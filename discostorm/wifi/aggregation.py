@@ -12,21 +12,19 @@ _BYTES = {row["name"]: int(row["bytes"]) for row in read_data("wifi/frames.csv")
 
 @dataclass(frozen=True)
 class Aggregation:
-    """How frames to one receiver are put into one exchange.
+    """How frames to one receiver share one exchange.
 
     Parameters
     ----------
     mpdus : int
-        Most frames (MPDUs) in an exchange [1], at least 1.
+        Maximum number of frames (MPDUs) in an exchange [1], at least 1.
     most_bytes : int
-        Longest A-MPDU [B] that the standard and the longest PPDU allow, at least 1. A
-        frame that does not fit in cannot be sent.
+        Maximum A-MPDU length [B], at least 1. A longer frame cannot be sent.
     overhead : float
-        Airtime that each exchange costs whatever its length [s], at least 0: waiting,
-        preamble, block acknowledgement.
+        Fixed airtime of an exchange [s], at least 0: waiting, preamble, block acknowledgement.
     least_bytes : int, optional
-        Least length of a subframe [B], at least 0: so long that receivers which need time
-        between the starts of two frames have it.
+        Minimum length of a subframe [B], at least 0, which keeps the receiver's Minimum MPDU Start
+        Spacing.
     """
 
     mpdus: int
@@ -46,15 +44,12 @@ def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
     r"""Return the length of an A-MPDU subframe [B] that carries a frame of that length.
 
     Under a block acknowledgement the frame has a QoS Control field of 2 octets, which the
-    paper's frames lack. A delimiter of 4 octets goes before it, and padding after it up
-    to a multiple of 4:
+    paper's frames lack. A delimiter of 4 octets precedes it, and padding follows it up to a
+    multiple of 4; empty delimiters extend a short subframe to the minimum length:
 
     .. math:: A = \max\left(A_{least}, 4 + 4 \left\lceil\frac{S + 2}{4}\right\rceil\right)
 
-    Empty delimiters make up what a short frame lacks of the least length.
-
-    The last subframe of an HT PPDU may leave its padding out; here, as in VHT and HE
-    PPDUs, it does not.
+    The last subframe is padded, too, as in VHT and HE PPDUs.
 
     References
     ----------
@@ -66,7 +61,7 @@ def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
 
 
 def mpdus(frame_bytes: sp.Expr) -> sp.Expr:
-    r"""Return how many frames of that length [B] an exchange carries when it is full.
+    r"""Return the number of frames of that length [B] in a full exchange.
 
     .. math:: n = \min\left(n_{agg}, \left\lfloor\frac{A_{most}}{A}\right\rfloor\right)
 

@@ -1,22 +1,17 @@
-"""What a link costs: rates, per-frame overhead, airtime of one frame (paper, Sec. IV)."""
+"""A channel: the rate and overhead of its unicast and multicast links, and aggregation."""
 
-from dataclasses import dataclass
-from functools import cache
-from typing import Literal, get_args
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
-from discostorm.wifi import aggregation as agg
+from discostorm.wifi.aggregation import Aggregation
+from discostorm.wifi.airtime import MULTICAST, UNICAST, Cast, Model
 
-Cast = Literal["multicast", "unicast"]
-
-#: How a frame becomes airtime: equation (11) of the paper, the standard's rounding to whole
-#: symbols, or this and aggregation.
-Model = Literal["linear", "padded", "aggregated"]
-
-BITS_PER_BYTE = 8
+if TYPE_CHECKING:
+    from discostorm.wifi.radio import Radio
 
 #: All durations of the standard are multiples of this [s]; counted in it they are exact.
 TICK = 1e-7
@@ -33,17 +28,10 @@ class OfdmSymbols:
     symbol : float
         Duration of a symbol with its guard interval [s], a multiple of 1e-7.
     grid : float
-        What the duration of the data is rounded up to [s]: as long as the symbol or, for
+        Unit to which the duration of the data is rounded up [s]: as long as the symbol or, for
         short guard intervals in HT-mixed and VHT PPDUs, a ninth longer.
     added : int, optional
-        Bits sent beside the frame [bit]: 16 of the SERVICE field and a tail of 6.
-
-    Raises
-    ------
-    ValueError
-        If a number is out of range, not whole, or not such a multiple.
-    TypeError
-        If one is not a number.
+        Bits added to the frame [bit]: 16 of the SERVICE field and a tail of 6.
 
     References
     ----------
@@ -63,7 +51,7 @@ class OfdmSymbols:
             ticks = _checks.number(name, getattr(self, name), TICK, 1) / TICK
             if abs(ticks - round(ticks)) > 1e-6:
                 raise ValueError(f"{name} must be a multiple of 1e-7; got {getattr(self, name)!r}")
-        # Others may lift a whole number over itself when they are multiplied.
+        # Rounding errors could make other ratios exceed a whole number when multiplied.
         if self.per_grid not in (1, 0.9):
             raise ValueError(
                 f"symbol must be as long as the grid of {self.grid:g} s, or 0.9 of it; "
@@ -90,14 +78,8 @@ class Link:
         preamble, acknowledgement.
     padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
-        its airtime, as in the paper.
+        its airtime, as in the paper. The rate must be that of its symbols.
 
-    Raises
-    ------
-    ValueError
-        If a number is out of range, or the rate is not that of the padding's symbols.
-    TypeError
-        If one is not a number, or the padding is not a OfdmSymbols.
     """
 
     rate: float
@@ -118,12 +100,6 @@ class Link:
                 )
 
 
-#: Bits per symbol, added bits, symbol as a part of the grid, grid: as `data_time` takes them.
-UNICAST = (nt.N_DBPS_UNI, nt.N_ADD_UNI, nt.K_UNI, nt.T_GRID_UNI)
-#: The same of multicast frames.
-MULTICAST = (nt.N_DBPS_MULTI, nt.N_ADD_MULTI, nt.K_MULTI, nt.T_GRID_MULTI)
-
-
 def _printed(cast: Cast) -> Link:
     """Return the rate and overhead that the paper prints for frames of one kind."""
     (row,) = (row for row in read_data("paper/rates.csv") if row["rate"] == cast)
@@ -134,79 +110,71 @@ def _printed(cast: Cast) -> Link:
 PAPER_LINKS = {"unicast": _printed("unicast"), "multicast": _printed("multicast")}
 
 
-def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
-    r"""Return the airtime of one frame in seconds: paper, equation (11) with :math:`L = 1`.
-
-    .. math:: \mathcal{T} = \frac{8 S}{R} + O
-    """
-    return BITS_PER_BYTE * frame_bytes / rate + overhead
-
-
-def bits_airtime(octets: sp.Expr, cast: Cast) -> sp.Expr:
-    """Return the airtime of some octets more in a frame that is sent anyway [s].
-
-    By the rate alone: where symbols are counted, in the mean over all lengths of a frame.
-    """
-    return airtime(octets, nt.R_UNI if cast == "unicast" else nt.R_MULTI, sp.Integer(0))
-
-
-def data_time(
-    octets: sp.Expr, bits: sp.Expr, added: sp.Expr, per_grid: sp.Expr, grid: sp.Expr
-) -> sp.Expr:
-    r"""Return the duration of the data part of a PPDU, in the unit of ``grid``.
-
-    .. math:: G \left\lceil k \left\lceil\frac{N_{add} + 8 S}{N_{DBPS}}\right\rceil\right\rceil
+@dataclass(frozen=True)
+class Wifi:
+    """A Wi-Fi channel in infrastructure mode.
 
     Parameters
     ----------
-    octets : sympy.Expr
-        Length of the frame or of the A-MPDU [B].
-    bits, added, per_grid, grid : sympy.Expr
-        As `OfdmSymbols` has them. The bits per symbol stay a symbol: sympy would split the
-        fraction of a number, and floating point then gets some lengths wrong.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
+    name : str
+        What to call it in tables and figures.
+    unicast : Link
+        Frames to one receiver; also every frame from a host up to the access point.
+    multicast : Link
+        Multicast frames from the access point down to all hosts.
+    aggregation : Aggregation, optional
+        If given, frames to one receiver share exchanges: uplink frames and unicast downlink
+        frames. Needs links with padding; its overhead replaces that of the unicast link.
+    radio : Radio, optional
+        The radio that has these rates, with the standard's timing; None for a channel of your
+        own. Channels are compared without their radios.
     """
-    symbols = sp.ceiling((added + BITS_PER_BYTE * octets) / bits)
-    return grid * sp.ceiling(per_grid * symbols)
 
+    name: str
+    unicast: Link
+    multicast: Link
+    aggregation: Aggregation | None = None
+    radio: "Radio | None" = field(default=None, compare=False, repr=False)
 
-def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
-    r"""Return the airtime of one frame among its like in a full A-MPDU [s].
+    def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        _checks.instance("unicast", self.unicast, Link)
+        _checks.instance("multicast", self.multicast, Link)
+        if (self.unicast.padding is None) != (self.multicast.padding is None):
+            raise ValueError(
+                "unicast and multicast must both have padding or both have none; got "
+                f"unicast.padding={self.unicast.padding}, "
+                f"multicast.padding={self.multicast.padding}"
+            )
+        if self.aggregation is not None:
+            _checks.instance("aggregation", self.aggregation, Aggregation)
+            if self.unicast.padding is None:
+                raise ValueError("aggregation must be None unless the links have padding")
 
-    .. math:: \mathcal{T} = \frac{1}{n}\left(O_{agg} + \mathcal{D}(n A)\right)
+    @property
+    def model(self) -> Model:
+        """How a frame becomes airtime on this channel."""
+        if self.aggregation is not None:
+            return "aggregated"
+        return "linear" if self.unicast.padding is None else "padded"
 
-    with n frames in subframes of A octets, see `aggregation`, and the duration of their
-    data :math:`\mathcal{D}`, see `data_time`.
-    """
-    frames = agg.mpdus(frame_bytes)
-    octets = frames * agg.subframe_bytes(frame_bytes)
-    return (nt.O_AGG + data_time(octets, *UNICAST)) / frames
-
-
-def uplink_airtime(frame_bytes: sp.Expr, model: Model = "linear") -> sp.Expr:
-    """Return the airtime from a host to the access point: always unicast."""
-    return downlink_airtime(frame_bytes, "unicast", model)
-
-
-def downlink_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model = "linear") -> sp.Expr:
-    """Return the airtime from the access point to one host, or once to all of them."""
-    _checks.choice("cast", cast, get_args(Cast))
-    _checks.choice("model", model, get_args(Model))
-    return _frame_airtime(frame_bytes, cast, model)
-
-
-@cache
-def _frame_airtime(frame_bytes: sp.Expr, cast: Cast, model: Model) -> sp.Expr:
-    if cast == "unicast":
-        if model == "aggregated":
-            return aggregated_airtime(frame_bytes)
-        if model == "padded":
-            return nt.O_UNI + data_time(frame_bytes, *UNICAST)
-        return airtime(frame_bytes, nt.R_UNI, nt.O_UNI)
-    if model == "linear":
-        return airtime(frame_bytes, nt.R_MULTI, nt.O_MULTI)
-    # Nobody acknowledges a multicast frame, so it is never aggregated.
-    return nt.O_MULTI + data_time(frame_bytes, *MULTICAST)
+    def values(self) -> dict[sp.Symbol, float]:
+        """Return the value of each symbol of the notation that this channel sets."""
+        values = {
+            nt.R_UNI: self.unicast.rate,
+            nt.O_UNI: self.unicast.overhead,
+            nt.R_MULTI: self.multicast.rate,
+            nt.O_MULTI: self.multicast.overhead,
+        }
+        for link, symbols in ((self.unicast, UNICAST), (self.multicast, MULTICAST)):
+            if padding := link.padding:
+                given = (padding.bits, padding.added, padding.per_grid, padding.grid)
+                values |= dict(zip(symbols, map(float, given), strict=True))
+        if self.aggregation is not None:
+            values |= {
+                nt.N_AGG: float(self.aggregation.mpdus),
+                nt.A_MOST: float(self.aggregation.most_bytes),
+                nt.O_AGG: self.aggregation.overhead,
+                nt.A_LEAST: float(self.aggregation.least_bytes),
+            }
+        return values

@@ -1,117 +1,34 @@
-"""Channels, and radios from the standard's own parameters: 802.11a, g, n, ac, ax and be."""
+"""Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be; presets, by name."""
 
 import re
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
-import sympy as sp
-
-from discostorm import _checks, _names, notation as nt
+from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.channel import MULTICAST, PAPER_LINKS, UNICAST, Link, Model, OfdmSymbols
+from discostorm.wifi.channel import PAPER_LINKS, Link, OfdmSymbols, Wifi
 from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_of, response
 
-#: What every channel is, whatever its radio.
+#: The topology of every channel.
 TOPOLOGY = "one access point, infrastructure"
 
-#: Most frames in an A-MPDU of two stations that aggregate by default: all from 802.11n on do, and
-#: this is the block acknowledgement window of 802.11n and ac (``data/wifi/ampdu.csv``).
+#: Maximum number of frames in an A-MPDU of two stations that aggregate by default, as all from
+#: 802.11n on do: the block acknowledgement window of 802.11n and ac (``data/wifi/ampdu.csv``).
 USUAL_MPDUS = 64
-
-#: What of a `Radio` is no number.
-_WORDS = ("standard", "name")
-
-
-@dataclass(frozen=True)
-class Wifi:
-    """A Wi-Fi channel in infrastructure mode.
-
-    Parameters
-    ----------
-    name : str
-        What to call it in tables and figures.
-    unicast : Link
-        Frames to one receiver; also every frame from a host up to the access point.
-    multicast : Link
-        Multicast frames from the access point down to all hosts.
-    aggregation : Aggregation, optional
-        If given, frames to one receiver share exchanges: all that go up to the access
-        point, and down the unicast ones. Needs links with padding; its overhead stands in
-        for that of the unicast link.
-    radio : Radio, optional
-        The radio whose rates these are, with the standard's timing in parts; None for a
-        channel of your own. Two channels are equal whatever their radios.
-
-    Raises
-    ------
-    ValueError
-        If one link has padding and the other has none, or there is aggregation without.
-    """
-
-    name: str
-    unicast: Link
-    multicast: Link
-    aggregation: Aggregation | None = None
-    radio: "Radio | None" = field(default=None, compare=False, repr=False)
-
-    def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        _checks.instance("unicast", self.unicast, Link)
-        _checks.instance("multicast", self.multicast, Link)
-        if (self.unicast.padding is None) != (self.multicast.padding is None):
-            raise ValueError(
-                "unicast and multicast must both have padding or both have none; got "
-                f"unicast.padding={self.unicast.padding}, "
-                f"multicast.padding={self.multicast.padding}"
-            )
-        if self.aggregation is not None:
-            _checks.instance("aggregation", self.aggregation, Aggregation)
-        if self.aggregation is not None and self.unicast.padding is None:
-            raise ValueError("aggregation must be None unless the links have padding")
-
-    @property
-    def model(self) -> Model:
-        """How a frame becomes airtime on this channel."""
-        if self.aggregation is not None:
-            return "aggregated"
-        return "linear" if self.unicast.padding is None else "padded"
-
-    def values(self) -> dict[sp.Symbol, float]:
-        """Return the value of each symbol of the notation that this channel sets."""
-        values: dict[sp.Symbol, float] = {
-            nt.R_UNI: self.unicast.rate,
-            nt.O_UNI: self.unicast.overhead,
-            nt.R_MULTI: self.multicast.rate,
-            nt.O_MULTI: self.multicast.overhead,
-        }
-        for link, symbols in ((self.unicast, UNICAST), (self.multicast, MULTICAST)):
-            if link.padding is not None:
-                padding = link.padding
-                given = (padding.bits, padding.added, padding.per_grid, padding.grid)
-                values |= dict(zip(symbols, map(float, given), strict=True))
-        if self.aggregation is not None:
-            values |= {
-                nt.N_AGG: float(self.aggregation.mpdus),
-                nt.A_MOST: float(self.aggregation.most_bytes),
-                nt.O_AGG: self.aggregation.overhead,
-                nt.A_LEAST: float(self.aggregation.least_bytes),
-            }
-        return values
 
 
 @dataclass(frozen=True)
 class Radio:
-    r"""A radio by the parameters of the standard; what is left out the standard decides.
+    r"""A radio by the parameters of the standard, which decides those left out.
 
-    `dataclasses.replace` changes one thing, `wifi` gives the channel of the closed form. All
-    that follows from the parameters is a property in SI units. There is no RTS, and in 2.4 GHz
-    no protection for 802.11b stations. An HE or EHT PPDU is counted without packet extension
-    and without the extra symbol that LDPC needs now and then: of a single exchange a lower
-    bound, but not of stations that count down together.
+    `dataclasses.replace` changes one parameter, `wifi` gives the channel of the closed form, and
+    properties give what follows in SI units. There is no RTS, and in 2.4 GHz no protection for
+    802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which is
+    a lower bound for single frame exchanges, but not for stations that back off concurrently.
 
     Parameters
     ----------
@@ -119,43 +36,35 @@ class Radio:
         With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU
         format to a single user.
     band : float, optional
-        2.4e9, 5e9 or 6e9 [Hz]; if left out the highest one that the standard has here.
+        2.4e9, 5e9 or 6e9 [Hz]; the standard's highest if left out.
     width : float, optional
         Width of the channel [Hz].
     streams : int, optional
         Spatial streams [1], at most 4.
     mcs : int, optional
         Modulation and coding of a stream [1], from 0 (HT-MCS 15 is ``mcs=7`` with two
-        streams; in 802.11a and g, 0 to 7 are 6 to 54 Mbit/s). If left out the fastest.
+        streams; in 802.11a and g, 0 to 7 are 6 to 54 Mbit/s). The fastest if left out.
     guard_interval : float, optional
-        Guard interval [s]; if left out the shortest.
+        Guard interval [s]; the shortest if left out.
     multicast_rate : float, optional
         Basic rate of multicast frames [bit/s]: 6e6, 12e6, 24e6, and in 2.4 GHz 1e6 and
-        2e6 (DSSS with the long preamble). If left out the lowest.
+        2e6 (DSSS with the long preamble). The lowest if left out.
     aifsn : int, optional
         Slots after SIFS before the back-off [1], from 2 (DIFS) to 15; EDCA has 3 for best
         effort.
     mpdus : int, optional
-        Most frames in an A-MPDU [1], from 1 (no aggregation) to what the standard allows:
+        Maximum number of frames in an A-MPDU [1], from 1 (no aggregation) to the standard's limit:
         64, with 802.11ax 256, with 802.11be 1024.
     start_spacing : float, optional
-        Least time between the starts of two MPDUs of an A-MPDU [s] that the receiver asks
-        for: 0, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 4e-6, 8e-6 or 16e-6. If left out 0, no demand.
+        Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for: 0, 0.25e-6, 0.5e-6,
+        1e-6, 2e-6, 4e-6, 8e-6 or 16e-6. 0 if left out.
     name : str, optional
-        What to call it; if left out standard, width, streams, and what is unusual.
-
-    Raises
-    ------
-    ValueError
-        If the standard has no such combination; names parameter, value and what it has.
-    TypeError
-        If an argument is not a number, or the name not text.
+        What to call it; standard, width, streams and unusual parameters if left out.
 
     References
     ----------
-    IEEE Std 802.11-2020, clauses 9, 10, 15 to 19 and 21; IEEE Std 802.11ax-2021, clause
-    27; IEEE Std 802.11be-2024, clause 36; each number with its clause in the package's
-    ``data/wifi/*.csv``.
+    IEEE Std 802.11-2020, clauses 9, 10, 15 to 19 and 21; IEEE Std 802.11ax-2021, clause 27;
+    IEEE Std 802.11be-2024, clause 36. ``data/wifi/*.csv`` has the clause of each number.
 
     Examples
     --------
@@ -182,20 +91,23 @@ class Radio:
             _checks.instance("name", self.name, str)
         _checks.instance("standard", self.standard, str)
         _checks.plain_numbers(self)
-        others = {key: value for key, value in vars(self).items() if key not in _WORDS}
-        _checks.one_each(others.items())
-        for key, value in others.items():
-            if value is not None and not isinstance(value, Hashable):  # to be looked up
-                _checks.one(key, value, "a number")
+        for key, value in self._given().items():
+            if value is not None and key != "standard":
+                _checks.one_each([(key, value)])
+                if not isinstance(value, Hashable):  # as the parts are looked up by it
+                    _checks.number(key, value, 0)
         _ = self._parts  # raises if the standard has no such combination
+
+    def _given(self) -> dict[str, Any]:
+        return {key: value for key, value in vars(self).items() if key != "name"}
 
     @property
     def _parts(self) -> Parts:
-        return parts_of(**{key: value for key, value in vars(self).items() if key != "name"})
+        return parts_of(**self._given())
 
     @property
     def carrier(self) -> float:
-        """The band that it is in [Hz]: that of its own, else the standard's."""
+        """Its band [Hz], the standard's if none was given."""
         return float(self._parts.timing["band_GHz"]) * GIGA
 
     @property
@@ -210,32 +122,32 @@ class Radio:
 
     @property
     def aifs(self) -> float:
-        """Wait before the back-off [s]: SIFS and AIFSN slots, which are DIFS if AIFSN is 2."""
+        """Wait before the back-off [s]: SIFS and AIFSN slots; DIFS if AIFSN is 2."""
         return float(self._parts.aifs / MICRO)
 
     @property
     def cw_min(self) -> int:
-        """Least contention window [slots]: the back-off is drawn from 0 to this."""
+        """Minimum contention window [slots]: the back-off is drawn from 0 to this."""
         return int(self._parts.timing["cw_min"])
 
     @property
     def cw_max(self) -> int:
-        """Greatest contention window [slots]."""
+        """Maximum contention window [slots]."""
         return int(self._parts.timing["cw_max"])
 
     @property
     def preamble(self) -> float:
-        """Everything of a unicast PPDU before its data [s]."""
+        """Duration of a unicast PPDU before its data [s]."""
         return float(self._parts.preamble / MICRO)
 
     @property
     def multicast_preamble(self) -> float:
-        """Everything of a multicast PPDU before its data [s]."""
+        """Duration of a multicast PPDU before its data [s]."""
         return float(Fraction(self._parts.basic["preamble_us"]) / MICRO)
 
     @property
     def signal_extension(self) -> float:
-        """Silence that counts to each OFDM PPDU in 2.4 GHz [s]; multicast at DSSS has none."""
+        """Signal extension of each OFDM PPDU in 2.4 GHz [s]; multicast at DSSS has none."""
         return float(self._parts.extension / MICRO)
 
     @property
@@ -279,11 +191,11 @@ class Radio:
 
     @property
     def most_bytes(self) -> int:
-        """Longest A-MPDU [B] that the standard and the longest PPDU allow; 0 without any."""
+        """Maximum A-MPDU length [B] by the standard and the longest PPDU; 0 without any."""
         parts = self._parts
         if not parts.limits:
             return 0
-        # What of the longest PPDU is left for data, in whole symbols.
+        # Whole symbols that the longest PPDU leaves for data.
         whole = (
             (Fraction(parts.limits["most_us"]) - parts.preamble)
             // parts.grid
@@ -295,7 +207,7 @@ class Radio:
 
     @property
     def least_subframe(self) -> int:
-        """Least length of an A-MPDU subframe [B] that keeps the start spacing."""
+        """Minimum length of an A-MPDU subframe [B] that keeps the start spacing."""
         octets = Fraction(self.start_spacing).limit_denominator(10**9) * Fraction(self.rate) / 8
         word = 4  # subframes and empty delimiters are multiples of 4 octets
         return -(-octets // word) * word
@@ -304,13 +216,9 @@ class Radio:
         r"""Return the channel of the closed form.
 
         The overhead of a unicast frame is :math:`\text{AIFS} + \frac{CW_{min}}{2}
-        \text{slot} + \text{preamble} + \text{SIFS} + \text{ACK}`; of a multicast frame the
-        first three. The back-off is the mean of a single station that never collides.
-
-        Returns
-        -------
-        Wifi
-            With padding on both links, and with aggregation if `mpdus` is above 1.
+        \text{slot} + \text{preamble} + \text{SIFS} + \text{ACK}`; that of a multicast frame the
+        first three. The back-off is the mean of a single station that never collides. Both links
+        have padding; there is aggregation if `mpdus` is above 1.
         """
         parts = self._parts
         # Microseconds as fractions, so that the sums are exact.
@@ -340,7 +248,7 @@ class Radio:
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 
-#: What may follow standard, width and streams in the name of a radio, in which unit of SI.
+#: What may follow standard, width and streams in the name of a radio: pattern, parameter, SI unit.
 _UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
     (r"(\S+) GHz", "band", GIGA),
     (r"MCS (\d+)", "mcs", 1),
@@ -353,16 +261,10 @@ _UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
 
 
 def radio_named(name: str) -> Radio:
-    """Return the radio that gives itself this name, such as "802.11n 20 MHz 2x2, A-MPDU 64".
+    """Return the radio of a name such as "802.11n 20 MHz 2x2, A-MPDU 64", in any case of letters.
 
-    It may be in any case of letters. Without "2x2" it has the streams of the presets of its
-    standard in `WIFI`: two, or one where the standard has no more.
-
-    Raises
-    ------
-    ValueError
-        If the name is not made like that, or the standard has no such combination; of networks
-        that are not covered (``data/wifi/not_covered.csv``) the message says why.
+    Without "2x2" it has the streams of the presets of its standard in `WIFI`, one if there is no
+    preset. If `data/wifi/not_covered.csv` has such a network, the ValueError says why.
     """
     for row in read_data("wifi/not_covered.csv"):
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
@@ -373,22 +275,25 @@ def radio_named(name: str) -> Radio:
                 f"answer; got {name!r}"
             )
     usual, *unusual = re.split(r", *", name.strip())
-    made = re.fullmatch(r"(802\.11\w+) (\d+) ?MHz(?: (\d)x\3)?", usual, re.IGNORECASE)
-    if not made:
+    match = re.fullmatch(r"(802\.11\w+) (\d+) ?MHz(?: (\d)x\3)?", usual, re.IGNORECASE)
+    if not match:
         raise ValueError(
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
             f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.brief(name)!r}"
             f"{_names.did_you_mean(name, WIFI)}"
         )
-    standard = made[1].lower()
-    streams = int(made[3]) if made[3] else _usual_streams(standard)
-    given: dict[str, Any] = {"width": float(made[2]) * MEGA, "streams": streams}
+    standard = match[1].lower()
+    presets = (wifi.radio for wifi in WIFI.values() if wifi.radio)
+    usual_streams = next((radio.streams for radio in presets if radio.standard == standard), 1)
+    given: dict[str, Any] = {"width": float(match[2]) * MEGA, "streams": usual_streams}
+    if match[3]:
+        given["streams"] = int(match[3])
     for part in unusual:
         for pattern, key, unit in _UNUSUAL:
-            found = re.fullmatch(pattern, part, re.IGNORECASE)
-            if found and key not in given:
+            number = re.fullmatch(pattern, part, re.IGNORECASE)
+            if number and key not in given:
                 try:
-                    value = Fraction(found[1]) * Fraction(unit)
+                    value = Fraction(number[1]) * Fraction(unit)
                 except (ValueError, ZeroDivisionError):
                     continue
                 given[key] = int(value) if unit == 1 else float(value)
@@ -400,30 +305,17 @@ def radio_named(name: str) -> Radio:
     return Radio(standard, **given)
 
 
-def _usual_streams(standard: str) -> int:
-    """Return the streams of the presets of a standard, 1 where there is no preset."""
-    return next(
-        (
-            wifi.radio.streams
-            for wifi in WIFI.values()
-            if wifi.radio and wifi.radio.standard == standard
-        ),
-        1,
-    )
-
-
 def most_mpdus(standard: str) -> int:
-    """Return how many frames a standard allows in an A-MPDU [1]; 1 if it has none."""
+    """Return the maximum number of frames in an A-MPDU of a standard [1]; 1 if it has none."""
     rows = (row for row in read_data("wifi/ampdu.csv") if row["standard"] == standard)
     return max((int(row["most_mpdus"]) for row in rows), default=1)
 
 
 def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
-    """Return the two channels between which a radio is: full A-MPDUs, and none.
+    """Return the two channels that bound a radio's aggregation: full A-MPDUs, and none.
 
-    Radios from 802.11n on aggregate by default, but how full their exchanges are depends on what
-    waits. Of 802.11a and g, of `PAPER` and of what is no longer the channel of its radio it is the
-    channel itself, twice.
+    Radios from 802.11n on aggregate by default, but the queues decide how full their exchanges are.
+    For 802.11a and g, `PAPER`, and a changed channel of a radio, it is the channel itself, twice.
 
     Examples
     --------
@@ -437,10 +329,10 @@ def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
     usual = radio.wifi()
     if replace(usual, name=wifi.name) != wifi:
         return wifi, wifi
-    told = int(radio.mpdus)
-    many = told if told > 1 else min(USUAL_MPDUS, most_mpdus(radio.standard))
-    of_its_own = radio.name or (wifi.name if wifi.name != usual.name else None)
-    full, single = (replace(radio, mpdus=n, name=of_its_own).wifi() for n in (many, 1))
+    most = min(USUAL_MPDUS, most_mpdus(radio.standard))
+    mpdus = int(radio.mpdus) if radio.mpdus > 1 else most
+    name = radio.name or (wifi.name if wifi.name != usual.name else None)
+    full, single = (replace(radio, mpdus=n, name=name).wifi() for n in (mpdus, 1))
     return full, single
 
 

@@ -1,4 +1,4 @@
-"""What the standard says of a radio: rows of ``data/wifi/``, and times that are exact."""
+"""A radio's parameters and exact times, from the standard's tables in ``data/wifi/``."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ import sympy as sp
 
 from discostorm import _checks, words
 from discostorm.data import read_data
-from discostorm.wifi.channel import data_time
+from discostorm.wifi.airtime import data_time
 
 MICRO = 10**6
 MEGA = 10**6
 GIGA = 10**9
-#: Units in which people speak of a radio: those in which it is given, and the power of ten between.
+#: Units of messages: the SI unit in which the parameter is given, and the power of ten between.
 _SHOWN = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
 _RESPONSE_RATES = (6, 12, 24)
 
@@ -25,7 +25,7 @@ Row = dict[str, str]
 
 @dataclass(frozen=True)
 class Parts:
-    """What the standard says of a radio; times in microseconds, exact."""
+    """The standard's parameters of a radio; times in microseconds, exact."""
 
     timing: Row
     basic: Row
@@ -56,10 +56,10 @@ def parts_of(
     mpdus: int,
     start_spacing: float,
 ) -> Parts:
-    """Return what the standard says of a `Radio`, or refuse what it does not have."""
-    known = [row["standard"] for row in read_data("wifi/standards.csv")]
-    if standard not in known:
-        raise ValueError(f"standard must be {words.listed(known, 'or')}; got {standard!r}")
+    """Look up the parts of a `Radio`, or refuse a combination that the standard lacks."""
+    standards = [row["standard"] for row in read_data("wifi/standards.csv")]
+    if standard not in standards:
+        raise ValueError(f"standard must be {words.listed(standards, 'or')}; got {standard!r}")
     (own,) = _rows("standards", standard=standard)
 
     bands = own["bands_GHz"].split()
@@ -145,22 +145,19 @@ def parts_of(
     )
 
 
-def _rows(name: str, **wanted: object) -> list[Row]:
-    """Return the rows of a Wi-Fi data file that have the wanted values."""
+def _rows(name: str, **values: object) -> list[Row]:
+    """Return the rows of a Wi-Fi data file that have these values."""
     return [
         row
         for row in read_data(f"wifi/{name}.csv")
-        if all(str(value) in row[column].split() for column, value in wanted.items())
+        if all(str(value) in row[column].split() for column, value in values.items())
     ]
 
 
 def _choose(
     name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
 ) -> tuple[float, Row]:
-    """Return the row of the value, or refuse the value with those that there are.
-
-    Parameters are in SI units; a refusal is in those in which people speak of them.
-    """
+    """Return the row of a value in SI units, or refuse it with the values in usual units."""
     rows = list(rows)
     given = _checks.number(name, value, 0)
     for allowed, row in rows:
@@ -168,18 +165,18 @@ def _choose(
             return allowed, row
     si, power = _SHOWN[unit]
     one = 10.0**power
-    known = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
+    choices = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
     shown = f" {unit}" if unit else ""
     got = f"{given / one:.12g}{shown}" if unit else repr(value)
-    # Who is off by a thousand takes another unit; of what may be zero as well, zero tells nothing.
-    some = [(allowed, text) for (allowed, _), text in zip(rows, known, strict=True) if allowed]
-    if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in some):
-        got = f"{value!r} {si}; {name} is in {si}, such as {some[0][1]}e{power}"
-    raise ValueError(f"{name} must be {words.listed(known, 'or')}{shown} for {where}; got {got}")
+    # A value that is off by a thousand is in another unit; zero would not show that.
+    nonzero = [(allowed, text) for (allowed, _), text in zip(rows, choices, strict=True) if allowed]
+    if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in nonzero):
+        got = f"{value!r} {si}; {name} is in {si}, such as {nonzero[0][1]}e{power}"
+    raise ValueError(f"{name} must be {words.listed(choices, 'or')}{shown} for {where}; got {got}")
 
 
 def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
-    """Return the duration of everything before the data [us]."""
+    """Return the duration of a PPDU before its data [us]."""
     times = {"PPDU": 1, "training field": training_fields}
     parts = _rows("preambles", standard=standard)
     fixed = sum(Fraction(part["us"]) * times[part["once_per"]] for part in parts)
@@ -196,7 +193,7 @@ def response(frame: str, rate: int) -> Fraction:
 
 
 def block_ack(response_rate: int, mpdus: int) -> Fraction:
-    """Return the duration of a block acknowledgement whose bitmap has room for the MPDUs [us]."""
+    """Return the duration of a block acknowledgement with a bit for each MPDU [us]."""
     bitmaps = [
         int(row["name"].removeprefix("BlockAck "))
         for row in read_data("wifi/frames.csv")

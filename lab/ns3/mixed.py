@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import discostorm as ds
-from discostorm.messages.data_table import data_table
+from discostorm.messages import user_data_protocol
 from discostorm_book.sweeps import mixed
 
 #: What ns-3 says for whom a sample is.
@@ -56,7 +56,7 @@ RUNS = [
 
 def rows(robots: ds.Fleet, protocol: str) -> str:
     """Return the rows of a fleet's data as the program reads them."""
-    table = data_table(ds.PROTOCOLS[protocol], robots)
+    table = user_data_protocol(ds.PROTOCOLS[protocol], robots)
     assert table is not None
     to = {flow.topic: _TO[flow.to] for flow in robots.groups[0].data}
     found = []

@@ -2,7 +2,6 @@
 
 import copy
 import decimal
-import json
 import math
 import pickle
 from fractions import Fraction
@@ -16,7 +15,6 @@ import sympy as sp
 import discostorm as ds
 from discostorm import _numeric, timeline, uncertainty
 from discostorm.messages import PROCESS
-from discostorm_simulation.cell_setup import ticks
 
 PAIR = ds.Fleet.swarm(2, 1, 1)
 PAYLOAD = ds.Payload(350, 300, 400, "here")
@@ -53,32 +51,43 @@ class Labelled:
 
 @pytest.mark.parametrize(
     "value",
-    [pd.Series([7, 8], index=[5, 3]), pd.Index([7, 8]), Labelled()],
+    [
+        pd.Series([7, 8], index=[5, 3]),
+        pd.Index([7, 8]),
+        Labelled(),
+        np.ma.array([7, 8], mask=[0, 1]),
+        np.ma.array([7, 8]),
+        [pd.Series([7, 8]), pd.Series([7, 8], index=[3, 5])],
+        (7, Labelled()),
+        [np.ma.masked, 7],
+        [[7, 8], [np.ma.array(7.0), 8]],
+    ],
     ids=lambda v: type(v).__name__,
 )
-def test_what_has_labels_is_refused_and_the_way_to_pass_it_is_told(value: Any) -> None:
-    text = rf"hosts must be .*; got a value of type {type(value).__name__}, .*\.to_numpy\(\)"
-    with pytest.raises(TypeError, match=text):
-        ds.utilization(ds.DDS, value, 2, 10)
-    with pytest.raises(TypeError, match=text):
-        ds.HostGroup(value, 2, 10)
-    with pytest.raises(TypeError, match=text.replace("hosts", "endpoints")):
-        ds.saturation_hosts(ds.DDS, 2, value)
-    with pytest.raises(TypeError, match=text.replace("hosts", "x")):
-        ds.lambdify([sp.Symbol("x")], sp.Symbol("x"))(value)
-    assert np.shape(ds.utilization(ds.DDS, value.to_numpy(), 2, 10)) == (2,)
+def test_labels_and_masks_are_refused_as_numpy_would_drop_them(value: Any) -> None:
+    text = f"must be .*; got a value of type {type(value).__name__} with labels or a mask, .*array"
+    for name, call in {
+        "hosts": lambda: ds.utilization(ds.DDS, value, 2, 10),
+        "processes": lambda: ds.HostGroup(3, value, 10),
+        "endpoints": lambda: ds.saturation_hosts(ds.DDS, 2, value),
+        "window": lambda: ds.utilization(ds.DDS, 7, 2, 10, window=value),
+        "x": lambda: ds.lambdify([sp.Symbol("x")], sp.Symbol("x"))(value),
+    }.items():
+        with pytest.raises(TypeError, match=f"{name} {text}"):
+            call()
 
 
-def test_what_has_labels_or_masks_is_refused_in_a_list_too() -> None:
-    one, other = pd.Series([7, 8], index=[5, 3]), pd.Series([7, 8], index=[3, 5])
-    for value in ([one, other], (7, Labelled())):
-        with pytest.raises(TypeError, match=r"hosts must be .*whose labels.*\.to_numpy\(\)"):
-            ds.utilization(ds.DDS, value, 2, 10)
-    for masked in ([np.ma.masked, 7], [np.ma.array([7, 8], mask=[0, 1]), np.array([7, 8])]):
-        with pytest.raises(TypeError, match=r"hosts must be .* without masked elements"):
-            ds.HostGroup(masked, 2, 10)
-    with pytest.raises(TypeError, match=r"rate must be .* without masked elements"):
-        ds.Link(np.ma.array(7.0, mask=True), 0)
+@pytest.mark.parametrize("value", [np.ma.array(7.0), np.ma.array(7.0, mask=True), np.ma.masked])
+def test_one_masked_number_is_refused_too(value: Any) -> None:
+    for call in (
+        lambda: ds.Link(value, 0),
+        lambda: ds.HostGroup(value, 2, 10),
+        lambda: row(per_unit=value),
+        lambda: ds.Radio("802.11n", mpdus=value),
+        lambda: ds.Schedule((value,)),
+    ):
+        with pytest.raises(TypeError, match=r"must be .* with labels or a mask"):
+            call()
 
 
 class Refusing:
@@ -134,7 +143,6 @@ def test_words_are_one_word(value: Any) -> None:
     [
         ("window", lambda value: ds.utilization(ds.DDS, 7, 2, 10, window=value)),
         ("window", lambda value: ds.breakdown(ds.DDS, 7, 2, 10, window=value)),
-        ("window", lambda value: ds.plan(PAIR, window=value)),
         ("window", lambda value: ds.DDS.load("SEDP", value)),
         ("time", lambda value: timeline.demand(ds.DDS, value, 7, 2, 10)),
         ("hosts", lambda value: timeline.first_idle(ds.DDS, value, 2, 10)),
@@ -147,9 +155,6 @@ def test_words_are_one_word(value: Any) -> None:
         ("frames", lambda value: row(frames=value)),
         ("period", lambda value: ds.Schedule((0.0,), value)),
         ("start_spacing", lambda value: ds.Radio("802.11n", mpdus=4, start_spacing=value)),
-        (r"queue\[0\]", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=(value, 0.5))),
-        (r"queue\[1\]", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=(500, value))),
-        (r"queue(\[0\])?", lambda value: ds.simulate(PAIR, ds.DDS, ds.PAPER, queue=value)),
         ("content", lambda value: ds.Fleet.from_bytes(value, "x")),
         ("values", lambda value: uncertainty.utilization_at([value], ds.DDS, PAIR)),
     ],
@@ -192,9 +197,6 @@ def test_arrays_without_dimensions_are_numbers() -> None:
 def test_no_endpoints_to_ask_for_have_no_answers() -> None:
     assert np.shape(ds.utilization(ds.DDS, 7, 2, [])) == (0,)
     assert np.shape(ds.saturation_hosts(ds.DDS, 2, [])) == (0,)
-    for call in (ds.plan, lambda fleet: ds.simulate(fleet, ds.DDS, ds.PAPER)):
-        with pytest.raises(TypeError, match="endpoints must be "):
-            call(ds.Fleet.swarm(7, 2, []))
 
 
 def test_no_process_has_more_nodes_than_endpoints_for_them() -> None:
@@ -205,16 +207,8 @@ def test_no_process_has_more_nodes_than_endpoints_for_them() -> None:
         ds.Fleet.from_bytes(b"[[groups]]\nhosts=2\nprocesses=1\nendpoints=10\nnodes=50", "x")
 
 
-def test_what_is_too_small_for_a_float_is_zero() -> None:
-    fast = ds.PROTOCOLS["DDS, periods of Fast DDS"]
-    with np.errstate(all="raise"):
-        assert timeline.demand(fast, 1e-310, 7, 2, 10) == timeline.demand(fast, 0, 7, 2, 10)
-        assert ticks(np.float64(5e-324)) == 0
-    assert ticks(np.inf) == ticks(1e308) > ticks(1e6)
-
-
 @pytest.mark.parametrize("rate", [1.0, 1e15])
-@pytest.mark.parametrize("overhead", [0.0, 5e-324, 1e6])
+@pytest.mark.parametrize("overhead", [0.0, 1e6])
 @pytest.mark.parametrize("size", [0, 1e9])
 def test_no_answer_is_infinite_and_numpy_need_not_be_patient(
     rate: float, overhead: float, size: float
@@ -232,7 +226,7 @@ def test_no_answer_is_infinite_and_numpy_need_not_be_patient(
     with np.errstate(all="raise"):
         for count in (1, 1e9):
             for window in (1e-9, 1e6):
-                for endpoints in (0, 5e-324, 1e9):
+                for endpoints in (0, 1e9):
                     used = ds.utilization(protocol, count, count, endpoints, wifi, window=window)
                     both = [count, count]
                     array = ds.utilization(protocol, both, count, endpoints, wifi, window=window)
@@ -264,15 +258,8 @@ def test_rates_and_times_have_a_lowest_and_a_highest_value(make: Any, text: str)
 def test_an_ampdu_that_holds_no_frame_is_refused_where_it_is_used() -> None:
     padded = ds.WIFI["802.11n 20 MHz 2x2"]
     tiny = ds.Wifi("tiny", padded.unicast, padded.multicast, ds.Aggregation(2, 100, 1e-4))
-    with pytest.raises(ValueError, match=r"most_bytes .* must hold every frame of DDS; got 100"):
+    with pytest.raises(ValueError, match=r"most_bytes .* must hold every frame of SPDP; got 100"):
         ds.utilization(ds.DDS, 7, 2, 10, tiny)
-
-
-def test_json_of_a_plan_is_strict() -> None:
-    slow = ds.Wifi("slow", ds.Link(1, 1e6), ds.Link(1, 1e6))
-    fleet = ds.Fleet.swarm(1e9, 1, 1e9)
-    text = ds.plan(fleet, wifi=slow).to_json()
-    json.loads(text, parse_constant=pytest.fail)
 
 
 @pytest.mark.parametrize("field", ["band", "width", "mcs", "mpdus"])
@@ -333,7 +320,7 @@ def test_polynomials_add_and_multiply_like_numbers() -> None:
     array = np.array([1.0, 2.0])
 
     def at(polynomial: Any, value: float) -> Any:
-        parts = _numeric.powers(polynomial)
+        parts = polynomial.coefficients
         return sum(part * value**degree for degree, part in enumerate(parts))
 
     for build in (
@@ -343,4 +330,4 @@ def test_polynomials_add_and_multiply_like_numbers() -> None:
         lambda x: array * x + x * array - array,
     ):
         np.testing.assert_allclose(at(build(x), 1.5), build(1.5), rtol=1e-15)
-    assert (1 + x - 1).powers == (0, 1)
+    assert (1 + x - 1).coefficients == (0, 1)

@@ -12,7 +12,6 @@ import discostorm as ds
 from discostorm import robots, timeline, uncertainty, wifi
 from discostorm.messages import PROCESS
 from discostorm.notation import N_H, N_P
-from discostorm_simulation import staggered
 
 PAYLOAD = ds.Payload(350, 300, 400, "here")
 
@@ -157,14 +156,6 @@ def test_a_wrong_value_is_shown_as_it_was_given(value: Any) -> None:
         utilization(hosts=value)
 
 
-def test_masked_elements_are_refused() -> None:
-    whole = np.ma.array([1, 2, 3])
-    assert np.shape(utilization(hosts=whole)) == (3,)
-    text = "hosts must be a finite number of at least 1 and at most 1e+09, or an array of them"
-    masked = np.ma.array([1, 2, 3], mask=[0, 0, 1])
-    fails(TypeError, f"{text} without masked elements", utilization, hosts=masked)
-
-
 def test_limit() -> None:
     allowed = "limit must be a finite number above 0 and at most 1e+100"
     for value, shown in [(0, "0"), (-1, "-1"), (1e101, "1e+101"), *NOT_FINITE]:
@@ -189,7 +180,7 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
         fails(TypeError, text, call, protocol="x", **SWARM)
     fails(TypeError, text, timeline.demand, protocol="x", time=1, **SWARM)
     fails(
-        TypeError, "padding must be a OfdmSymbols; got 3", ds.Link, rate=1e6, overhead=0, padding=3
+        TypeError, "padding must be an OfdmSymbols; got 3", ds.Link, rate=1e6, overhead=0, padding=3
     )
     link = ds.Link(6e6, 0, ds.OfdmSymbols(24, 4e-6, 4e-6))
     text = "aggregation must be an Aggregation; got 3"
@@ -200,28 +191,25 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
 def test_a_model_that_is_no_word_is_refused_by_name(model: Any) -> None:
     text = "model must be 'linear' or 'padded' or 'aggregated'; got "
     message = ds.DDS.messages[0]
-    for call in (ds.DDS.utilization, message.airtime, message.airtime_up, message.airtime_down):
+    for call in (ds.DDS.utilization, message.airtime_up, message.airtime_down):
         fails(ValueError, text, call, model=model)
     fails(ValueError, text, wifi.uplink_airtime, frame_bytes=N_H, model=model)
     text = "cast must be 'multicast' or 'unicast'; got "
     fails(ValueError, text, wifi.downlink_airtime, frame_bytes=N_H, cast=model)
 
 
-def test_schedules_robots_and_starts() -> None:
+def test_schedules_robots_and_seeds() -> None:
     every = ds.Schedule((0.0,), 3)
     text = "window must be a finite number of at least 1e-09, or infinity; got "
     fails(ValueError, f"{text}0", every.mean, window=0)
-    fails(TypeError, f"{text}'3'", every.mean, window="3")
+    fails(TypeError, text.partition(";")[0], every.mean, window="3")
     text = "until must be a finite number of at least 0 and at most 3e+08; got "
     fails(ValueError, f"{text}inf", every.times, until=float("inf"))
     fails(TypeError, f"{text}None", every.times, until=None)
     fails(TypeError, "nodes must be a finite number", robots.shared_endpoints, nodes="3")
     fails(TypeError, "endpoints must be a finite number", robots.likely_nodes, endpoints="3")
     fails(ValueError, "endpoints must be a finite number", robots.likely_nodes, endpoints=-1)
-    swarm = {"protocol": ds.DDS, "processes": 2, "endpoints": 10}
-    text = "hosts must be a whole number of at least 1 and at most 1e+06; got "
-    fails(ValueError, f"{text}80000000", staggered.in_turn, **swarm, hosts=8e7)
-    text = "seed must be an integer of at least 0; got "
+    text = "seed must be a whole number of at least 0; got "
     fails(TypeError, text, uncertainty.sample, protocol=ds.DDS, seed=np.timedelta64(3, "s"))
 
 
@@ -361,7 +349,7 @@ def test_protocol() -> None:
     fails(TypeError, "messages[0] must be a Message; got 'SPDP'", protocol, messages=["SPDP"])
     twice = (message(), message(phase="again"))
     fails(
-        ValueError, "messages must have names that differ; got SPDP, SPDP", protocol, messages=twice
+        ValueError, "messages must have distinct names; got 'SPDP' twice", protocol, messages=twice
     )
 
 
@@ -407,7 +395,7 @@ def test_lambdify() -> None:
     fails(TypeError, "symbols[0] must be a Symbol; got 'x'", lambdify, symbols=["x"], expression=x)
     fails(TypeError, "expression must be an Expr; got 'x'", lambdify, symbols=[x], expression="x")
     for twice in ([x, x], [x, sp.Symbol("x", positive=True)]):
-        text = "symbols must have names that differ; got x, x"
+        text = "symbols must have distinct names; got 'x' twice"
         fails(ValueError, text, lambdify, symbols=twice, expression=x)
     function = ds.lambdify([x, y], x)
     fails(TypeError, "the function takes x, y; got 0 in order and x by name", function, x=1)

@@ -3,7 +3,6 @@
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -93,17 +92,6 @@ def test_without_each_is_the_fleet_without_each() -> None:
             rest = ds.Fleet(members.groups[:index] + members.groups[index + 1 :])
             assert rests[index] == pytest.approx(ds.utilization(ds.DDS, rest), rel=1e-12)
     assert without_each(ds.DDS, fleet(1)) == [0]
-
-
-def test_of_many_groups_the_five_that_matter_are_named() -> None:
-    plan = ds.plan(fleet(50))
-    assert plan.advice().count("- Group ") == 5
-    assert "- 45 further groups: each involved in at most" in plan.advice()
-    shares = [share.share for share in plan.of_kind("group")]
-    assert len(shares) == 50
-    assert all(one >= another for one, another in pairwise(shares))
-    assert "- 1 further group: involved in at most" in ds.plan(fleet(6)).advice()
-    assert "further group" not in ds.plan(fleet(5)).advice()
 
 
 def test_a_fleet_of_arrays_beside_many_hosts_broadcasts() -> None:

@@ -11,8 +11,9 @@ import pytest
 from support import ROOT
 
 import discostorm as ds
-from discostorm.messages import Message, Protocol, Timers
-from discostorm.protocols.defaults import timers
+from discostorm.messages import Message, Protocol, Schedule, Timers
+from discostorm.protocols.as_built import as_built
+from discostorm.protocols.defaults import defaults, timers
 
 PROTOCOL = '''
 """A protocol of a test."""
@@ -32,58 +33,6 @@ MADE_UP = Protocol(
 )
 '''
 
-PROBE = """
-import json, sys
-import discostorm as ds
-from discostorm import figures, timeline, uncertainty
-from discostorm.cli import main
-from discostorm_planner.calculator import model_js
-
-made_up = ds.PROTOCOLS["Made up"]
-swarm = {"hosts": 7, "processes": 2, "endpoints": 10}
-script = model_js()
-found = {
-    "utilization": ds.utilization(made_up, **swarm),
-    "dds": ds.utilization(ds.DDS, **swarm),
-    "saturation": ds.saturation_hosts(made_up, 2, 10),
-    "breakdown": list(ds.breakdown(made_up, **swarm).index),
-    "plan": ds.plan(ds.Fleet.swarm(**swarm), made_up).protocol.name,
-    "color": figures.COLORS["Made up"],
-    "bounds": list(map(float, uncertainty.bounds(made_up, **swarm))),
-    "outlook": timeline.outlook(made_up, **swarm),
-    "calculator": '["SPDP", "multicast", 164,' in script and '"Made up": {' in script,
-}
-print(json.dumps(found))
-main(["utilization", "--hosts", "7", "--processes", "2", "--endpoints", "10",
-      "--protocol", "made up", "--json"])
-"""
-
-
-@pytest.mark.book
-def test_a_new_file_of_protocols_is_found_everywhere(tmp_path: Path) -> None:
-    for folder in ("discostorm", "scripts"):
-        shutil.copytree(ROOT / folder, tmp_path / folder)
-    (tmp_path / "discostorm" / "protocols" / "made_up.py").write_text(PROTOCOL, encoding="utf-8")
-    (tmp_path / "probe.py").write_text(PROBE, encoding="utf-8")
-    done = subprocess.run(
-        [sys.executable, "probe.py"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    first, printed = done.stdout.split("\n", 1)
-    found = json.loads(first)
-    # By hand: 14 multicasts of 164 B and 168 pairs with two answers, at the paper's rates.
-    up = 8 * 164 / 144.4e6 + 180e-6
-    down = 8 * 164 / 6e6 + 120e-6
-    # One announcement at the start and one each 5 s, in an average second at most 6/5.
-    by_hand = 14 * 1.2 * (up + down) + 168 * 2 * 2 * up
-    assert found["utilization"] == pytest.approx(by_hand, rel=1e-12)
-    assert found["dds"] == pytest.approx(0.95391, abs=1e-5)  # the other SPDP is as it was
-    assert found["breakdown"] == ["SPDP", "Answer"]
-    assert found["plan"] == "Made up"
-    assert found["bounds"][0] < found["utilization"] < found["bounds"][1]
-    assert found["calculator"]
-    assert json.loads(printed)[0]["protocol"] == "Made up"
-
 
 PRODUCT = """
 import json
@@ -94,7 +43,7 @@ new, old = ds.PROTOCOLS["Rust DDS"], ds.PROTOCOLS["Fast DDS"]
 print(json.dumps({
     "names": list(ds.PROTOCOLS),
     "same": (new.messages, new.family, new.timers) == (old.messages, old.family, old.timers),
-    "plan": ds.plan(fleet, new).utilization == ds.plan(fleet, old).utilization,
+    "load": ds.utilization(new, fleet) == ds.utilization(old, fleet),
 }))
 """
 
@@ -115,7 +64,7 @@ def test_another_measured_product_is_rows_of_data_alone(tmp_path: Path) -> None:
     found = json.loads(done.stdout)
     others = [name for name in found.pop("names") if name != "Rust DDS"]
     assert others == list(ds.PROTOCOLS)
-    assert found == {"same": True, "plan": True}
+    assert found == {"same": True, "load": True}
 
 
 def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
@@ -129,7 +78,7 @@ def test_two_protocols_of_one_name_are_refused(tmp_path: Path) -> None:
         text=True,
         check=False,
     )
-    assert "protocols must have names that differ; got two 'DDS'" in done.stderr
+    assert "protocols must have distinct names; got two 'DDS'" in done.stderr
 
 
 EVERY = [table for known in ds.PROTOCOLS.values() for table in (known, known.wired) if table]
@@ -188,3 +137,53 @@ def test_announcements_inform_unless_told_otherwise() -> None:
     assert told == {None: False, "data": False, "announcement": True}
     # A Scout asks who is there; who answers it is known from the answer.
     assert [ds.ZENOH.message(name).informs for name in ("Scout", "Hello")] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("name", "ending"), [("a", "'a'"), ("fast-dds", r"'fast-dds'\. Did you mean 'Fast DDS'\?")]
+)
+def test_an_unknown_measured_table_is_answered_with_the_nearest(name: str, ending: str) -> None:
+    with pytest.raises(ValueError, match=f"name must be that of .*; got {ending}"):
+        as_built(name)
+    with pytest.raises(TypeError, match="name must be a str; got 3"):
+        as_built(3)  # type: ignore[arg-type]
+
+
+def test_timed_tables_have_the_defaults_of_their_products() -> None:
+    """The rows of timed.csv, from middleware_defaults.csv, which has the vendors' sources."""
+    fast, cyclone, zenoh = map(defaults, ("Fast DDS", "Cyclone DDS", "Zenoh"))
+    again = (n * fast["initial_period"] for n in range(int(fast["initial_announcements"]) + 1))
+    announced = Schedule(tuple(round(t, 9) for t in again), fast["announcement_period"])
+    replies = (n * cyclone["directed_period"] for n in range(int(cyclone["directed_replies"])))
+    alive = Schedule((0,), cyclone["lease"] - cyclone["liveliness_margin"])
+    interval = min(cyclone["spdp_interval"], cyclone["lease"] - cyclone["spdp_margin"])
+    scouts, gap = [0.0], zenoh["scout_first"]
+    while gap < zenoh["scout_most"]:
+        scouts.append(scouts[-1] + gap)
+        gap *= zenoh["scout_factor"]
+    scouting = Schedule(tuple(scouts), zenoh["scout_most"])
+    quiet = zenoh["lease"] / zenoh["keep_alives"]
+    expected = {
+        "DDS, periods of Fast DDS": {
+            "SPDP": (announced, 1),
+            "UnicastSPDP": (announced, fast["unicast_copies"]),
+        },
+        "DDS, periods of Cyclone DDS": {
+            "SPDP": (Schedule((0, cyclone["second_announcement"]), interval), 1),
+            "DirectedSPDP": (Schedule(tuple(replies)), 1),
+            "Liveliness": (alive, 1),
+            "LivelinessACK": (alive, 1),
+        },
+        "Zenoh, periods of Zenoh peer": {
+            "Scout": (scouting, 1),
+            "Hello": (scouting, zenoh["hellos"]),
+            "KeepAlive": (Schedule((quiet,), quiet), 1),
+        },
+    }
+    for name, messages in expected.items():
+        table, paper = ds.PROTOCOLS[name], ds.PROTOCOLS[name.partition(",")[0]]
+        rows = {m.name: (m.schedule, m.per_unit) for m in table.messages}
+        usual = {m.name: (m.schedule, m.per_unit) for m in paper.messages}
+        assert rows == {key: value for key, value in usual.items() if key in rows} | messages
+    payload = ds.PROTOCOLS["DDS, periods of Cyclone DDS"].message("Liveliness").payload
+    assert payload.nominal == cyclone["liveliness_payload"]

@@ -18,6 +18,7 @@ from discostorm import _numeric, notation as nt, wifi as wf
 from discostorm._numeric import evaluate
 from discostorm.data import data_path, read_data
 from discostorm.saturation import saturation
+from discostorm.wifi.radio import both_ends
 
 Key = tuple[str, int, int, int, int]
 
@@ -499,3 +500,31 @@ def test_a_start_spacing_makes_short_frames_as_long_as_it_lasts() -> None:
     for wifi in values:
         values[wifi] = float(evaluate(long, wifi.values()))
     assert len(set(values.values())) == 1  # a long frame takes longer than the spacing anyway
+
+
+def test_control_frames_are_as_long_as_their_fields() -> None:
+    """Frame Control, Duration, addresses and FCS; a block acknowledgement has a bit per MPDU."""
+    octets = {row["name"]: int(row["bytes"]) for row in read_data("wifi/frames.csv")}
+    assert octets.pop("ACK") == 2 + 2 + 6 + 4
+    for bitmap in (64, 256, 512, 1024):
+        fields = 2 + 2 + 6 + 6 + 2 + 2 + bitmap // 8 + 4
+        assert octets.pop(f"BlockAck {bitmap}") == fields
+    assert octets == {"QoS Control": 2, "MPDU delimiter": 4, "A-MPDU padding": 4}
+
+
+@pytest.mark.parametrize(
+    ("band", "slot", "sifs", "extension"), [(2.4e9, 9, 10, 6), (5e9, 9, 16, 0), (6e9, 9, 16, 0)]
+)
+def test_timing_of_bands(band: float, slot: int, sifs: int, extension: int) -> None:
+    radio = ds.Radio("802.11be", band=band)
+    times = (radio.slot, radio.sifs, radio.signal_extension, radio.aifs)
+    assert times == pytest.approx([t * 1e-6 for t in (slot, sifs, extension, sifs + 2 * slot)])
+    # Each retransmission doubles the window: 16 slots, 32 and so on up to 1024.
+    assert (radio.cw_min, radio.cw_max) == (2**4 - 1, 2**10 - 1)
+
+
+def test_a_radio_that_says_how_it_aggregates_is_taken_at_its_word() -> None:
+    for mpdus, frames in ((1, 64), (16, 16)):
+        full, single = both_ends(ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi())
+        assert full.aggregation is not None
+        assert (full.aggregation.mpdus, single.aggregation) == (frames, None)

@@ -9,7 +9,7 @@ from discostorm import measured
 from discostorm.data import read_data
 from discostorm.messages import HOPS
 from discostorm.model import burst
-from discostorm.protocols import ARRANGED
+from discostorm.protocols import MITIGATED
 from discostorm_book import comparison, lab_counts
 
 TABLES = {name: ds.PROTOCOLS[name] for name in measured.configurations()}
@@ -105,7 +105,7 @@ def test_every_row_says_where_it_is_from() -> None:
     assert {row["protocol"] for row in rows} | {"Fast DDS Discovery Server, on a robot"} >= set(
         SERVERS
     ) | {"static endpoints"}
-    assert set(TABLES) == ARRANGED
+    assert set(TABLES) == MITIGATED
     for row in rows:
         assert row["source"].strip()
         assert row["per_unit"] or row["inside"] or "measured" in row["source"], row

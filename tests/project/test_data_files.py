@@ -51,7 +51,7 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities", "paper/claim_tests"),
-        *("vendors/products", "vendors/configurations", "palette"),
+        *("vendors/products", "vendors/configurations", "vendors/units", "palette"),
     ),
 }
 WITHOUT = {

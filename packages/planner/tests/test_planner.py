@@ -18,7 +18,7 @@ from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm.model import burst as burst_of
-from discostorm.protocols import ARRANGED, MEASURED
+from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.robots import parameter_service_endpoints, robots as robots_by_name
 from discostorm_planner import protocol_changes, remedy_rules
 from discostorm_planner.aggregation_range import AggregationRange
@@ -551,7 +551,7 @@ def test_every_row_of_the_remedies_has_what_it_needs() -> None:
         assert bool(row["price"]) == bool(row["effort"]) == (row["works"] == "computed")
         assert not row["effort"] or row["effort"] in efforts
         assert not row["base"] or row["base"] in MEASURED
-        arranged = row["family"] == "DDS" and row["table"] in ARRANGED
+        arranged = row["family"] == "DDS" and row["table"] in MITIGATED
         assert bool(row["in_domains"]) == arranged
         assert len(f"{row['price']}; {row['fails']}") <= 150, row["title"]
     torn = {row["kind"] for row in rows if row["all_find_each_other"] == "no"}
@@ -596,15 +596,15 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
     paper = {"DDS", "Zenoh"}
     products = {name for name, table in ds.PROTOCOLS.items() if remedy_rules.software(table)}
     assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
-    products -= ARRANGED
+    products -= MITIGATED
     for name, table in ds.PROTOCOLS.items():
         # What is arranged against the storm can be given up, but is no middleware to switch to.
         others = (
             products
-            if name in ARRANGED
+            if name in MITIGATED
             else next(
                 group
-                for group in (paper, products, set(ds.PROTOCOLS) - paper - products - ARRANGED)
+                for group in (paper, products, set(ds.PROTOCOLS) - paper - products - MITIGATED)
                 if name in group
             )
         )
@@ -645,7 +645,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     seconds = json.loads(plan.to_json())["window_s"]
     assert seconds == (None if window == float("inf") else window)
     assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
-    measured = name in MEASURED | ARRANGED
+    measured = name in MEASURED | MITIGATED
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The measured model of {name} comes from captures" in text) == measured
@@ -1055,7 +1055,7 @@ def test_configurations_are_compared_in_one_table() -> None:
     plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
     rows = {row.name: row for row in plan.configurations}
     wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
-    assert set(rows) == (set(MEASURED) | set(ARRANGED)) - wired
+    assert set(rows) == (set(MEASURED) | set(MITIGATED)) - wired
     assert rows["Fast DDS"].utilization == plan.utilization
     assert [row.startup.single for row in plan.configurations] == sorted(
         row.startup.single for row in rows.values()

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.fleet import Fleet
-from discostorm.messages import DATA, Hosts, Message, Protocol, data_table
+from discostorm.messages import DATA, Hosts, Message, Protocol, user_data_protocol
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as _cell
 from discostorm_simulation.cell_setup import Bursts, ticks
@@ -54,7 +54,7 @@ class UserData:
 
 def with_user_data(protocol: Protocol, fleet: Fleet) -> Protocol:
     """Return the table with the rows of a fleet's data; who has a sample answers it."""
-    table = data_table(protocol, fleet)
+    table = user_data_protocol(protocol, fleet)
     if table is None:
         return protocol
     rows: list[Message] = []
