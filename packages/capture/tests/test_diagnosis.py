@@ -23,7 +23,7 @@ from discostorm_capture.live import Packets
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
-#: What each capture of `captures/ills` is of (`lab/grids/faults.csv`): the kind of its first finding,
+#: What each capture of `captures/ills` is of: the kind of its first finding,
 #: and the last parts of the hosts' addresses that it names.
 STAGED: dict[str, tuple[str, str]] = {
     "multicast_filtered-cyclone_dds_0_10": ("nobody hears", "123"),
