@@ -34,7 +34,7 @@ def rows() -> list[dict[str, Any]]:
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
     """Let readers touch the messages of captures, all on one clock, and of captures of their own.
 
-    At first so many pairs that never completed are listed, and so many seconds are shown.
+    At first the page lists ``most`` pairs that never completed, and shows the time ``until`` [s].
     """
     data = {
         "rows": rows(),

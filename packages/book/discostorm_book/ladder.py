@@ -111,7 +111,7 @@ def _simulated() -> Iterator[Rung]:
 
 
 def _runs_in_words(row: dict[str, str]) -> str:
-    """Return what the runs of a step of the ladder found, in words."""
+    """Return the result of the runs of a step of the ladder in words."""
     parts = []
     for more, value, runs in ((0, "value", "runs"), (1, "one_more", "one_more_runs")):
         median, low, high = (float(row[f"{value}{end}_s"]) for end in ("", "_low", "_high"))

@@ -306,7 +306,7 @@ def messages(protocol: Protocol) -> Markdown:
 def shell(*commands: str, lines: int | None = None) -> Markdown:
     """Run commands ``discostorm ...`` in this process, and show their output 79 letters wide.
 
-    Of each output so many lines are shown, all by default, and an exit code other than 0.
+    Of each output the first lines are shown, by default all, and an exit code other than 0.
     """
     from click.testing import CliRunner
 

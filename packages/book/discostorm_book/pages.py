@@ -86,7 +86,7 @@ def guess(
 
 
 def line_of_fig3() -> HTML:
-    """Let the reader drag the line of Fig. 3: robots with so many endpoints in all."""
+    """Let the reader drag the line of Fig. 3: the endpoints of a robot in all."""
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         known = protocol.values() | PAPER.values() | {N_H: figures.FIG3_HOSTS}

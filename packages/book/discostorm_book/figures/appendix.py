@@ -66,16 +66,16 @@ def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Fi
 
 def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     """Draw a bar a row from the fewest to the most hosts, with both numbers at its ends."""
-    places = range(len(rows) - 1, -1, -1)
-    for place, row in zip(places, rows.to_dict("records"), strict=True):
+    ys = range(len(rows) - 1, -1, -1)
+    for y, row in zip(ys, rows.to_dict("records"), strict=True):
         ends = row["fewest_hosts"], row["most_hosts"]
         shade = "0.35" if row["parameter"] == _TOGETHER else color
-        axis.plot(ends, [place, place], color=shade, linewidth=7, solid_capstyle="butt")
+        axis.plot(ends, [y, y], color=shade, linewidth=7, solid_capstyle="butt")
         for end, side, gap in zip(ends, ("right", "left"), (-0.06, 0.06), strict=True):
-            axis.text(end + gap, place, f"{end:.2f}", ha=side, va="center", fontsize=9)
+            axis.text(end + gap, y, f"{end:.2f}", ha=side, va="center", fontsize=9)
     axis.axvline(rows["paper_hosts"].iloc[0], color="black", linewidth=1, zorder=3)
     axis.set_ylim(-0.6, len(rows) - 0.4)
-    clear_rows(axis, places, rows["parameter"])
+    clear_rows(axis, ys, rows["parameter"])
 
 
 def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:

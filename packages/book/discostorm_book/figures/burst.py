@@ -135,7 +135,7 @@ def drain(rows: pd.DataFrame) -> Figure:
 def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
     """Draw how many frames of a fleet wait over time, from the sweep ``waiting``.
 
-    The access point's queue holds so many frames as the limit says.
+    The limit is that of the access point's queue [frames].
     """
     own = rows[(rows["hosts"] == hosts) & (rows["time_s"] > 0)]
     full = own.loc[own["at_access_point"] >= limit, "time_s"].iloc[0]

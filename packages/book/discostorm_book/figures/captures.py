@@ -43,25 +43,25 @@ def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
 def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
     """Draw captures on one clock: a lane a host, a mark a message, and when it knew all others."""
     data = lanes_data(captures, until)
-    names, place = {}, 0.0
+    names, y = {}, 0.0
     with drawn(3.3) as figure:
         axis = figure.subplots()
         for name, of_capture in data.groupby("capture", sort=False):
-            axis.text(0, place - 0.1, str(name), weight="bold", va="center", size=9)
-            place += 0.85
+            axis.text(0, y - 0.1, str(name), weight="bold", va="center", size=9)
+            y += 0.85
             for host, rows in of_capture.groupby("host"):
                 (complete,) = rows["complete_s"].unique()
-                axis.barh(place, complete, 0.82, color=_BEFORE, zorder=0)
-                axis.barh(place, until - complete, 0.82, complete, color=_AFTER, zorder=0)
+                axis.barh(y, complete, 0.82, color=_BEFORE, zorder=0)
+                axis.barh(y, until - complete, 0.82, complete, color=_AFTER, zorder=0)
                 for kinds, offset, color in ROWS.values():
                     times = rows["time_s"][rows["kind"].isin(kinds)]
-                    axis.plot(times, [place + offset] * len(times), "|", color=color, ms=7, mew=1.6)
+                    axis.plot(times, [y + offset] * len(times), "|", color=color, ms=7, mew=1.6)
                 text = f"{complete:.2f} s"
-                axis.text(0.995 * until, place, text, ha="right", va="center", size=9)
-                names[place] = str(host)
-                place += 1
-            place += 0.35
-        axis.set(xlim=(0, until), ylim=(place - 0.6, -0.5))
+                axis.text(0.995 * until, y, text, ha="right", va="center", size=9)
+                names[y] = str(host)
+                y += 1
+            y += 0.35
+        axis.set(xlim=(0, until), ylim=(y - 0.6, -0.5))
         axis.set_xlabel("time since the first packet [s]")
         clear_rows(axis, list(names), list(names.values()))
         handles: list[Artist] = [

@@ -52,10 +52,10 @@ def configurations(robots: Mapping[str, HostGroup]) -> Figure:
         panels = figure.subplots(1, len(robots), sharey=True, squeeze=False)[0]
         for axis, robot in zip(panels, robots, strict=True):
             many = data[f"{robot} that fit"]
-            for place, (fit, what) in enumerate(zip(many, data["what else fails"], strict=True)):
-                axis.plot([0, fit], [place, place], color="0.8", linewidth=1, zorder=1)
-                axis.plot(fit, place, ms=7, **consequence_look(what))
-                write(axis, f"{fit}", (fit, place), (7, 0), va="center")
+            for y, (fit, what) in enumerate(zip(many, data["what else fails"], strict=True)):
+                axis.plot([0, fit], [y, y], color="0.8", linewidth=1, zorder=1)
+                axis.plot(fit, y, ms=7, **consequence_look(what))
+                write(axis, f"{fit}", (fit, y), (7, 0), va="center")
             axis.set(xlim=(-0.3, 1.25 * many.max()), xlabel=f"{robot} that fit")
             axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
             axis.spines["left"].set_visible(False)

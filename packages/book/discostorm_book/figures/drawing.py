@@ -33,7 +33,7 @@ def drawn(height: float, title: str = "") -> Iterator[Figure]:
 def write(
     axis: Axes, text: str, at: tuple[float, float], offset: tuple[float, float], **look: Any
 ) -> None:
-    """Write small words beside a point of a panel, so many points of type off it."""
+    """Write small words beside a point of a panel; the offset is in points of type."""
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
 
 

@@ -81,24 +81,24 @@ def ladder() -> Figure:
     data = ladder_data()
     # No product has these colors.
     colors = [lights("neutral")[shade] for shade in ("gray", "charcoal")]
-    places = range(len(data))
+    ys = range(len(data))
     with drawn(2.9, "Every step helps; dropping acknowledgments helps most") as figure:
         axis = figure.subplots()
         axis.axvline(1, color="black", linewidth=1)
         for column, color, side in zip(data, colors, ("right", "left"), strict=True):
             across = 7 if side == "left" else -7
-            axis.plot(data[column], places, "o-", color=color)
+            axis.plot(data[column], ys, "o-", color=color)
             look: Look = {"va": "center", "fontsize": 8.5, "bbox": white(0.6)}
-            for place, airtime in zip(places, data[column], strict=True):
+            for y, airtime in zip(ys, data[column], strict=True):
                 text = words.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
-                write(axis, text, (airtime, place), (across, 0), ha=side, **look)
+                write(axis, text, (airtime, y), (across, 0), ha=side, **look)
             name, first = str(column).removesuffix(" [s]"), (data[column].iloc[0], 0)
             look = {"color": color, "fontweight": "bold", "fontsize": 10}
             write(axis, name, first, (across, 9), ha=side, **look)
         axis.text(1, 1.0, "1 s", ha="center", va="bottom", transform=axis.get_xaxis_transform())
         axis.set(xscale="log", xlim=(1e-4, 6e3), xlabel="airtime of the first second [s]")
         axis.set_ylim(len(data) - 0.5, -0.8)
-        clear_rows(axis, places, data.index)
+        clear_rows(axis, ys, data.index)
         axis.tick_params(axis="y", labelsize=8.5)
         axis.spines["left"].set_visible(False)
         # On a phone no more numbers fit below the axis.
@@ -124,14 +124,14 @@ def times() -> Figure:
     data = times_data()
     with drawn(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
-        for place, row in enumerate(data.to_dict("records")):
+        for y, row in enumerate(data.to_dict("records")):
             color = lights("series")["vermilion" if "fades" in row["scenario"] else "blue"]
             median, slowest = row["median [s]"], row["slowest [s]"]
-            axis.plot([row["fastest [s]"], slowest], [place, place], "-", color=color)
-            axis.plot(median, place, "o", color=color)
-            axis.plot(row["95% [s]"], place, "|", color=color, markersize=11, mew=2)
+            axis.plot([row["fastest [s]"], slowest], [y, y], "-", color=color)
+            axis.plot(median, y, "o", color=color)
+            axis.plot(row["95% [s]"], y, "|", color=color, markersize=11, mew=2)
             text = f"{median:.1f} s"
-            write(axis, text, (slowest, place), (6, 0), va="center", fontsize=8.5)
+            write(axis, text, (slowest, y), (6, 0), va="center", fontsize=8.5)
         axis.set(xlim=(0, 1.15 * data["slowest [s]"].max()))
         axis.set_xlabel("time until all hosts know each other [s]")
         clear_rows(axis, range(len(data)), data["scenario"])

@@ -31,7 +31,7 @@ _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 def start_data(
     products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
 ) -> pd.DataFrame:
-    """Return what is requested by some times after startup, and when the channel goes idle [s]."""
+    """Return the airtime requested by times after startup, and when the channel goes idle [s]."""
     requested, idle = [], []
     for hosts in fleets:
         columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
@@ -161,7 +161,7 @@ _SMALL_HOSTS = steps(1, 8)
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
     """Return the airtime of large fleets by part, and the utilization of small robots.
 
-    Small robots, of so many processes and endpoints of each, are alone or beside a laptop.
+    A small robot has processes, and endpoints of each; they are alone or beside a laptop.
     """
     bars = large.drop(columns="total [s]").melt(
         ["protocol", "fleet"], var_name="part", value_name="utilization"
@@ -187,16 +187,14 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
     with drawn(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
-        places = order.index + (order["protocol"] == "DDS") * 0.5
+        ys = order.index + (order["protocol"] == "DDS") * 0.5
         shades, left = [COLORS[protocol] for protocol in order["protocol"]], np.zeros(len(order))
         for part, alpha in {"robot-robot [s]": 0.45, "robot-laptop [s]": 1}.items():
-            bars.barh(places, order[part], left=left, height=0.7, color=shades, alpha=alpha)
+            bars.barh(ys, order[part], left=left, height=0.7, color=shades, alpha=alpha)
             left += order[part]
-        for place, total, protocol in zip(
-            places, order["total [s]"], order["protocol"], strict=True
-        ):
-            bars.text(total, place, f" {protocol} {total:.1f}", va="center")
-        bars.set_yticks(places, order["fleet"])
+        for y, total, protocol in zip(ys, order["total [s]"], order["protocol"], strict=True):
+            bars.text(total, y, f" {protocol} {total:.1f}", va="center")
+        bars.set_yticks(ys, order["fleet"])
         bars.set_xlabel("airtime [s]")
         bars.set_xlim(0, 1.3 * order["total [s]"].max())
         bars.grid(axis="y", visible=False)

@@ -51,28 +51,28 @@ def counts() -> Figure:
     """Draw how often the paper's messages are sent, and how long they are: a row a message."""
     data = products.counts()
     heads: dict[int, str] = {}  # of the groups
-    places: list[int] = []  # of the rows
+    ys: list[int] = []  # of the rows
     for name, rows in data.groupby("product", sort=False):
-        heads[len(heads) + len(places)] = str(name)
-        places += [len(heads) + len(places) + row for row in range(len(rows))]
+        heads[len(heads) + len(ys)] = str(name)
+        ys += [len(heads) + len(ys) + row for row in range(len(rows))]
     (only,) = data[data["as_counted"] == 1].to_dict("records")
     title = f"One count of {len(data)} holds: {only['message']} of {only['product']}"
-    with drawn(_AROUND + 0.2 + 0.2 * (len(places) + len(heads)), title) as figure:
+    with drawn(_AROUND + 0.2 + 0.2 * (len(ys) + len(heads)), title) as figure:
         sent, size = figure.subplots(1, 2, sharey=True)
         sent.axvline(1, color=_PAPER, lw=1)
-        for place, row in zip(places, data.to_dict("records"), strict=True):
+        for y, row in zip(ys, data.to_dict("records"), strict=True):
             color = COLORS[row["product"]]
             for axis, end in ((sent, ""), (size, "_B")):
-                axis.plot([row[f"min{end}"], row[f"max{end}"]], [place] * 2, color=color, lw=2)
-                axis.plot(row[f"median{end}"], place, "o", color=color, ms=6)
+                axis.plot([row[f"min{end}"], row[f"max{end}"]], [y] * 2, color=color, lw=2)
+                axis.plot(row[f"median{end}"], y, "o", color=color, ms=6)
             stated = [row["paper_low_B"], row["paper_high_B"]]
-            size.plot(stated, [place] * 2, color="0.8", lw=9, solid_capstyle="butt", zorder=1)
-            size.plot(row["paper_B"], place, "|", color=_PAPER, ms=9, mew=1.5, zorder=1.5)
-        sent.set_yticks(places, data["message"])
+            size.plot(stated, [y] * 2, color="0.8", lw=9, solid_capstyle="butt", zorder=1)
+            size.plot(row["paper_B"], y, "|", color=_PAPER, ms=9, mew=1.5, zorder=1.5)
+        sent.set_yticks(ys, data["message"])
         sent.set_yticks(list(heads), heads.values(), minor=True)
         for label in sent.get_yticklabels(minor=True):
             label.set(color=COLORS[label.get_text()], weight="bold")
-        sent.set_ylim(places[-1] + 0.6, -0.6)
+        sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")
         set_ticks(sent.xaxis, [0.5, 1, 2, 5, 10, 30, 100])
@@ -121,15 +121,15 @@ def _stack(axis: Axes, data: pd.DataFrame) -> None:
     """Draw the airtime of each table as a bar of its purposes, with the sum at its end."""
     left = np.zeros(len(data))
     for purpose, shade in _SHADES.items():
-        for place, (name, length) in enumerate(data[purpose].items()):
-            look: Look = {"left": left[place], "height": 0.68, "linewidth": 0.6}
+        for y, (name, length) in enumerate(data[purpose].items()):
+            look: Look = {"left": left[y], "height": 0.68, "linewidth": 0.6}
             look |= _fill(COLORS[str(name)], shade > 0) | {"alpha": shade or None}
             if length:
-                axis.barh(place, length, edgecolor=COLORS[str(name)], **look)
+                axis.barh(y, length, edgecolor=COLORS[str(name)], **look)
         left += data[purpose].to_numpy()
-    for place, total in enumerate(left):
+    for y, total in enumerate(left):
         look = {"va": "center", "size": 9, "bbox": white(0.5)}
-        axis.text(total + 0.03, place, f"{total:.2f} s", **look)
+        axis.text(total + 0.03, y, f"{total:.2f} s", **look)
     names = [f"paper, {name}" if name in products.PAPERS else name for name in data.index]
     clear_rows(axis, range(len(data)), names)
 
@@ -161,10 +161,10 @@ def saturation() -> Figure:
                 axis.axvline(hosts, color=color, lw=1.2, ls="--", zorder=0)
                 text = f" {paper} {hosts:.1f} "
                 axis.text(hosts, -0.85, text, ha=side, va="center", color=color, size=8)
-            for place, (model, hosts) in enumerate(models[column].items()):
-                axis.plot(hosts, place, "o", color=COLORS[str(model)], ms=7)
+            for y, (model, hosts) in enumerate(models[column].items()):
+                axis.plot(hosts, y, "o", color=COLORS[str(model)], ms=7)
                 look: Look = {"va": "center", "size": 9, "bbox": white(0.5)}
-                axis.text(hosts + 0.05 * most, place, f"{hosts:.1f}", **look)
+                axis.text(hosts + 0.05 * most, y, f"{hosts:.1f}", **look)
             axis.set(xlim=(0, 1.35 * most), ylim=(len(models) - 0.5, -1.3))
             beyond = ", extrapolated" if column == "Nav2 robots" else ""
             axis.set_title(f"{column}{beyond}", loc="left", size=8.5)
@@ -188,14 +188,14 @@ def errors() -> Figure:
         windows = {"startup": "startup", "steady": "steady state"}
         for axis, (window, title) in zip(panels, windows.items(), strict=True):
             axis.axvspan(-limit, limit, color="0.88", zorder=0)
-            for place, name in enumerate(products.MODELS):
+            for y, name in enumerate(products.MODELS):
                 rows = data[(data["model"] == name) & (data["window"] == window)]
                 off = rows["error"].dropna().clip(-far, far).sort_values()
                 spread = 0.3 * np.sin(2.4 * np.arange(len(off)))  # so that dots do not hide others
-                axis.plot(off, place + spread, "o", color=COLORS[name], ms=3.5, alpha=0.6, mew=0)
+                axis.plot(off, y + spread, "o", color=COLORS[name], ms=3.5, alpha=0.6, mew=0)
                 right, all_of = held.loc[(window, name), ["phases, messages", "phases"]]
                 look = {"va": "center", "size": 8, "transform": axis.get_yaxis_transform()}
-                axis.text(1.02, place, f"{right} of {all_of}", **look)
+                axis.text(1.02, y, f"{right} of {all_of}", **look)
             axis.set(xlim=(-far - 0.03, far + 0.03), ylim=(len(products.MODELS) - 0.5, -0.5))
             axis.set_title(title, loc="left", size=9)
             axis.xaxis.set_major_formatter(PercentFormatter(1, symbol=None))

@@ -69,7 +69,7 @@ def _deaths_of(name: str, event: str) -> pd.DataFrame:
 
 @cache
 def instead_of() -> dict[str, str]:
-    """Return the product as shipped that each configuration takes the place of."""
+    """Return the product as shipped that each configuration replaces."""
     replaced = _risks("instead_of")
     return {name: replaced[name] for name in measured.configurations()}
 
@@ -83,7 +83,7 @@ def swarm(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
 def used(
     name: str, hosts: ArrayLike, names: str = "ROS 2", window: float = np.inf
 ) -> NDArray[np.float64]:
-    """Return utilization by so many small robots, in the steady state if no window is given."""
+    """Return utilization by small robots, in the steady state if no window is given."""
     return np.asarray(utilization(PROTOCOLS[name], swarm(hosts, names), window=window))
 
 
@@ -93,7 +93,7 @@ def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.flo
 
 
 def _fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
-    """Return how many small robots need at most this share of a window; 5,000 stands for more."""
+    """Return the most small robots whose utilization stays within a limit, up to 5,000."""
     below = used(name, _MANY, names, window) <= limit
     return int(_MANY[below][-1]) if below.any() else 0
 
@@ -143,26 +143,26 @@ def configurations() -> Figure:
     title = "A wired Zenoh router admits the most robots, but it can silence all of them"
     with drawn(4.4, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)
-        labels, place = {}, 0.0
+        labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
             name, look = row["configuration"], consequence_look(row["what else fails"])
             if name in instead_of():
-                place += 1.0
-                labels[place] = _SHORT.get(name, name)
+                y += 1.0
+                labels[y] = _SHORT.get(name, name)
             else:
-                place += 1.6
-                labels[place] = f"{row['product']}, as shipped"
+                y += 1.6
+                labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
             ends = [row[f"one second, {names} names"] for names in ("same", "own")]
             if ends[0] != ends[1]:
-                start.plot(ends, [place] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
+                start.plot(ends, [y] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
             for axis, column in (
                 (start, "one second, ROS 2 names"),
                 (steady, "10% of the steady state"),
             ):
-                axis.plot(row[column], place, ms=7, **look)
+                axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _MANY[-1] else ''}"
-                write(axis, text, (row[column], place), (7, 0), va="center", bbox=white(0.6))
+                write(axis, text, (row[column], y), (7, 0), va="center", bbox=white(0.6))
         start.set_yticks(list(labels), labels.values())
         for tick in start.get_yticklabels():
             tick.set_weight("bold" if "shipped" in tick.get_text() else "normal")
@@ -225,21 +225,21 @@ def failures() -> Figure:
     """Draw who hears whom after a failure as swim lanes."""
     with drawn(4.5, "Only a central router or hub silences the fleet") as figure:
         axis = figure.subplots()
-        place, labels = 0.0, {}
+        y, labels = 0.0, {}
         back_look: Look = {"color": "black", "lw": 1.6}
         for title, rows in failures_data().groupby("title", sort=False):
-            place += 1.15
-            axis.text(0, place, str(title), fontsize=9, fontweight="bold", va="center")
-            top, back = place + 0.4, rows["server_back_s"].iloc[0]
+            y += 1.15
+            axis.text(0, y, str(title), fontsize=9, fontweight="bold", va="center")
+            top, back = y + 0.4, rows["server_back_s"].iloc[0]
             for row in rows.to_dict("records"):
-                place += 0.85
-                labels[place] = row["who"]
-                _draw_lane(axis, place, row)
-            axis.vlines(back, top, place + 0.4, **back_look)
+                y += 0.85
+                labels[y] = row["who"]
+                _draw_lane(axis, y, row)
+            axis.vlines(back, top, y + 0.4, **back_look)
         clear_rows(axis, list(labels), labels.values())
         axis.tick_params(axis="y", labelsize=8)
         axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
-        axis.set_ylim(place + 0.6, 0.5)
+        axis.set_ylim(y + 0.6, 0.5)
         handles = [
             Patch(color=_SERIES["blue"], label="hear each other"),
             Patch(fc="white", ec=_SERIES["vermilion"], hatch="////", label="do not"),
@@ -249,15 +249,15 @@ def failures() -> Figure:
     return figure
 
 
-def _draw_lane(axis: Axes, place: float, row: Mapping[Any, Any]) -> None:
+def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
     """Draw when processes do not hear each other, and when they do."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
         look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
-        axis.barh(place, connected - begin, 0.55, begin, color="white", **look)
-    axis.barh(place, end - connected, 0.55, connected, color=_SERIES["blue"])
+        axis.barh(y, connected - begin, 0.55, begin, color="white", **look)
+    axis.barh(y, end - connected, 0.55, connected, color=_SERIES["blue"])
     if (late := connected - row["server_back_s"]) > 0:
-        axis.text(end + 1, place, f"+{late:.1f} s", va="center", fontsize=8)
+        axis.text(end + 1, y, f"+{late:.1f} s", va="center", fontsize=8)
 
 
 def noticed_data() -> pd.DataFrame:
@@ -284,11 +284,11 @@ def noticed() -> Figure:
         axis = figure.subplots()
         for row in data.to_dict("records"):
             shift, color, _ = looks[row["event"]]
-            place, seconds = names.index(row["configuration"]) + shift, row["noticed_s"]
-            axis.barh(place, seconds, 0.34, color=_SERIES[color])
+            y, seconds = names.index(row["configuration"]) + shift, row["noticed_s"]
+            axis.barh(y, seconds, 0.34, color=_SERIES[color])
             text = f"{seconds:.0f}" if seconds >= 0.5 else "0"
-            axis.text(seconds + 0.8, place, text, va="center", fontsize=8)
-            axis.vlines(row["lease_s"], place - 0.19, place + 0.19, zorder=3, **lease)
+            axis.text(seconds + 0.8, y, text, va="center", fontsize=8)
+            axis.vlines(row["lease_s"], y - 0.19, y + 0.19, zorder=3, **lease)
         clear_rows(axis, range(len(names)), [_SHORT.get(name, name) for name in names])
         axis.tick_params(axis="y", labelsize=8)
         axis.invert_yaxis()

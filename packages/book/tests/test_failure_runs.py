@@ -1,0 +1,24 @@
+"""The runs of failures: whoever did not lose another process heard it all along."""
+
+import numpy as np
+
+from discostorm_book import failure_runs
+from discostorm_book.lab_counts import death_times, deaths
+
+#: Silence up to which a process counts as heard, as ``data/measured/README.md`` says [s].
+SILENT = 2.0
+
+
+def test_processes_lost_each_other_or_heard_each_other_all_along() -> None:
+    rows = deaths()
+    rows = rows[rows["phase"].eq("death") & rows["who"].isin(list(failure_runs._KNOWN))]
+    rows = rows[rows["configuration"].isin(list(failure_runs.ARRANGEMENTS))]
+    rows = rows[rows["event"].isin(["server killed", "server restarts"])]
+    keys = rows[["configuration", "event", "phase", "who"]].drop_duplicates()
+    assert len(keys) > 5
+    for key in keys.itertuples(index=False):
+        settled, lost, silence = (
+            death_times(*key, quantity) for quantity in ("settled", "unmatched", "silence")
+        )
+        assert ((settled > 0) == np.isfinite(lost)).all(), key
+        assert ((settled > 0) | (silence < SILENT)).all(), key
