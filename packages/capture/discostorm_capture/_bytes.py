@@ -18,7 +18,7 @@ PAD = 64
 
 def as_memory(data: Bytes) -> memoryview:
     """Return the bytes for code that takes them one by one."""
-    return memoryview(data)
+    return memoryview(data)  # type: ignore[arg-type]
 
 
 def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
@@ -26,7 +26,7 @@ def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
     width = np.dtype(dtype).itemsize
     # Element i of this array starts at byte i; only the requested elements are copied.
     overlapping: Array = np.ndarray((len(data) - width + 1,), dtype, data, 0, (1,))
-    return overlapping[at]  # type: ignore[no-any-return]
+    return overlapping[at]
 
 
 def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
