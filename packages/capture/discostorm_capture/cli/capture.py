@@ -180,9 +180,14 @@ def capture(
         show_answer(diagnosis)
         show_tables(diagnosis, output)
         _show_messages(captured, groups, rows, output)
-        for note in _notes(captured, encrypted, wired_hosts is None):
+        for note in _notes(captured, encrypted):
             click.echo(visible(f"Note: {note}."))
         _show_sums(captured, sums, seconds)
+        if wired_hosts is None and (serving := captured.serving()):
+            click.echo(
+                f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
+                "to the access point; --wired says which hosts are, --wired none that no host is."
+            )
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
@@ -253,7 +258,7 @@ def _or_empty(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
 
 
-def _notes(captured: Capture, encrypted: bool, guess: bool) -> Iterator[str]:
+def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
     """Yield what limits the tables."""
     if (view := captured.view()) is not None:
         yield (
@@ -263,11 +268,6 @@ def _notes(captured: Capture, encrypted: bool, guess: bool) -> Iterator[str]:
     yield from captured.notes
     if encrypted:
         yield NO_ENDPOINTS
-    if guess and (serving := captured.serving()):
-        yield (
-            f"{' and '.join(serving)}: nothing but servers or routers, taken for wired to the "
-            "access point; --wired says which hosts are, --wired none that no host is"
-        )
 
 
 def _show_sums(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
