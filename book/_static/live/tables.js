@@ -184,20 +184,20 @@ const s138 = "SPDP unicast for others";
 const s139 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
 const s140 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
 const s141 = [0, 0, 30000000];
-const s142 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s143 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
-const s144 = ["fleet", "all"];
-const s145 = {"name": "Digest", "unit": s144, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s146 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
-const s147 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s148 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
-const s149 = [1, 1, 1, 1, 1, 1, 1];
-const s150 = [[0, 0], [3, 1], [6, 2]];
-const s151 = [1, 0, 0, 0, 0, 0, 0];
-const s152 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
-const s153 = [1, 1, 1, 1, 1, 1, 1, 1];
-const s154 = [0, 1, 2, 3, 4, 5];
-const s155 = 0.3;
+const s142 = [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]];
+const s143 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s144 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
+const s145 = ["fleet", "all"];
+const s146 = {"name": "Digest", "unit": s145, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s147 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
+const s148 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s149 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
+const s150 = [1, 1, 1, 1, 1, 1, 1];
+const s151 = [[0, 0], [3, 1], [6, 2]];
+const s152 = [1, 0, 0, 0, 0, 0, 0];
+const s153 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
+const s154 = [1, 1, 1, 1, 1, 1, 1, 1];
+const s155 = [0, 1, 2, 3, 4, 5];
 const s156 = [0, 0, 25000000, 80000000];
 const s157 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
 const s158 = {"lease": 100000000, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000};
@@ -474,7 +474,19 @@ return {
 "processes": {"size": 40, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "beating": [32, "i8"]}},
 "repairs": {
 "size": 88,
-"fields": {"announce_interval_initial": [0, "i8"], "announce_interval_max": [8, "i8"], "heartbeat_period_initial": [16, "i8"], "heartbeat_period_max": [24, "i8"], "lease": [32, "i8"], "topics": [40, "i8"], "heartbeat": [48, "i8"], "acknack": [56, "i8"], "rto_first": [64, "i8"], "rto_least": [72, "i8"], "rto_most": [80, "i8"]},
+"fields": {
+"announce_interval_initial": [0, "i8"],
+"announce_interval_max": [8, "i8"],
+"heartbeat_period_initial": [16, "i8"],
+"heartbeat_period_max": [24, "i8"],
+"lease": [32, "i8"],
+"topics": [40, "i8"],
+"heartbeat": [48, "i8"],
+"acknack": [56, "i8"],
+"rto_first": [64, "i8"],
+"rto_least": [72, "i8"],
+"rto_most": [80, "i8"],
+},
 },
 "pairs": {"size": 88, "fields": {"known": [0, "i8"], "heard": [8, "i8"], "missing": [16, "i8"], "done": [24, "i8"], "offered": [32, "i8"], "acknowledged": [40, "i8"], "rto": [48, "i8"], "due": [56, "i8"], "round_trip": [64, "i8"], "spread": [72, "i8"], "armed": [80, "i8"]}},
 "samples": {"size": 24, "fields": {"time": [0, "i8"], "hosts": [8, "i8"], "access_point": [16, "i8"]}},
@@ -862,57 +874,57 @@ s128,
 "since": [0, 500000, 0, 500000, 500000, 500000, 500000, s1, s1, s1, s1, s1, 500000, s1, s1, s1],
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": s141, "times": [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]]},
+"bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": s141, "times": s142},
 "repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "hybrid": {
-"messages": [s142, s143, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s145, s146, s147, s148],
+"messages": [s143, s144, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s146, s147, s148, s149],
 "inside": [[1, 0, 24], [2, 0, 20], [4, 3, 1], [6, 5, 0.125]],
-"alone": {"kinds": {"multicast": s149, "to_all": s149, "up": s149, "down": s149}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s141, "times": s150}},
+"alone": {"kinds": {"multicast": s150, "to_all": s150, "up": s150, "down": s150}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s141, "times": s151}},
 "recovering": {
-"kinds": {"multicast": s149, "to_all": s149, "up": s149, "down": s149, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s151},
-"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s141, "times": s150},
-"repairs": s152,
+"kinds": {"multicast": s150, "to_all": s150, "up": s150, "down": s150, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s152},
+"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s141, "times": s151},
+"repairs": s153,
 },
 },
 "hybrid, alike": {
-"messages": [s142, s143, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s145, s146, s147, s148],
+"messages": [s143, s144, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s146, s147, s148, s149],
 "inside": [[1, 0, 24], [2, 0, 8], [3, 0, 20], [5, 4, 1], [7, 6, 0.125]],
-"alone": {"kinds": {"multicast": s153, "to_all": s153, "up": s153, "down": s153}, "bursts": {"messages": [s154, [6, 7], [6, 7]], "periods": s141, "times": s150}},
+"alone": {"kinds": {"multicast": s154, "to_all": s154, "up": s154, "down": s154}, "bursts": {"messages": [s155, [6, 7], [6, 7]], "periods": s141, "times": s151}},
 "recovering": {
-"kinds": {"multicast": s153, "to_all": s153, "up": s153, "down": s153, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
-"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s141, "times": s150},
-"repairs": s152,
+"kinds": {"multicast": s154, "to_all": s154, "up": s154, "down": s154, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
+"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s141, "times": s151},
+"repairs": s153,
 },
 },
 "DDS, periods of Fast DDS": {
 "messages": [s3, {"name": "UnicastSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9],
 "inside": [],
-"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": s141, "times": [[0, 0], [0.1, 1], [0.2, 1], [s155, 1], [0.4, 1], [0.5, 1], [3.5, 2]]}},
+"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": s141, "times": s142}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1], "role": [0, 0, 1, 2, 3], "informs": [1, 1, 0, 0, 0], "trigger": [0, 0, 2, 2, 1], "answers": [-1, -1, 0, 0, 3], "since": [0, 0, 500000, 500000, s1], "to_unknown": [1, 0, 0, 0, 0]},
-"bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [s155, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
+"bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
 "repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 3, "acknack": 4, "rto_first": 10000000, "rto_least": 2000000, "rto_most": 1200000000},
 },
 },
 "DDS, periods of Cyclone DDS": {
 "messages": [s3, {"name": "DirectedSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9, {"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 180}, {"name": "LivelinessACK", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 114}],
 "inside": [],
-"alone": {"kinds": {"multicast": s151, "to_all": s151, "up": s149, "down": s149}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
+"alone": {"kinds": {"multicast": s152, "to_all": s152, "up": s150, "down": s150}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
 "recovering": {
 "kinds": {
-"multicast": s151,
-"to_all": s151,
-"up": s149,
-"down": s149,
+"multicast": s152,
+"to_all": s152,
+"up": s150,
+"down": s150,
 "role": [0, 0, 1, 2, 3, 0, 0],
 "informs": [1, 1, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 1, 0, 1],
 "answers": [-1, 0, 0, 0, 3, -1, 5],
 "when": [0, 2, 0, 0, 0, 0, 0],
 "since": [0, 500000, 500000, 500000, s1, 0, 40000000],
-"to_unknown": s151,
+"to_unknown": s152,
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0],
 },
@@ -1111,7 +1123,7 @@ s178,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1],
 },
-"bursts": {"messages": [s154, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s205, s205], "periods": s206, "times": s207},
+"bursts": {"messages": [s155, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s205, s205], "periods": s206, "times": s207},
 },
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
@@ -1182,7 +1194,7 @@ s178,
 {"name": "Declare key expression of tokens down", "unit": s213, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
 {"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
 {"name": s202, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK down", "unit": s144, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": "TCP ACK down", "unit": s145, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
 {"name": s203, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
 {"name": s204, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
 ],
@@ -1193,7 +1205,7 @@ s178,
 "up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
 },
-"bursts": {"messages": [s154, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s226, s226], "periods": s206, "times": s207},
+"bursts": {"messages": [s155, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s226, s226], "periods": s206, "times": s207},
 },
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
 },
