@@ -29,7 +29,8 @@ from write_live import ENGINE, RADIOS, behavior
 
 import discostorm as ds
 from discostorm_simulation import cell_setup, state as _cell
-from discostorm_simulation.run import finish, one_run, set_up
+from discostorm_simulation.engine import finish
+from discostorm_simulation.run import Scenario, one_run, set_up
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -87,7 +88,7 @@ def settings(count: int, seed: int) -> Iterator[Setting]:
             "loss": rng.choice((0, 0, 0.03, [rng.uniform(0, 0.3) for _ in range(hosts)])),
             "until": rng.choice((0.3, 3.0, 12.5)),
             "eifs": rng.random() < 0.3,
-            "agreements": rng.choice(("cold", "in place")),
+            "block_ack": rng.choice(("negotiate", "established")),
             "seed": rng.choice((0, 7, rng.getrandbits(31), rng.getrandbits(53))),
             "run": rng.randint(0, 3),
         }
@@ -103,22 +104,23 @@ def _setup(setting: Setting) -> Any:
     """Return what Python simulates for a setting of a page."""
     queue = setting.get("queue", [500, 0.5]) or [None, None]
     frames, seconds = (np.inf if limit is None else limit for limit in queue)
-    return set_up(
+    scenario = Scenario(
         ds.Fleet(
             tuple(ds.HostGroup(**group) for group in setting["fleet"]["groups"]),
             setting["fleet"].get("matching", 0.0),
         ),
         ds.PROTOCOLS[setting["table"]],
         RADIOS[setting["radio"]],
-        (frames, seconds),
-        setting.get("start", 0),
-        setting.get("loss", 0),
-        setting.get("recovery", True),
-        setting.get("until", 120.0),
-        setting.get("eifs", False),
-        setting.get("agreements", "cold") == "cold",
-        setting.get("decibels"),
+        queue=(frames, seconds),
+        start=setting.get("start", 0),
+        loss=setting.get("loss", 0),
+        recovery=setting.get("recovery", True),
+        until=setting.get("until", 120.0),
+        eifs=setting.get("eifs", False),
+        block_ack=setting.get("block_ack", "negotiate"),
+        power=setting.get("decibels"),
     )
+    return set_up(scenario)
 
 
 def _digests(cell: Any) -> dict[str, str]:

@@ -15,9 +15,10 @@ from discostorm.data import data_path
 from discostorm_book import sweeps, trace
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.engine import finish
 from discostorm_simulation.propagation import THRESHOLD
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import finish, set_up
+from discostorm_simulation.run import Scenario, set_up
 
 
 def events() -> list[dict[str, object]]:
@@ -46,17 +47,15 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
     for count, rules in product(stations, ("standard", "Bianchi")):
         starts = np.zeros(count + 1)
         starts[-1] = 1e4  # is there only to be sent to
-        what = set_up(
+        scenario = Scenario(
             ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
             ds.Protocol("saturation", (sedp,)),
             Setting("DDS", 2).wifi,
-            (np.inf, np.inf),
-            starts,
-            0.0,
+            queue=(np.inf, np.inf),
+            start=starts,
             recovery=False,
-            until=1e5,
-            eifs=False,
         )
+        what = set_up(scenario)
         if rules == "Bianchi":
             what.radio["timeout"], what.radio["attempts"] = 0, 10**6
         arrived = []

@@ -13,7 +13,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     loss: 0, // of all hosts, or one of each [1]
     until: 120, // after the last host's start [s]
     eifs: false,
-    agreements: "cold",
+    block_ack: "negotiate",
     power: null, // at [sender][receiver], the access point last, as factors; null: all heard alike
     seed: 0,
     run: 0,
@@ -187,7 +187,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       links: hosts - 1,
       kinds: rows,
       per_receiver: Number(mpdus > 1),
-      cold: Number(setting.agreements === "cold" && mpdus > 1),
+      cold: Number(setting.block_ack === "negotiate" && mpdus > 1),
       unlike: Number(Boolean(setting.power)),
       // As xorshift must not begin at zero.
       random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),

@@ -8,8 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from discostorm_simulation._compile import njit, shared
-
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 #: Numbers of stations, as short as they go: all are needed all the time.
@@ -22,46 +20,16 @@ NEVER = np.int64(2**62)
 
 #: Bits of kind, destination process, source process and item, from the lowest on.
 KIND_BITS, PROCESS_BITS, ITEM_BITS = 6, 20, 14
-_KINDS, _PROCESSES, ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
-_TO = KIND_BITS
-_FROM = _TO + PROCESS_BITS
-_ITEM = _FROM + PROCESS_BITS
+KIND_MASK, PROCESS_MASK, ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
+DESTINATION_SHIFT = KIND_BITS
+SOURCE_SHIFT = DESTINATION_SHIFT + PROCESS_BITS
+ITEM_SHIFT = SOURCE_SHIFT + PROCESS_BITS
 #: Of a frame that belongs to the traffic that stays, not to the burst.
-STEADY = np.int64(1) << (_ITEM + ITEM_BITS)
+STEADY = np.int64(1) << (ITEM_SHIFT + ITEM_BITS)
 #: From a frame to the next like it.
-NEXT_ITEM = np.int64(1) << _ITEM
+NEXT_ITEM = np.int64(1) << ITEM_SHIFT
 #: Of a frame that the middleware sends again.
 REPAIR = STEADY << 1
-
-
-@njit
-def compose(kind, source, destination, item):
-    """Return a frame."""
-    return kind | (destination << _TO) | (source << _FROM) | ((item & ITEMS) << _ITEM)
-
-
-@njit
-def kind_of(frame):
-    """Return the row of the protocol's table that a frame carries."""
-    return frame & _KINDS
-
-
-@njit
-def destination_of(frame):
-    """Return the process that a unicast frame is for."""
-    return (frame >> _TO) & _PROCESSES
-
-
-@njit
-def source_of(frame):
-    """Return the process that a frame is from."""
-    return (frame >> _FROM) & _PROCESSES
-
-
-@njit
-def item_of(frame):
-    """Return which of the like messages of a pair of processes it is."""
-    return (frame >> _ITEM) & ITEMS
 
 
 #: Octets of a line of the processor's cache: what is needed together should be in one.
@@ -78,13 +46,6 @@ def _record(
         rest = lines * LINE - np.dtype(fields).itemsize
         fields += [(f"_{number}", np.int64) for number in range(rest // 8)]
     return np.dtype(fields)
-
-
-def aligned(count: int, record: np.dtype[np.void]) -> NDArray[np.void]:
-    """Return zeros that begin with a line of cache."""
-    octets = np.zeros(count * record.itemsize + LINE, np.uint8)
-    begin = -octets.ctypes.data % LINE
-    return octets[begin : begin + count * record.itemsize].view(record)
 
 
 #: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
@@ -274,86 +235,8 @@ LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 _EVENT = 56
 SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT, GIVE_UP = (np.int64(n) << _EVENT for n in range(7))
 
-# ---------------------------------------------------------------- chance
-
-
-@njit
-def next_random(x):
-    """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
-    x ^= x >> np.uint64(12)
-    x ^= x << np.uint64(25)
-    x ^= x >> np.uint64(27)
-    return x
-
-
-@njit
-def random_bits(x):
-    """Return the 64 random bits of a state."""
-    return x * np.uint64(2685821657736338717)
-
-
-@njit
-def scaled(x, number):
-    """Return a whole number from 0 to below ``number``, all alike, of a state."""
-    return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
-
-
-@njit
-def below(now, number):
-    """Return a whole number from 0 to below ``number``, all alike."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
-    return scaled(x, number)
-
-
-@njit
-def uniform(now):
-    """Return a number from 0 to below 1."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
-    return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
-
-
-# ---------------------------------------------------------------- events
-
-
-@shared
-def later(cell, time, what):
-    """Put an event on the heap."""
-    events = cell.events
-    place = cell.now[0].events
-    cell.now[0].events = place + 1
-    while place > 0:
-        above = (place - 1) >> 1
-        if events[above].time <= time:
-            break
-        events[place].time = events[above].time
-        events[place].what = events[above].what
-        place = above
-    events[place].time = time
-    events[place].what = what
-
-
-@njit
-def next_event(cell):
-    """Take the earliest event off the heap and return what it is."""
-    events = cell.events
-    result = events[0].what
-    count = cell.now[0].events - 1
-    cell.now[0].events = count
-    time, what = events[count].time, events[count].what
-    place = 0
-    while True:
-        lower = 2 * place + 1
-        if lower >= count:
-            break
-        if lower + 1 < count and events[lower + 1].time < events[lower].time:
-            lower += 1
-        if events[lower].time >= time:
-            break
-        events[place].time = events[lower].time
-        events[place].what = events[lower].what
-        place = lower
-    events[place].time = time
-    events[place].what = what
-    return result
+#: What the engine answers: the run is over, it needs more memory, or it has done its steps.
+OVER, MEMORY, GO_ON = range(3)
+#: Columns of `Cell.airtime`, which counts in parts of a tick.
+UP, DOWN, FAILED = range(3)
+PARTS = 1024

@@ -12,8 +12,9 @@ from discostorm.wifi.channel import TICK
 from discostorm_book import sweeps
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import kind_records, ticks
+from discostorm_simulation.engine import finish
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Setup, finish, one_run, set_up
+from discostorm_simulation.run import Scenario, Setup, one_run, set_up
 
 Row = dict[str, str]
 
@@ -47,17 +48,18 @@ def plan_of(row: Row) -> Setup:
     wifi = channel(64 if int(row["ampdu"]) else 1, int(row["aifsn"]))
     protocol = ds.PROTOCOLS[row["protocol"]]
     window = float(row["window_s"])
-    what = set_up(
-        ds.Fleet.swarm(*(int(row[name]) for name in ("hosts", "processes", "endpoints"))),
+    fleet = ds.Fleet.swarm(*(int(row[name]) for name in ("hosts", "processes", "endpoints")))
+    scenario = Scenario(
+        fleet,
         protocol,
         wifi,
-        (float(row["queue_frames"]) or np.inf, float(row["queue_s"]) or np.inf),
-        (lambda rng, hosts: rng.uniform(0, window, hosts)) if window else 0.0,
-        float(row["loss"]),
-        False,
-        100.0,
-        False,
+        queue=(float(row["queue_frames"]) or np.inf, float(row["queue_s"]) or np.inf),
+        start=(lambda rng, hosts: rng.uniform(0, window, hosts)) if window else 0.0,
+        loss=float(row["loss"]),
+        recovery=False,
+        block_ack="established",
     )
+    what = set_up(scenario)
     # ns-3's frames have the length of Table II with their QoS Control field.
     return replace(what, kinds=kind_records(protocol, replace(wifi, aggregation=None), what.hosts))
 
@@ -135,17 +137,15 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
     sedp = replace(sedp, payload=payload, hops=("up",), answers=None)
     starts = np.zeros(stations + 1)
     starts[-1] = 1e4  # only there to be sent to
-    what = set_up(
+    scenario = Scenario(
         ds.Fleet.swarm(stations + 1, 1, max(12_000 // stations**2, 200)),
         ds.Protocol("saturation", (sedp,)),
         channel(1, int(row["aifsn"])),
-        (np.inf, np.inf),
-        starts,
-        0.0,
-        False,
-        1e5,
-        False,
+        queue=(np.inf, np.inf),
+        start=starts,
+        recovery=False,
     )
+    what = set_up(scenario)
     cell = finish(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
     assert int(cell.now["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
@@ -167,9 +167,10 @@ def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
     """Drain time, airtime, losses by cause and delays of a burst and three topics."""
     image_hz, ampdu, until = (float(rows[0][name]) for name in ("image_hz", "ampdu", "until_s"))
     wifi = channel(64 if ampdu else 1, 3)
+    given = {"recovery": False, "until": until}
     # As in `plan_of`, the length of ns-3's frames is that of the tables.
     what, alone = (
-        set_up(sweeps.mixed(image_hz), ds.DDS, one, (500, 0.5), 0.0, 0.0, False, until, False)
+        set_up(Scenario(sweeps.mixed(image_hz), ds.DDS, one, block_ack="established", **given))
         for one in (wifi, replace(wifi, aggregation=None))
     )
     what = replace(what, kinds=alone.kinds)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_simulation._compile import entry
-from discostorm_simulation.block_ack import PATIENCE, action_failed, ask, give_up
-from discostorm_simulation.run import finish, set_up
+from discostorm_simulation.engine import finish
+from discostorm_simulation.kernels.block_ack import PATIENCE, action_failed, ask, give_up
+from discostorm_simulation.kernels.decorators import entry
+from discostorm_simulation.run import Scenario, set_up
 from discostorm_simulation.state import AGREED, ASKED, DOWNWARD, NONE, SILENT, UPWARD
 
 INFINITE = (float("inf"), float("inf"))
@@ -83,9 +84,8 @@ def wait_in_vain(cell: Any) -> None:
 
 
 def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() -> None:
-    what = set_up(
-        ds.Fleet.swarm(2, 1, 2), ds.ZENOH, channel(), INFINITE, 0.0, 0.0, False, 1.0, False, True
-    )
+    swarm = ds.Fleet.swarm(2, 1, 2)
+    what = set_up(Scenario(swarm, ds.ZENOH, channel(), queue=INFINITE, recovery=False))
     cell, _ = what.cell(np.random.SeedSequence(0))
     agreement = cell.agreements[0, UPWARD]
     ask_in_vain(cell, 6)
@@ -98,7 +98,7 @@ def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() 
     ask_in_vain(cell, 7)
     assert (cell.agreements[0, UPWARD]["state"], cell.stations[0]["length"]) == (SILENT, 0)
     # Its frames go one by one, and the other direction is agreed on.
-    finish(cell, 10**7)
+    cell = finish(cell, 10**7)
     assert cell.now["open"] == 0
     assert (cell.agreements["state"][0, [UPWARD, DOWNWARD]] == [SILENT, AGREED]).all()
     assert (cell.log["frames"][cell.log["station"] == 0] <= 1).all()

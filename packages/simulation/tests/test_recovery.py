@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_simulation import recovery
-from discostorm_simulation.run import set_up
+from discostorm_simulation.kernels import recovery
+from discostorm_simulation.run import Scenario, set_up
 
 
 def timers(trips, least, most):
@@ -51,8 +51,7 @@ def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
 @pytest.mark.parametrize(("protocol", "both"), [(ds.DDS, False), (ds.ZENOH, True)])
 def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, both, monkeypatch):
     wifi = ds.Radio("802.11n", streams=2).wifi()
-    fleet, queue = ds.Fleet.swarm(3, 1, 1), (np.inf, np.inf)
-    plan = set_up(fleet, protocol, wifi, queue, 0.0, 0.0, True, 10.0, False)
+    plan = set_up(Scenario(ds.Fleet.swarm(3, 1, 1), protocol, wifi, queue=(np.inf, np.inf)))
     cell, _ = plan.cell(np.random.SeedSequence(0))
     lease = cell.repairs["lease"] = 1000
     cell.pairs["known"] = 1 - np.eye(3, dtype=int)

@@ -28,10 +28,10 @@ from discostorm_simulation import staggered
 from discostorm_simulation._compile import keeps, shown
 from discostorm_simulation._memory import available
 from discostorm_simulation.cell_setup import TICK, hosts_of, ticks
-from discostorm_simulation.engine import advance
+from discostorm_simulation.engine import advance, finish
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Setup, finish, one_run, set_up
+from discostorm_simulation.run import Scenario, Setup, one_run, set_up
 from discostorm_simulation.state import SUCCESS, Cell
 
 FLEET = data_path("fleets/nav2_laptop.toml")
@@ -51,7 +51,9 @@ def plan(
     until: float = 1e5,
 ) -> Setup:
     """Return a plan without limits of the queues whose radio the test may change."""
-    return set_up(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
+    given = {"start": start, "loss": loss, "recovery": recovery, "until": until}
+    scenario = Scenario(fleet, protocol, wifi, queue=UNLIMITED, block_ack="established", **given)
+    return set_up(scenario)
 
 
 def cell_of(what: Setup, seed: int = 0) -> Cell:

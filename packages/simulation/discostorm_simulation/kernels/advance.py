@@ -2,15 +2,13 @@
 
 import numpy as np
 
-from discostorm_simulation._compile import entry, njit, shared, sources
-from discostorm_simulation.channel_access import next_slot, synchronize
-from discostorm_simulation.delivery import load
-from discostorm_simulation.frame_exchange import collide, send
-from discostorm_simulation.recovery import happen, settled
-from discostorm_simulation.state import NEVER, next_event
-
-#: What `advance` returns: it is over, it wants more memory, or it has done its share.
-OVER, MEMORY, SHARE = range(3)
+from discostorm_simulation.kernels.channel_access import next_slot, synchronize
+from discostorm_simulation.kernels.decorators import entry, njit, shared
+from discostorm_simulation.kernels.delivery import load
+from discostorm_simulation.kernels.frame_exchange import collide, send
+from discostorm_simulation.kernels.primitives import next_event
+from discostorm_simulation.kernels.recovery import happen, settled
+from discostorm_simulation.state import GO_ON, MEMORY, NEVER, OVER
 
 
 @shared
@@ -81,47 +79,31 @@ def transmit(cell, time, slot):
         now.overlapping, now.others, now.damaged = 0, 0, 0
 
 
-def _advance(digest):
-    """Return the loop of a run, compiled from the sources with this digest."""
-
-    @entry
-    def advance(cell, until, reserve, share):
-        """Go on with a run until it is over, wants more memory, or has done its share.
-
-        Returns
-        -------
-        int
-            `OVER`, `MEMORY` or `SHARE`.
-        """
-        if not digest:  # never; the digest makes other sources compile anew
+@entry
+def advance(cell, until, reserve, steps):
+    """Go on with a run: return `OVER` when it is, `MEMORY` to have more first, else `GO_ON`."""
+    now, slot_ticks = cell.now[0], cell.radio[0].slot
+    while steps > 0:
+        if now.open == 0 and now.coming == 0 and settled(cell):
             return OVER
-        now, slot_ticks = cell.now[0], cell.radio[0].slot
-        while share > 0:
-            if now.open == 0 and now.coming == 0 and settled(cell):
-                return OVER
-            if now.spare < reserve or now.events + reserve > cell.events.size:
-                return MEMORY
-            time, slot = NEVER, np.int64(-1)
-            if now.waiting > 0:
-                slot = next_slot(cell)
-                time = now.base + (slot - now.slot) * slot_ticks
-            if now.stray_time < time:
-                time, slot = now.stray_time, np.int64(-1)
-            happens = now.events > 0 and cell.events[0].time <= time
-            if happens:
-                time = cell.events[0].time
-            if time > until:
-                return OVER
-            sample(cell, time)
-            now.clock = time
-            if happens:
-                happen(cell, time, next_event(cell))
-            else:
-                transmit(cell, time, slot)
-            share -= 1
-        return SHARE
-
-    return advance
-
-
-advance = _advance(sources())
+        if now.spare < reserve or now.events + reserve > cell.events.size:
+            return MEMORY
+        time, slot = NEVER, np.int64(-1)
+        if now.waiting > 0:
+            slot = next_slot(cell)
+            time = now.base + (slot - now.slot) * slot_ticks
+        if now.stray_time < time:
+            time, slot = now.stray_time, np.int64(-1)
+        happens = now.events > 0 and cell.events[0].time <= time
+        if happens:
+            time = cell.events[0].time
+        if time > until:
+            return OVER
+        sample(cell, time)
+        now.clock = time
+        if happens:
+            happen(cell, time, next_event(cell))
+        else:
+            transmit(cell, time, slot)
+        steps -= 1
+    return GO_ON

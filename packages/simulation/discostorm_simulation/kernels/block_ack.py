@@ -8,9 +8,10 @@ passed to ask again (IEEE Std 802.11-2020, 10.25.2 and 11.5; the two times are n
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.channel_access import wake
-from discostorm_simulation.queues import change_length, receiver
+from discostorm_simulation.kernels.channel_access import wake
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import later
+from discostorm_simulation.kernels.queues import change_length, receiver
 from discostorm_simulation.state import (
     AGREED,
     ASKED,
@@ -20,7 +21,6 @@ from discostorm_simulation.state import (
     NONE,
     SILENT,
     UPWARD,
-    later,
 )
 
 #: How long a response may take after the acknowledgement of its request, and how long frames then

@@ -9,9 +9,9 @@ arrive.
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.delivery import data_ticks, is_multicast, prevails, subframe
-from discostorm_simulation.queues import receiver
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.delivery import data_ticks, is_multicast, prevails, subframe
+from discostorm_simulation.kernels.queues import receiver
 
 
 @njit

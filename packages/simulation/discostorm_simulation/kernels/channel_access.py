@@ -11,8 +11,9 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.queues import (
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import below, kind_of
+from discostorm_simulation.kernels.queues import (
     burst_entry,
     burst_frames,
     change_length,
@@ -26,7 +27,7 @@ from discostorm_simulation.queues import (
     put,
     receivers,
 )
-from discostorm_simulation.state import FULL, NEVER, STEADY, below, kind_of
+from discostorm_simulation.state import FULL, NEVER, STEADY
 
 
 @njit

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.block_ack import agreed, ask, choose_action
-from discostorm_simulation.channel_access import offer, wake
-from discostorm_simulation.queues import (
+from discostorm_simulation.kernels.block_ack import agreed, ask, choose_action
+from discostorm_simulation.kernels.channel_access import offer, wake
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import destination_of, kind_of, uniform
+from discostorm_simulation.kernels.queues import (
     batch_of,
     burst_entry,
     change_length,
@@ -19,7 +20,8 @@ from discostorm_simulation.queues import (
     receiver,
     take_same,
 )
-from discostorm_simulation.recovery import answer, arrive
+from discostorm_simulation.kernels.recovery import answer, arrive
+from discostorm_simulation.kernels.user_data import take_user_data
 from discostorm_simulation.state import (
     AGE,
     AGREED,
@@ -30,11 +32,7 @@ from discostorm_simulation.state import (
     NONE,
     STEADY,
     UPWARD,
-    destination_of,
-    kind_of,
-    uniform,
 )
-from discostorm_simulation.user_data_kernel import take_user_data
 
 #: Marks a frame of an A-MPDU that has not arrived, in the time at which it came.
 MISSING = np.int64(2**62)

@@ -5,11 +5,18 @@ What a station sends before its data, such as an RTS, would belong into `lengths
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.block_ack import action_arrived, action_failed, agreed
-from discostorm_simulation.capture_effect import survivor
-from discostorm_simulation.channel_access import back_off, draw, enter, first_to_send, wait, wake
-from discostorm_simulation.delivery import (
+from discostorm_simulation.kernels.block_ack import action_arrived, action_failed, agreed
+from discostorm_simulation.kernels.capture_effect import survivor
+from discostorm_simulation.kernels.channel_access import (
+    back_off,
+    draw,
+    enter,
+    first_to_send,
+    wait,
+    wake,
+)
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.delivery import (
     MISSING,
     aggregates,
     deliver,
@@ -18,23 +25,21 @@ from discostorm_simulation.delivery import (
     pass_on,
     ppdu,
 )
-from discostorm_simulation.queues import change_length, lose, receiver, take_after
+from discostorm_simulation.kernels.primitives import below, kind_of, uniform
+from discostorm_simulation.kernels.queues import change_length, lose, receiver, take_after
 from discostorm_simulation.state import (
     AIR,
     COLLISION,
+    DOWN,
     ERROR,
+    FAILED,
     NEVER,
+    PARTS,
     RETRY,
     STEADY,
     SUCCESS,
-    below,
-    kind_of,
-    uniform,
+    UP,
 )
-
-#: Columns of `Cell.airtime`, which counts in parts of a tick.
-UP, DOWN, FAILED = range(3)
-PARTS = 1024
 
 
 @njit

@@ -6,20 +6,9 @@ their turn.
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.state import (
-    AGE,
-    FULL,
-    ITEMS,
-    LOSSES,
-    NEXT_ITEM,
-    RETRY,
-    STEADY,
-    compose,
-    destination_of,
-    kind_of,
-    source_of,
-)
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import compose, destination_of, kind_of, source_of
+from discostorm_simulation.state import AGE, FULL, ITEMS, LOSSES, NEXT_ITEM, RETRY, STEADY
 
 #: An entry whose frame has been taken already.
 _TAKEN = np.int64(2**62)

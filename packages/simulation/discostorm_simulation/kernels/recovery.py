@@ -11,10 +11,19 @@ with all that it sent, and may be discovered again.
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.block_ack import give_up
-from discostorm_simulation.channel_access import offer_burst, offer_new
-from discostorm_simulation.queues import number, number_to_all
+from discostorm_simulation.kernels.block_ack import give_up
+from discostorm_simulation.kernels.channel_access import offer_burst, offer_new
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import (
+    compose,
+    item_of,
+    kind_of,
+    later,
+    source_of,
+    uniform,
+)
+from discostorm_simulation.kernels.queues import number, number_to_all
+from discostorm_simulation.kernels.user_data import has_found, is_user_data, send_user_data
 from discostorm_simulation.state import (
     ACKNACK,
     ANNOUNCE,
@@ -36,14 +45,7 @@ from discostorm_simulation.state import (
     SEND,
     STEADY,
     TIMEOUT,
-    compose,
-    item_of,
-    kind_of,
-    later,
-    source_of,
-    uniform,
 )
-from discostorm_simulation.user_data_kernel import has_found, is_user_data, send_user_data
 
 _MASK = (1 << PROCESS_BITS) - 1
 _WORD = 64

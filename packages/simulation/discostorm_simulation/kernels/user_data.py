@@ -1,9 +1,10 @@
 """User data on the air: who sends a sample to whom, and how late its frames arrive."""
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.channel_access import offer_new
-from discostorm_simulation.queues import number, number_to_all, receivers
-from discostorm_simulation.state import ITEMS, SENT_FRAMES, STEADY, compose, item_of, kind_of
+from discostorm_simulation.kernels.channel_access import offer_new
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import compose, item_of, kind_of
+from discostorm_simulation.kernels.queues import number, number_to_all, receivers
+from discostorm_simulation.state import ITEMS, SENT_FRAMES, STEADY
 
 
 @njit

@@ -1,0 +1,132 @@
+"""Run the inner loop: `data/engine.wasm`, which `make live` compiles from `kernels`, in wasmtime."""
+
+from functools import cache
+from math import prod
+from threading import Event
+from time import monotonic
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm.data import data_path
+from discostorm_simulation.state import LINE, MEMORY, OVER, Cell
+
+try:
+    import wasmtime
+except ImportError as error:
+    raise ImportError(
+        "the simulator needs wasmtime, which is there for 64-bit Linux, macOS and Windows: "
+        "pip install wasmtime",
+        name="wasmtime",
+    ) from error
+
+#: What the engine can address [MB], and in what its memory grows [B].
+MOST_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
+#: How often a run looks whether it is to stop [s], and its steps up to the first look.
+_LOOK, _STEPS = 0.1, 10_000
+#: Arrays that grow lie behind all others.
+_GROWING = ("pool", "events")
+
+
+class Stopped(Exception):  # noqa: N818 - it is no error
+    """A run was stopped before its end."""
+
+
+@cache
+def compiled(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
+    """Compile the engine for this machine; it may count its instructions, which takes longer."""
+    config = wasmtime.Config()
+    config.consume_fuel = counted
+    engine = wasmtime.Engine(config)
+    code = data_path("engine.wasm", "discostorm_simulation").read_bytes()
+    return engine, wasmtime.Module(engine, code)
+
+
+class LoadedCell:
+    """A cell in the engine's memory, where its arrays change as it goes on."""
+
+    def __init__(self, cell: Cell, instructions: int | None = None) -> None:
+        engine, module = compiled(instructions is not None)
+        self.store = wasmtime.Store(engine)
+        if instructions is not None:
+            self.store.set_fuel(instructions)
+        exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
+        self._memory, self._advance = exports["memory"], exports["advance"]
+        self._table: int = exports["arrays"].value(self.store)
+        self._top: int = exports["__heap_base"].value(self.store)
+        arrays: dict[str, NDArray[Any]] = cell._asdict()
+        self._places = {
+            name: (self._allocate(array.nbytes), array.dtype, array.shape)
+            for name, array in sorted(arrays.items(), key=lambda item: item[0] in _GROWING)
+        }
+        self._look_at_memory()
+        for name, array in arrays.items():
+            getattr(self.cell, name)[:] = array
+
+    def advance(self, until: int, reserve: int, steps: int) -> bool:
+        """Go on by so many steps; return whether the run is over."""
+        while (state := self._advance(self.store, until, reserve, steps)) == MEMORY:
+            self._grow()
+        return bool(state == OVER)
+
+    def _allocate(self, octets: int) -> int:
+        """Return where so many octets begin; the memory grows as far as needed."""
+        begin = -(-self._top // LINE) * LINE
+        self._top = begin + octets
+        more = self._top - self._memory.data_len(self.store)
+        try:
+            if more > 0:
+                self._memory.grow(self.store, -(-more // _PAGE))
+        except wasmtime.WasmtimeError as error:
+            raise MemoryError(
+                f"a run needs {self._top / 1e6:.0f} MB, more than there are or the simulator's "
+                f"{MOST_MEGABYTES:.0f} MB"
+            ) from error
+        return begin
+
+    def _look_at_memory(self) -> None:
+        """Make arrays of the memory, which may have moved, and tell the engine where they are."""
+        memory = self._memory.get_buffer_ptr(self.store)
+        memory.store = self.store  # which frees it
+        octets = np.frombuffer(memory, np.uint8)
+        arrays, table = {}, []
+        for name in Cell._fields:
+            begin, kind, shape = self._places[name]
+            count = prod(shape)
+            array = octets[begin : begin + count * kind.itemsize].view(kind).reshape(shape)
+            arrays[name] = array
+            # As numba passes an array: without owners.
+            table += [0, 0, count, kind.itemsize, begin, *shape, *array.strides]
+        octets[self._table :].view(np.int64)[: len(table)] = table
+        self.cell = Cell(**arrays)
+
+    def _grow(self) -> None:
+        """Double what holds waiting frames and events."""
+        old = {name: getattr(self.cell, name).copy() for name in _GROWING}
+        self._top = self._places[_GROWING[0]][0]
+        for name, array in old.items():
+            octets = 2 * array.nbytes
+            self._places[name] = (self._allocate(octets), array.dtype, (2 * array.size,))
+        self._look_at_memory()
+        for name, array in old.items():
+            grown = getattr(self.cell, name)
+            grown[: array.size], grown[array.size :] = array, np.zeros((), array.dtype)
+        state, pool, size = self.cell.now, self.cell.pool, old["pool"].size
+        pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
+        pool["next"][-1] = state["free"][0]
+        state["free"] = size
+        state["spare"] += size
+
+
+def finish(cell: Cell, until: int, reserve: int = 1024, stop: Event | None = None) -> Cell:
+    """Return the cell at the end of its run; raise `Stopped` soon after the event is set."""
+    loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
+    while not loaded.advance(until, reserve, steps):
+        if stop is not None and stop.is_set():
+            raise Stopped
+        # Steps take longer with more stations: as many as take a tenth of a second.
+        end = monotonic()
+        steps = max(1, min(2 * steps, int(steps * _LOOK / max(end - begin, 1e-6))))
+        begin = end
+    return loaded.cell
