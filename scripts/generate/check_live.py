@@ -28,7 +28,7 @@ import numpy as np
 from write_live import ENGINE, RADIOS, behavior
 
 import discostorm as ds
-from discostorm_simulation import cell_setup, state as _cell
+from discostorm_simulation import cell_setup, state as st
 from discostorm_simulation.engine import finish
 from discostorm_simulation.run import Scenario, one_run, set_up
 
@@ -141,7 +141,7 @@ def natively(setting: Setting) -> dict[str, Any]:
         return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
 
     cell, starts = setup.cell(seed())
-    until = min(cell_setup.ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
+    until = min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
     found: dict[str, Any] = {"start": _digests(cell)}
     found["end"] = _digests(finish(cell, until, setup.reserve))
     run = one_run(setup, seed())
@@ -311,7 +311,7 @@ def compared(
         "settings": len(tried),
         "same": len(tried) - len(wrong),
         "refused": sum("refused" in one for one in here),
-        "arrays": len(_cell.Cell._fields),
+        "arrays": len(st.CellState._fields),
         **{f"robots_{hosts}_ms": round(time) for hosts, time in there.times.items()},
     }
     return told, wrong + [f"{hosts} robots take over {TIMED[hosts]:g} ms" for hosts in slow]

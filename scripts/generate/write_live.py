@@ -23,7 +23,7 @@ from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
 from discostorm.wifi.radio import both_ends
 from discostorm_book import sweeps
-from discostorm_simulation import cell_setup, initial_state, state as _cell
+from discostorm_simulation import cell_setup, initial_state, state as st
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up
@@ -46,7 +46,7 @@ OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
 #: What is not of the radio, but of a run's settings.
 OF_SETTING = ("queue", "lifetime")
 #: What happens first in a run.
-FIRST_EVENTS = ("SEND", "ANNOUNCE", "EXPIRE")
+FIRST_EVENTS = ("SEND", "ANNOUNCE", "LEASE_CHECK")
 
 
 def plan(protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER) -> Setup:
@@ -77,20 +77,20 @@ def layouts() -> tuple[dict[str, Value], dict[str, Value]]:
 
 def constants() -> dict[str, Value]:
     """Return the numbers that set-up and loop share."""
-    events: dict[str, Value] = {name: Code(f"{getattr(_cell, name)}n") for name in FIRST_EVENTS}
+    events: dict[str, Value] = {name: Code(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
     return events | {
-        "NEVER": int(_cell.NEVER),
+        "NEVER": int(st.NEVER),
         "TICK": TICK,
-        "KIND_BITS": _cell.KIND_BITS,
-        "PROCESS_BITS": _cell.PROCESS_BITS,
-        "ITEM_BITS": _cell.ITEM_BITS,
+        "KIND_BITS": st.KIND_BITS,
+        "PROCESS_BITS": st.PROCESS_BITS,
+        "ITEM_BITS": st.ITEM_BITS,
         "OCTETS": cell_setup._MOST_OCTETS,
-        "DATA": _cell.DATA,
-        "SAMPLES": initial_state.QUEUE_SAMPLES,
+        "DATA": st.DATA,
+        "QUEUE_SAMPLES": initial_state.QUEUE_SAMPLES,
         "LOG": initial_state.LOG_ROWS,
         "POOL": initial_state.POOL_ENTRIES,
-        "OVER": _cell.OVER,
-        "MEMORY": _cell.MEMORY,
+        "OVER": st.OVER,
+        "MEMORY": st.MEMORY,
         "CAUSES": list(CAUSES),
     }
 

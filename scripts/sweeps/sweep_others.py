@@ -62,7 +62,7 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
         for seed in np.random.SeedSequence(SEED).spawn(TRIES):
             cell = finish(what.cell(seed)[0], ticks(LASTING), what.reserve)
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
-            arrived.append(int(cell.now["arrived"][0]) / LASTING)
+            arrived.append(int(cell.state["arrived"][0]) / LASTING)
         row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
         rows.append(row | {"runs": TRIES} | spread("frames_per_s", np.array(arrived)))
     return rows

@@ -121,7 +121,7 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     cell = cell._replace(log=np.zeros(100_000, cell.log.dtype))
     cell = finish(cell, cell_setup.ticks(120.0), setup.reserve)
-    sent = cell.log[: cell.now["logged"][0]]
+    sent = cell.log[: cell.state["logged"][0]]
     rows = np.concatenate([share["rows"] for share in told["shares"]]).reshape(-1, 6)
     np.testing.assert_array_equal(rows, np.array(sent.tolist(), dtype=float))
     assert len(told["shares"]) > 3

@@ -53,9 +53,9 @@ function liveRun(module, data) {
       this.cell.pool = { ...pool, shape: [2 * frames] };
       this.cell.events = { at, size: events.size, shape: [2 * count] };
       for (let entry = frames; entry < 2 * frames - 1; entry++) this.put("pool", entry, "next", entry + 1);
-      this.put("pool", 2 * frames - 1, "next", this.get("now", 0, "free"));
-      this.put("now", 0, "free", frames);
-      this.put("now", 0, "spare", this.get("now", 0, "spare") + BigInt(frames));
+      this.put("pool", 2 * frames - 1, "next", this.get("state", 0, "free"));
+      this.put("state", 0, "free", frames);
+      this.put("state", 0, "spare", this.get("state", 0, "spare") + BigInt(frames));
       this.describe();
     }
 
@@ -102,7 +102,7 @@ function liveRun(module, data) {
     }
 
     now(field) {
-      return Number(this.get("now", 0, field));
+      return Number(this.get("state", 0, field));
     }
 
     // Return the transmissions since the last call, six numbers each: start and end [ticks], station,
@@ -110,7 +110,7 @@ function liveRun(module, data) {
     sent() {
       const rows = new BigInt64Array(this.memory.buffer, this.cell.log.at, 6 * this.now("logged"));
       const found = Float64Array.from(rows, Number);
-      this.put("now", 0, "logged", 0);
+      this.put("state", 0, "logged", 0);
       return found;
     }
 

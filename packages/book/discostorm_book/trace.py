@@ -136,7 +136,7 @@ def rows(start: Start) -> NDArray[np.float64]:
     loaded, found = LoadedCell(setup.cell(seed)[0]), []
     while not loaded.advance(int(NEVER) - 1, setup.reserve, 1):
         cell = loaded.cell
-        now = cell.now[0]
+        now = cell.state[0]
         after = [*(now[cause] for cause in CAUSES), *cell.stations["length"]]
         for sent in cell.log[: now["logged"]]:
             held = cell.window[sent["station"], 0]

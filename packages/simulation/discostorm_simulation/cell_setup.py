@@ -19,7 +19,7 @@ from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
 from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
+from discostorm_simulation import state as st
 from discostorm_simulation.state import Records
 
 #: Retransmissions end with this attempt: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
@@ -32,14 +32,14 @@ WINDOW = 64
 LONGER_ACTION = 8 * 4e-6
 #: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
-_MOST_PROCESSES = 2**_cell.PROCESS_BITS
-_MOST_ENDPOINTS = 2**_cell.ITEM_BITS
-_MOST_MESSAGES = 2**_cell.KIND_BITS
+_MOST_PROCESSES = 2**st.PROCESS_BITS
+_MOST_ENDPOINTS = 2**st.ITEM_BITS
+_MOST_MESSAGES = 2**st.KIND_BITS
 
 
 def ticks(seconds: float) -> int:
     """Return a time in whole ticks; what is too long to count them never comes."""
-    never = int(_cell.NEVER)
+    never = int(st.NEVER)
     found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
     return never if found >= never else round(found)
 
@@ -97,12 +97,12 @@ def radio_record(
         "sifs": radio.sifs,
         "aifs": radio.aifs,
         "timeout": radio.sifs + radio.slot + RX_START_DELAY,
-        "heard": (radio.sifs + basic + extension) * eifs,
+        "eifs_extra": (radio.sifs + basic + extension) * eifs,
         "ack": radio.ack + extension,
         "block_ack": radio.block_ack + extension,
         # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
-        "request": radio.block_ack + extension,
-        "action": basic + LONGER_ACTION + extension,
+        "bar": radio.block_ack + extension,
+        "addba": basic + LONGER_ACTION + extension,
         "basic_ack": basic + extension,
         "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
@@ -118,15 +118,15 @@ def radio_record(
         "bits": padding.bits,
         "added": padding.added,
         "mpdus": aggregation.mpdus if aggregation else 1,
-        "most_bytes": aggregation.most_bytes if aggregation else 0,
-        "least_subframe": aggregation.least_bytes if aggregation else 0,
+        "max_bytes": aggregation.most_bytes if aggregation else 0,
+        "min_subframe": aggregation.least_bytes if aggregation else 0,
         "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
-        "queue": int(min(queue[0], int(_cell.NEVER))),
+        "queue": int(min(queue[0], int(st.NEVER))),
     }
-    record = np.zeros(1, _cell.RADIO)
+    record = np.zeros(1, st.RADIO)
     for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
         record[name] = value
-    record["exceeds"], record["exceeds_basic"] = from_decibels(threshold)
+    record["capture_threshold"], record["capture_threshold_basic"] = from_decibels(threshold)
     return record
 
 
@@ -158,11 +158,11 @@ def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, in
 
 @dataclass(frozen=True)
 class Shares:
-    """How many of each message each process sends, and to whom; see `cell.Cell`."""
+    """How many of each message each process sends, and to whom; see `cell.CellState`."""
 
     each: NDArray[np.float64]
     to_all: NDArray[np.float64]
-    before: NDArray[np.int64]
+    receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
 
     @property
@@ -248,7 +248,7 @@ def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
     to_all = shares.to_all[:, row].sum()
     if to_all:
         return float(to_all)
-    taking = np.diff(shares.before[shares.sets[row]])
+    taking = np.diff(shares.receivers_before[shares.sets[row]])
     own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
     return float((shares.each[:, row] * (taking.sum() - own)).sum())
 
@@ -264,7 +264,7 @@ def kind_records(
         )
     fast, slow = paddings(wifi)
     shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
-    records = np.zeros(len(protocol.messages), _cell.KIND)
+    records = np.zeros(len(protocol.messages), st.KIND)
     records["set"], records["whole"] = shares.sets, shares.whole
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
         multicast, paired = message.cast == "multicast", message.unit.to_each

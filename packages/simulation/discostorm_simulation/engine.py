@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.data import data_path
-from discostorm_simulation.state import LINE, MEMORY, OVER, Cell
+from discostorm_simulation.state import LINE, MEMORY, OVER, CellState
 
 try:
     import wasmtime
@@ -46,7 +46,7 @@ def compiled(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
 class LoadedCell:
     """A cell in the engine's memory, where its arrays change as it goes on."""
 
-    def __init__(self, cell: Cell, instructions: int | None = None) -> None:
+    def __init__(self, cell: CellState, instructions: int | None = None) -> None:
         engine, module = compiled(instructions is not None)
         self.store = wasmtime.Store(engine)
         if instructions is not None:
@@ -91,7 +91,7 @@ class LoadedCell:
         memory.store = self.store  # which frees it
         octets = np.frombuffer(memory, np.uint8)
         arrays, table = {}, []
-        for name in Cell._fields:
+        for name in CellState._fields:
             begin, kind, shape = self._places[name]
             count = prod(shape)
             array = octets[begin : begin + count * kind.itemsize].view(kind).reshape(shape)
@@ -99,7 +99,7 @@ class LoadedCell:
             # As numba passes an array: without owners.
             table += [0, 0, count, kind.itemsize, begin, *shape, *array.strides]
         octets[self._table :].view(np.int64)[: len(table)] = table
-        self.cell = Cell(**arrays)
+        self.cell = CellState(**arrays)
 
     def _grow(self) -> None:
         """Double what holds waiting frames and events."""
@@ -112,14 +112,16 @@ class LoadedCell:
         for name, array in old.items():
             grown = getattr(self.cell, name)
             grown[: array.size], grown[array.size :] = array, np.zeros((), array.dtype)
-        state, pool, size = self.cell.now, self.cell.pool, old["pool"].size
+        state, pool, size = self.cell.state, self.cell.pool, old["pool"].size
         pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
         pool["next"][-1] = state["free"][0]
         state["free"] = size
         state["spare"] += size
 
 
-def finish(cell: Cell, until: int, reserve: int = 1024, stop: Event | None = None) -> Cell:
+def finish(
+    cell: CellState, until: int, reserve: int = 1024, stop: Event | None = None
+) -> CellState:
     """Return the cell at the end of its run; raise `Stopped` soon after the event is set."""
     loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
     while not loaded.advance(until, reserve, steps):

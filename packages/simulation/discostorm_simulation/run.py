@@ -11,7 +11,7 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Hosts, Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
+from discostorm_simulation import state as st
 from discostorm_simulation.cell_setup import (
     Bursts,
     Shares,
@@ -37,7 +37,7 @@ from discostorm_simulation.middleware import (
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, delays
-from discostorm_simulation.state import Cell, Records
+from discostorm_simulation.state import CellState, Records
 from discostorm_simulation.user_data import (
     UserData,
     found_of,
@@ -83,10 +83,10 @@ class Setup:
     #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
     power: NDArray[np.float64]
     user_data: UserData | None
-    #: Of each row of `Cell.delays` the topic, and whether its frames are the last of a sample.
+    #: Of each row of `CellState.delays` the topic, and whether its frames are the last of a sample.
     topics: tuple[tuple[str, bool], ...]
 
-    def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
+    def cell(self, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
         """Return a cell at the start of a run, and when each host starts [s]."""
         return new_cell(self, seed)
 
@@ -105,7 +105,7 @@ class Setup:
         least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
-            own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == _cell.ANSWER)
+            own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == st.ANSWER)
             return least + int((each * (one_hop | own)).sum()) * most
         return least + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
@@ -135,11 +135,11 @@ class Setup:
                 again += span * float(of_row[to_all if to_all.any() else 0].sum()) / period
             # At leases, of each process for each other.
             looks = count**2 * span / (float(self.repairs["lease"][0]) * TICK)
-            items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
-            pairs = count**2 * (_cell.OF_PAIR.itemsize + items // 8)
+            items = self.shares.each[:, self.kinds["role"] == st.DATA].sum(axis=1).max()
+            pairs = count**2 * (st.PAIR.itemsize + items // 8)
         seconds = (2 * (carried + again) * _ATTEMPTS + looks) * _PER_TRANSMISSION
-        each = _cell.ENTRY.itemsize + _cell.EVENT.itemsize
-        return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * each) / 1e6
+        each = st.ENTRY.itemsize + st.EVENT.itemsize
+        return seconds, (pairs + held * st.ENTRY.itemsize + self.reserve * each) / 1e6
 
 
 def set_up(scenario: Scenario) -> Setup:
@@ -200,34 +200,36 @@ def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
 def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
     """Return what one run finds; raise `Stopped` soon after the event is set."""
     cell, starts = setup.cell(seed)
-    until = min(ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
+    until = min(ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
     cell = finish(cell, until, setup.reserve, stop)
-    now = cell.now[0]
-    counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
+    state = cell.state[0]
+    counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
-    drained = float(now["drained"] * TICK) if now["open"] == 0 and now["coming"] == 0 else np.inf
+    drained = (
+        float(state["drained"] * TICK) if state["open"] == 0 and state["coming"] == 0 else np.inf
+    )
     if setup.repairs is None:
         converged = drained if counts["arrived"] == counts["expected"] else np.inf
         pair_times = np.empty(0)
     else:
-        converged = float(now["converged"] * TICK) if now["converged"] else np.inf
+        converged = float(state["converged"] * TICK) if state["converged"] else np.inf
         remote = setup.hosts.host_of[:, None] != setup.hosts.host_of
-        done = cell.pairs["done"][remote]
+        done = cell.pairs["completed_at"][remote]
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
-    hosts = cell.stations[: now["hosts"]]
-    samples = cell.samples[: now["samples"]]
+    hosts = cell.stations[: state["hosts"]]
+    samples = cell.queue_samples[: state["samples"]]
     return Run(
         starts,
         drained,
         lost / counts["expected"] if counts["expected"] else 0.0,
         hosts["missed"] / np.maximum(hosts["sought"], 1),
         converged,
-        float(now["busy"] * TICK),
+        float(state["busy"] * TICK),
         counts,
-        np.asarray(cell.airtime * (TICK / _cell.PARTS), dtype=np.float64),
+        np.asarray(cell.airtime * (TICK / st.PARTS), dtype=np.float64),
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
-        cell.log[: now["logged"]].copy(),
+        cell.log[: state["logged"]].copy(),
         {} if setup.user_data is None else found_of(setup.topics, cell, setup.user_data.stamp),
     )

@@ -53,11 +53,11 @@ def _record(
 #: the power of a frame must exceed that of all that overlap it: at the top rate, and at the basic
 #: rate, of which the begin of each frame is.
 RADIO = _record(
-    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
-    *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
-    *("action", "basic_ack"),
-    *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
-    floats=("exceeds", "exceeds_basic"),
+    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "eifs_extra"),
+    *("ack", "block_ack", "bar", "preamble", "symbol", "grid", "bits", "added"),
+    *("addba", "basic_ack"),
+    *("mpdus", "max_bytes", "min_subframe", "window", "queue", "lifetime"),
+    floats=("capture_threshold", "capture_threshold_basic"),
 )
 
 #: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
@@ -67,20 +67,20 @@ RADIO = _record(
 #: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
 #: is received though others overlap it, how many these are with itself, until when they last, and
 #: how many MPDUs it loses to them. ``stamp``: ticks between two stamps of user data.
-NOW = _record(
-    *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
+STATE = _record(
+    *("clock", "base", "slot", "idle", "ahead", "waiting", "deferred", "deferred_time", "events"),
     *("free", "spare"),
     *("open", "coming", "drained", "queued", "sample", "step", "samples", "logged", "random"),
     *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
     *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
     *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
-    *("busy", "wasted", "expired", "cold", "actions"),
+    *("busy", "wasted", "expired", "cold", "addba_frames"),
     *("unlike", "overlapping", "others", "damaged"),
     "stamp",
 )
 
 #: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
-FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
+QUEUE_FULL, EXPIRED, RETRY_LIMIT, LOST_ON_AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it or sends; failures in a row;
 #: frames that it holds, has just sent, has numbered, and the first that the access point has not
@@ -95,37 +95,37 @@ STATION = _record(
     *("held", "failures", "waits", "begun", "times", "number"),
     *("length", "made", "last", "missed", "head"),
     *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
-    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought"),
+    *("sent", "bar_pending", "stage", "process", "steps", "there", "kind", "sought"),
     *("to_number", "passed"),
     floats=("loss",),
     short=(
-        *("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
+        *("held", "failures", "waits", "begun", "times", "number", "sent", "bar_pending"),
         *("to_number", "passed"),
     ),
     lines=3,
 )
 
 #: A frame that a station is sending, the tick at which it came, its number, its failures. Where
-#: the access point aggregates it is a copy of the entry ``number`` of `Cell.pool`.
-HELD = _record("frame", "came", "number", "tries")
+#: the access point aggregates it is a copy of the entry ``number`` of `CellState.pool`.
+WINDOW = _record("frame", "came", "number", "tries")
 
 #: The agreement on block acknowledgements from a host to the access point, or back; request and
 #: response that wait to be sent, by the order in which they came (0: none), and their failures.
-AGREEMENT = _record("state", "request", "response", "request_tries", "response_tries")
+BLOCK_ACK = _record("state", "request", "response", "request_tries", "response_tries")
 #: Not agreed on; asked for; not answered in time; agreed on.
-NONE, ASKED, SILENT, AGREED = (np.int64(number) for number in range(4))
+NO_BLOCK_ACK, REQUESTED, UNANSWERED, ESTABLISHED = (np.int64(number) for number in range(4))
 UPWARD, DOWNWARD = np.int64(0), np.int64(1)
 
 #: How many requests and responses wait at a station, and for which agreement it sends one: twice
 #: the host and the direction, or -1 for none.
-ACTIONS = _record("waiting", "sends")
+ADDBA = _record("waiting", "sends")
 
 #: A frame that waits, or a burst that does; the next in the queue; at the access point also the
 #: next to the same host, which frame to that host it is, and its failures.
 ENTRY = _record(*("frame", "came", "next", "same", "number", "tries"), short=("number", "tries"))
 
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
-STRAY = _record("station", "base", "left", "time")
+DEFERRED = _record("station", "base", "left", "time")
 
 #: Who sends now, and until when; from which tick on it waits then, for how many slots; also what
 #: has just arrived.
@@ -135,11 +135,11 @@ SENDER = _record("station", "end", "base", "slots", "frame")
 EVENT = _record("time", "what")
 
 #: A row of the protocol's table; see `cell_setup`. ``to_all``: it is counted by
-#: its sender, not by who receives it; ``set``: who receives it, a row of `Cell.before`; ``whole``:
+#: its sender, not by who receives it; ``set``: who receives it, a row of `CellState.before`; ``whole``:
 #: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
 #: ``of_host``: a process sends it for all of its host. ``when``: of what
 #: it answers all, only what comes later than ``since`` after the other's start, or only before.
-#: ``user``: the row of `Cell.delays` of user data, from 1 on; 0 for all else.
+#: ``user``: the row of `CellState.delays` of user data, from 1 on; 0 for all else.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
     *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
@@ -161,35 +161,35 @@ REPAIRS = _record(
         "lease",
         "topics",
     ),
-    *("heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
+    *("heartbeat", "acknack", "rto_first", "rto_min", "rto_max"),
 )
 
 #: What process x holds of process y, at [x, y]: whether x knows y, when it heard of it last, how
 #: many items of y it misses, when it had all; whether x has sent y its own, which topics y has
 #: acknowledged; and of x's connection to y the timer, when it ends, round trip and its spread.
-OF_PAIR = _record(
-    *("known", "heard", "missing", "done", "offered", "acknowledged"),
-    *("rto", "due", "round_trip", "spread", "armed"),
+PAIR = _record(
+    *("discovered", "last_heard", "missing", "completed_at", "announced_at", "acknowledged"),
+    *("rto", "expires_at", "srtt", "rttvar", "timer_running"),
 )
 
 #: A process.
-PROCESS = _record("host", "start", "announce", "heartbeat", "beating")
+PROCESS = _record("host", "start", "announce", "heartbeat", "heartbeat_active")
 
 #: A transmission.
-SENT = _record("start", "end", "station", "kind", "frames", "outcome")
+TRANSMISSION = _record("start", "end", "station", "kind", "frames", "outcome")
 SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))
 
 #: Queue lengths at a time.
-SAMPLE = _record("time", "hosts", "access_point")
+QUEUE_SAMPLE = _record("time", "hosts", "access_point")
 
 Records = NDArray[np.void]
 
 
-class Cell(NamedTuple):
+class CellState(NamedTuple):
     """All that a run reads and changes."""
 
     radio: Records
-    now: Records
+    state: Records
     stations: Records
     window: Records
     #: Of each host what has come to the access point before a frame with a lower number, or -1.
@@ -197,15 +197,15 @@ class Cell(NamedTuple):
     #: Who waits for a slot, and who waits behind them for the same.
     wheel: Places
     behind: Places
-    strays: Records
+    deferred: Records
     senders: Records
     pool: Records
     #: At [host, direction].
-    agreements: Records
-    actions: Records
+    block_acks: Records
+    addba: Records
     events: Records
     kinds: Records
-    batches: Ints
+    bursts: Ints
     processes: Records
     #: Of each message that a process sends, at [process, row]: how many to each receiver, and to
     #: all or in all; where in its fractions it begins.
@@ -213,30 +213,32 @@ class Cell(NamedTuple):
     to_all: Floats
     part: Floats
     #: How many processes before one receive what is for a set of them, at [set, process].
-    before: Ints
+    receivers_before: Ints
     #: At [sender, receiver]; of one number if all are heard alike.
     power: Floats
     repairs: Records
     pairs: Records
-    has: Ints
+    received_bitmap: Ints
     #: Of user data how many frames were late by so many stamps; from `SENT_FRAMES` on how many
     #: were sent, and lost by cause: at their host, at the access point, on the air.
     delays: Ints
     airtime: Ints
-    samples: Records
+    queue_samples: Records
     log: Records
 
 
-#: Where a row of `Cell.delays` counts what was sent, and where its losses begin and end.
+#: Where a row of `CellState.delays` counts what was sent, and where its losses begin and end.
 SENT_FRAMES = ITEMS + 1
 LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: What happens, above the bits that say to whom: a host or process, another, a row of the table.
 _EVENT = 56
-SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT, GIVE_UP = (np.int64(n) << _EVENT for n in range(7))
+SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT, ADDBA_TIMEOUT = (
+    np.int64(n) << _EVENT for n in range(7)
+)
 
 #: What the engine answers: the run is over, it needs more memory, or it has done its steps.
 OVER, MEMORY, GO_ON = range(3)
-#: Columns of `Cell.airtime`, which counts in parts of a tick.
+#: Columns of `CellState.airtime`, which counts in parts of a tick.
 UP, DOWN, FAILED = range(3)
 PARTS = 1024

@@ -78,7 +78,7 @@ def test_a_burst_of_hosts_at_unlike_distances_is_that_of_ns3(row: Row) -> None:
     heard = 10 ** (powers(disc(int(row["hosts"]))) / 10)
     what = replace(what, power=heard, radio=what.radio.copy())
     # What ns-3 needs, see lab/ns3/README.md.
-    what.radio["exceeds"], what.radio["exceeds_basic"] = 10**1.87, 10**0.1
+    what.radio["capture_threshold"], what.radio["capture_threshold_basic"] = 10**1.87, 10**0.1
     runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     limit = DRAIN_AGGREGATED if int(row["ampdu"]) else DRAIN
     drained = np.array([run.drain_time for run in runs])
@@ -148,7 +148,7 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
     what = set_up(scenario)
     cell = finish(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
-    assert int(cell.now["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
+    assert int(cell.state["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
 
 
 def by_setting(rows: list[Row]) -> dict[tuple[str, str], list[Row]]:

@@ -74,7 +74,7 @@ def test_without_aggregation_there_is_nothing_to_agree_on() -> None:
 def ask_in_vain(cell: Any, attempts: int) -> None:
     ask(cell, 0, UPWARD)
     for _ in range(attempts):
-        cell.actions[0].sends = UPWARD
+        cell.addba[0].sends = UPWARD
         action_failed(cell, 0, 0)
 
 
@@ -87,7 +87,7 @@ def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() 
     swarm = ds.Fleet.swarm(2, 1, 2)
     what = set_up(Scenario(swarm, ds.ZENOH, channel(), queue=INFINITE, recovery=False))
     cell, _ = what.cell(np.random.SeedSequence(0))
-    agreement = cell.agreements[0, UPWARD]
+    agreement = cell.block_acks[0, UPWARD]
     ask_in_vain(cell, 6)
     assert (agreement["state"], cell.stations[0]["length"]) == (ASKED, 1)
     wait_in_vain(cell)
@@ -96,11 +96,11 @@ def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() 
     assert agreement["state"] == NONE
     cell, _ = what.cell(np.random.SeedSequence(0))
     ask_in_vain(cell, 7)
-    assert (cell.agreements[0, UPWARD]["state"], cell.stations[0]["length"]) == (SILENT, 0)
+    assert (cell.block_acks[0, UPWARD]["state"], cell.stations[0]["length"]) == (SILENT, 0)
     # Its frames go one by one, and the other direction is agreed on.
     cell = finish(cell, 10**7)
-    assert cell.now["open"] == 0
-    assert (cell.agreements["state"][0, [UPWARD, DOWNWARD]] == [SILENT, AGREED]).all()
+    assert cell.state["open"] == 0
+    assert (cell.block_acks["state"][0, [UPWARD, DOWNWARD]] == [SILENT, AGREED]).all()
     assert (cell.log["frames"][cell.log["station"] == 0] <= 1).all()
 
 

@@ -45,7 +45,7 @@ def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
     recovery.acknowledge_tcp.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
     assert sent == [3, 5]
-    assert pairs["due"][0, 1] == 130  # and the timer starts anew
+    assert pairs["expires_at"][0, 1] == 130  # and the timer starts anew
 
 
 @pytest.mark.parametrize(("protocol", "both"), [(ds.DDS, False), (ds.ZENOH, True)])
@@ -54,9 +54,9 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     plan = set_up(Scenario(ds.Fleet.swarm(3, 1, 1), protocol, wifi, queue=(np.inf, np.inf)))
     cell, _ = plan.cell(np.random.SeedSequence(0))
     lease = cell.repairs["lease"] = 1000
-    cell.pairs["known"] = 1 - np.eye(3, dtype=int)
-    cell.pairs["heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
-    cell.pairs["heard"][0, 1] = 5
+    cell.pairs["discovered"] = 1 - np.eye(3, dtype=int)
+    cell.pairs["last_heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
+    cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
     monkeypatch.setattr(recovery, "later", lambda *given: looks.append(given[1]))

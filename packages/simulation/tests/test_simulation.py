@@ -32,7 +32,7 @@ from discostorm_simulation.engine import advance, finish
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, one_run, set_up
-from discostorm_simulation.state import SUCCESS, Cell
+from discostorm_simulation.state import SUCCESS, CellState
 
 FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
@@ -56,7 +56,7 @@ def plan(
     return set_up(scenario)
 
 
-def cell_of(what: Setup, seed: int = 0) -> Cell:
+def cell_of(what: Setup, seed: int = 0) -> CellState:
     return what.cell(np.random.SeedSequence(seed))[0]
 
 
@@ -69,10 +69,10 @@ def drained(what: Setup) -> int:
     what.radio["cw_min"] = what.radio["cw_max"] = 0
     what.radio["aifs"] += waiting
     cell = cell_of(what)
-    cell.now["base"] = what.radio["aifs"]
+    cell.state["base"] = what.radio["aifs"]
     cell = finish(cell, ticks(1e6), what.reserve)
-    assert cell.now["collisions"] == 0
-    return int(cell.now["drained"][0])
+    assert cell.state["collisions"] == 0
+    return int(cell.state["drained"][0])
 
 
 def numbers(message: ds.Message, hop: str, wifi: ds.Wifi) -> float:
@@ -233,7 +233,7 @@ def made(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return how many frames of each row each run hands to the queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
     cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
-    assert cell.now["open"] == 0
+    assert cell.state["open"] == 0
     for row in range(rows.size):
         rows[row] = round(cell.airtime[row, 0] / 1024 / TIME)
     return rows
@@ -435,7 +435,7 @@ def saturated(what: Setup, stations: int, seconds: float) -> float:
     cell = cell_of(what)
     cell = finish(cell, ticks(seconds), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
-    return int(cell.now["arrived"][0]) / seconds
+    return int(cell.state["arrived"][0]) / seconds
 
 
 def frozen(stations: int, success: float, collision: float, slot: float) -> float:
@@ -564,13 +564,13 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
         cell = cell_of(what, seed)
         cell = finish(cell, ticks(0.0999), what.reserve)
         # The second host is known to the first; now it learns of the first and sends to it.
-        while not cell.pairs["known"][1, 0]:
+        while not cell.pairs["discovered"][1, 0]:
             advance(cell, ticks(1e6), what.reserve, 1)
         begin = int(cell.pairs["offered"][1, 0])
         cell.stations["loss"] = loss
-        while not cell.pairs["done"][0, 1]:
+        while not cell.pairs["completed_at"][0, 1]:
             advance(cell, ticks(1e6), what.reserve, 1)
-        times.append(int(cell.pairs["done"][0, 1]) - begin)
+        times.append(int(cell.pairs["completed_at"][0, 1]) - begin)
     taken = np.array(times)
     # The Heartbeat sent with the items is the first round, the timer gives the others; each
     # takes some milliseconds.
@@ -742,9 +742,9 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
     def cost(hosts: int) -> float:
         what = plan(ds.Fleet.swarm(hosts, 2, 10), ds.DDS, RADIO.wifi())
         cell = finish(cell_of(what), ticks(0.01), what.reserve)
-        begin, before = process_time(), int(cell.now["ppdus"][0])
+        begin, before = process_time(), int(cell.state["ppdus"][0])
         cell = finish(cell, ticks(4.0), what.reserve)
-        return (process_time() - begin) / (int(cell.now["ppdus"][0]) - before)
+        return (process_time() - begin) / (int(cell.state["ppdus"][0]) - before)
 
     cost(10)
     assert min(cost(500) for _ in range(3)) < 5 * min(cost(10) for _ in range(3))

@@ -4,38 +4,38 @@ import numpy as np
 
 from discostorm_simulation.kernels.channel_access import next_slot, synchronize
 from discostorm_simulation.kernels.decorators import entry, njit, shared
-from discostorm_simulation.kernels.delivery import load
+from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import collide, send
 from discostorm_simulation.kernels.primitives import next_event
-from discostorm_simulation.kernels.recovery import happen, settled
+from discostorm_simulation.kernels.recovery import dispatch_event, is_converged
 from discostorm_simulation.state import GO_ON, MEMORY, NEVER, OVER
 
 
 @shared
-def sample(cell, time):
+def sample_queues(cell, time):
     """Record queue lengths at regular times; half as often whenever the table is full."""
-    now = cell.now[0]
-    while time >= now.sample:
-        if now.samples == cell.samples.size:
-            now.samples //= 2
-            for place in range(now.samples):
-                cell.samples[place].time = cell.samples[2 * place].time
-                cell.samples[place].hosts = cell.samples[2 * place].hosts
-                cell.samples[place].access_point = cell.samples[2 * place].access_point
-            now.step *= 2
-            now.sample = now.samples * now.step
+    state = cell.state[0]
+    while time >= state.sample:
+        if state.samples == cell.queue_samples.size:
+            state.samples //= 2
+            for place in range(state.samples):
+                cell.queue_samples[place].time = cell.queue_samples[2 * place].time
+                cell.queue_samples[place].hosts = cell.queue_samples[2 * place].hosts
+                cell.queue_samples[place].access_point = cell.queue_samples[2 * place].access_point
+            state.step *= 2
+            state.sample = state.samples * state.step
             continue
-        row = cell.samples[now.samples]
-        row.time, row.hosts = now.sample, now.queued
-        row.access_point = cell.stations[now.hosts].length
-        now.samples += 1
-        now.sample += now.step
+        row = cell.queue_samples[state.samples]
+        row.time, row.hosts = state.sample, state.queued
+        row.access_point = cell.stations[state.hosts].length
+        state.samples += 1
+        state.sample += state.step
 
 
 @njit
 def add_sender(cell, station, time, count):
     """Add a station to those that send now unless all that it has is too old."""
-    if load(cell, station, time):
+    if fill_window(cell, station, time):
         cell.senders[count].station = station
         return count + 1
     cell.stations[station].waits = 0
@@ -45,27 +45,27 @@ def add_sender(cell, station, time, count):
 @njit
 def transmit(cell, time, slot):
     """Let all send whose back-off ends now."""
-    now = cell.now[0]
+    state = cell.state[0]
     count = np.int64(0)
     if slot >= 0:
         place = slot & (cell.wheel.size - 1)
         station = np.int64(cell.wheel[place])
         cell.wheel[place] = -1
         while station >= 0:
-            now.waiting -= 1
+            state.waiting -= 1
             following = np.int64(cell.behind[station])
             count = add_sender(cell, station, time, count)
             station = following
-    if time >= now.stray_time:
-        now.stray_time = NEVER
-        for place in range(now.strays):
-            stray = cell.strays[place]
-            if stray.station >= 0:
-                if time >= stray.time:
-                    count = add_sender(cell, stray.station, time, count)
-                    stray.station = -1
+    if time >= state.deferred_time:
+        state.deferred_time = NEVER
+        for place in range(state.deferred):
+            waiting_station = cell.deferred[place]
+            if waiting_station.station >= 0:
+                if time >= waiting_station.time:
+                    count = add_sender(cell, waiting_station.station, time, count)
+                    waiting_station.station = -1
                 else:
-                    now.stray_time = min(now.stray_time, stray.time)
+                    state.deferred_time = min(state.deferred_time, waiting_station.time)
     if count == 0:
         return
     synchronize(cell, time, slot)
@@ -76,33 +76,33 @@ def transmit(cell, time, slot):
             return
     send(cell, station, time)
     if count > 1:
-        now.overlapping, now.others, now.damaged = 0, 0, 0
+        state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
 @entry
 def advance(cell, until, reserve, steps):
     """Go on with a run: return `OVER` when it is, `MEMORY` to have more first, else `GO_ON`."""
-    now, slot_ticks = cell.now[0], cell.radio[0].slot
+    state, slot_ticks = cell.state[0], cell.radio[0].slot
     while steps > 0:
-        if now.open == 0 and now.coming == 0 and settled(cell):
+        if state.open == 0 and state.coming == 0 and is_converged(cell):
             return OVER
-        if now.spare < reserve or now.events + reserve > cell.events.size:
+        if state.spare < reserve or state.events + reserve > cell.events.size:
             return MEMORY
         time, slot = NEVER, np.int64(-1)
-        if now.waiting > 0:
+        if state.waiting > 0:
             slot = next_slot(cell)
-            time = now.base + (slot - now.slot) * slot_ticks
-        if now.stray_time < time:
-            time, slot = now.stray_time, np.int64(-1)
-        happens = now.events > 0 and cell.events[0].time <= time
+            time = state.base + (slot - state.slot) * slot_ticks
+        if state.deferred_time < time:
+            time, slot = state.deferred_time, np.int64(-1)
+        happens = state.events > 0 and cell.events[0].time <= time
         if happens:
             time = cell.events[0].time
         if time > until:
             return OVER
-        sample(cell, time)
-        now.clock = time
+        sample_queues(cell, time)
+        state.clock = time
         if happens:
-            happen(cell, time, next_event(cell))
+            dispatch_event(cell, time, next_event(cell))
         else:
             transmit(cell, time, slot)
         steps -= 1

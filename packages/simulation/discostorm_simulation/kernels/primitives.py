@@ -73,18 +73,18 @@ def scaled(x, number):
 
 
 @njit
-def below(now, number):
+def below(state, number):
     """Return a whole number from 0 to below ``number``, all alike."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
+    x = next_random(np.uint64(state.random))
+    state.random = np.int64(x)
     return scaled(x, number)
 
 
 @njit
-def uniform(now):
+def uniform(state):
     """Return a number from 0 to below 1."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
+    x = next_random(np.uint64(state.random))
+    state.random = np.int64(x)
     return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
 
 
@@ -92,11 +92,11 @@ def uniform(now):
 
 
 @shared
-def later(cell, time, what):
+def schedule_event(cell, time, what):
     """Put an event on the heap."""
     events = cell.events
-    place = cell.now[0].events
-    cell.now[0].events = place + 1
+    place = cell.state[0].events
+    cell.state[0].events = place + 1
     while place > 0:
         above = (place - 1) >> 1
         if events[above].time <= time:
@@ -113,8 +113,8 @@ def next_event(cell):
     """Take the earliest event off the heap and return what it is."""
     events = cell.events
     result = events[0].what
-    count = cell.now[0].events - 1
-    cell.now[0].events = count
+    count = cell.state[0].events - 1
+    cell.state[0].events = count
     time, what = events[count].time, events[count].what
     place = 0
     while True:

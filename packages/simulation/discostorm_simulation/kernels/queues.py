@@ -8,119 +8,129 @@ import numpy as np
 
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, destination_of, kind_of, source_of
-from discostorm_simulation.state import AGE, FULL, ITEMS, LOSSES, NEXT_ITEM, RETRY, STEADY
+from discostorm_simulation.state import (
+    EXPIRED,
+    ITEMS,
+    LOSSES,
+    NEXT_ITEM,
+    QUEUE_FULL,
+    RETRY_LIMIT,
+    STEADY,
+)
 
 #: An entry whose frame has been taken already.
 _TAKEN = np.int64(2**62)
 #: Most different bursts.
-BATCHES = 256
+MAX_BURSTS = 256
 
 
 @njit
-def burst_entry(batch, frames):
+def burst_entry(burst, frames):
     """Return the entry of so many frames of a burst."""
-    return -1 - (frames * BATCHES + batch)
+    return -1 - (frames * MAX_BURSTS + burst)
 
 
 @njit
 def frames_of(entry):
     """Return how many frames an entry stands for."""
     if entry < 0:
-        return (-1 - entry) // BATCHES
+        return (-1 - entry) // MAX_BURSTS
     return np.int64(entry != _TAKEN)
 
 
 @njit
-def batch_of(entry):
+def burst_of(entry):
     """Return which burst an entry stands for."""
-    return (-1 - entry) % BATCHES
+    return (-1 - entry) % MAX_BURSTS
 
 
 @njit
-def is_steady(cell, batch):
+def is_steady(cell, burst):
     """Return whether a burst is one that comes again and again."""
-    return cell.batches[batch, cell.now[0].kinds] > 0
+    return cell.bursts[burst, cell.state[0].kinds] > 0
 
 
 @njit
-def receivers(cell, frame):
+def receiver_count(cell, frame):
     """Return how many are to receive a frame."""
     kind = cell.kinds[kind_of(frame)]
-    return cell.now[0].links if kind.multicast and kind.down else np.int64(1)
+    return cell.state[0].links if kind.multicast and kind.down else np.int64(1)
 
 
 @njit
-def host_of(cell, frame):
+def source_host(cell, frame):
     """Return the host that a frame is from."""
     return cell.processes[source_of(frame)].host
 
 
 @shared
-def lose(cell, frame, station, cause):
+def count_drop(cell, frame, station, cause):
     """Count a frame as lost for good."""
     if not frame & STEADY:
-        cell.now[0].open -= 1
-        count_lost(cell, receivers(cell, frame), host_of(cell, frame), station, cause)
+        cell.state[0].open -= 1
+        count_lost_receptions(
+            cell, receiver_count(cell, frame), source_host(cell, frame), station, cause
+        )
     elif cell.kinds[kind_of(frame)].user:
-        lose_user_data(cell, frame, receivers(cell, frame), station, cause)
+        count_user_data_drop(cell, frame, receiver_count(cell, frame), station, cause)
 
 
 @shared
-def lose_user_data(cell, frame, times, station, cause):
+def count_user_data_drop(cell, frame, times, station, cause):
     """Count receptions of user data that will not be, in the order of `result.CAUSES`."""
-    place = LOSSES + cause + 3 * (station == cell.now[0].hosts)
+    place = LOSSES + cause + 3 * (station == cell.state[0].hosts)
     cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
 @shared
-def count_lost(cell, times, source, station, cause):
+def count_lost_receptions(cell, times, source, station, cause):
     """Count receptions that will not be, by the host they come from and by cause."""
-    now = cell.now[0]
+    state = cell.state[0]
     cell.stations[source].missed += times
-    host = station < now.hosts
-    if cause == FULL:
+    host = station < state.hosts
+    if cause == QUEUE_FULL:
         if host:
-            now.host_full += times
+            state.host_full += times
         else:
-            now.ap_full += times
-    elif cause == AGE:
+            state.ap_full += times
+    elif cause == EXPIRED:
         if host:
-            now.host_age += times
+            state.host_age += times
         else:
-            now.ap_age += times
-    elif cause == RETRY:
+            state.ap_age += times
+    elif cause == RETRY_LIMIT:
         if host:
-            now.host_retry += times
+            state.host_retry += times
         else:
-            now.ap_retry += times
+            state.ap_retry += times
     else:
-        now.on_air += times
+        state.on_air += times
 
 
 @njit
 def change_length(cell, station, frames):
     """Note that frames have come to a station or left it."""
     cell.stations[station].length += frames
-    if station < cell.now[0].hosts:
-        cell.now[0].queued += frames
+    if station < cell.state[0].hosts:
+        cell.state[0].queued += frames
 
 
 @njit
-def receiver(cell, frame):
+def receiving_host(cell, frame):
     """Return the host that a frame goes to; of multicast the number of hosts."""
     if cell.kinds[kind_of(frame)].multicast:
-        return cell.now[0].hosts
+        return cell.state[0].hosts
     return cell.processes[destination_of(frame)].host
 
 
 @njit
-def put(cell, station, entry, time):
+def append(cell, station, entry, time):
     """Append an entry to a queue."""
-    now, queue = cell.now[0], cell.stations[station]
-    node = now.free
+    state, queue = cell.state[0], cell.stations[station]
+    node = state.free
     waiting = cell.pool[node]
-    now.free = waiting.next
-    now.spare -= 1
+    state.free = waiting.next
+    state.spare -= 1
     waiting.frame = entry
     waiting.came = time
     waiting.next = -1
@@ -129,9 +139,9 @@ def put(cell, station, entry, time):
     else:
         cell.pool[queue.tail].next = node
     queue.tail = node
-    if now.per_receiver and station == now.hosts:
+    if state.per_receiver and station == state.hosts:
         # The access point finds the frames of one receiver without a search.
-        to = cell.stations[receiver(cell, entry)]
+        to = cell.stations[receiving_host(cell, entry)]
         waiting.same, waiting.number, waiting.tries = -1, to.to_number, 0
         to.to_number += 1
         if to.to_tail < 0:
@@ -144,18 +154,18 @@ def put(cell, station, entry, time):
 @njit
 def drop_head(cell, station):
     """Take the first entry off a queue."""
-    now, queue = cell.now[0], cell.stations[station]
+    state, queue = cell.state[0], cell.stations[station]
     node = queue.head
     queue.head = cell.pool[node].next
     if queue.head < 0:
         queue.tail = -1
-    cell.pool[node].next = now.free
-    now.free = node
-    now.spare += 1
+    cell.pool[node].next = state.free
+    state.free = node
+    state.spare += 1
 
 
 @njit
-def take_after(cell, host, node):
+def dequeue_after(cell, host, node):
     """Take the access point's frame for a host that comes after another one, or after none."""
     to = cell.stations[host]
     taken = to.to_head if node < 0 else cell.pool[node].same
@@ -170,13 +180,13 @@ def take_after(cell, host, node):
 
 
 @njit
-def take_same(cell, host):
+def dequeue_first_for(cell, host):
     """Take the access point's first frame for a host; its entry leaves the queue later."""
-    take_after(cell, host, np.int64(-1))
+    dequeue_after(cell, host, np.int64(-1))
 
 
 @shared
-def first_entry(cell, station, time):
+def oldest_entry(cell, station, time):
     """Return the first entry of a queue, after throwing out what is too old, or -1."""
     queue = cell.stations[station]
     while queue.head >= 0:
@@ -185,34 +195,36 @@ def first_entry(cell, station, time):
         if entry != _TAKEN:
             if time - waiting.came <= cell.radio[0].lifetime:
                 return queue.head
-            if cell.now[0].per_receiver and station == cell.now[0].hosts:
-                take_same(cell, receiver(cell, entry))
+            if cell.state[0].per_receiver and station == cell.state[0].hosts:
+                dequeue_first_for(cell, receiving_host(cell, entry))
             change_length(cell, station, -frames_of(entry))
             if entry < 0:
-                lose_burst(cell, station, entry)
+                drop_burst(cell, station, entry)
             else:
-                lose(cell, entry, station, AGE)
+                count_drop(cell, entry, station, EXPIRED)
         drop_head(cell, station)
     return np.int64(-1)
 
 
 @shared
-def lose_burst(cell, station, entry):
+def drop_burst(cell, station, entry):
     """Count what is left of a burst as too old."""
-    maker = cell.stations[station]
+    generator = cell.stations[station]
     left = frames_of(entry)
-    multicast = frames_to_all(cell, station, batch_of(entry))
-    if maker.begun:
-        multicast -= maker.made
+    multicast = frames_to_all(cell, station, burst_of(entry))
+    if generator.begun:
+        multicast -= generator.made
     multicast = min(max(multicast, 0), left)
-    maker.begun = 0
-    if not is_steady(cell, batch_of(entry)):
-        cell.now[0].open -= left
-        count_lost(cell, left + multicast * (cell.now[0].links - 1), station, station, AGE)
+    generator.begun = 0
+    if not is_steady(cell, burst_of(entry)):
+        cell.state[0].open -= left
+        count_lost_receptions(
+            cell, left + multicast * (cell.state[0].links - 1), station, station, EXPIRED
+        )
 
 
 @shared
-def number_to_all(cell, source, kind):
+def multicast_count(cell, source, kind):
     """Return how many of a message a process sends to all; see `cell_setup`."""
     wanted = cell.to_all[source, kind]
     if cell.kinds[kind].whole:
@@ -221,10 +233,10 @@ def number_to_all(cell, source, kind):
 
 
 @njit
-def rank(cell, source, to, kind):
+def receiver_rank(cell, source, to, kind):
     """Return how many processes on other hosts receive a message before one does."""
     here = cell.processes[source].host
-    before = cell.before[cell.kinds[kind].set]
+    before = cell.receivers_before[cell.kinds[kind].set]
     if cell.processes[to].host < here:
         return before[to]
     first = cell.stations[here].first
@@ -232,23 +244,23 @@ def rank(cell, source, to, kind):
 
 
 @shared
-def number(cell, source, to, kind):
+def messages_to(cell, source, to, kind):
     """Return how many of a message a process sends to one on another host."""
-    before = cell.before[cell.kinds[kind].set]
+    before = cell.receivers_before[cell.kinds[kind].set]
     if before[to + 1] == before[to]:
         return np.int64(0)
     wanted = cell.each[source, kind]
     if cell.kinds[kind].whole:
         return np.int64(wanted)
-    place, part = rank(cell, source, to, kind), cell.part[source, kind]
+    place, part = receiver_rank(cell, source, to, kind), cell.part[source, kind]
     return np.int64(np.floor((place + 1) * wanted + part) - np.floor(place * wanted + part))
 
 
 @shared
-def number_to_each(cell, source, kind):
+def unicast_count(cell, source, kind):
     """Return how many of a message a process sends to all its receivers together."""
     host = cell.processes[source].host
-    before, first = cell.before[cell.kinds[kind].set], cell.stations[host].first
+    before, first = cell.receivers_before[cell.kinds[kind].set], cell.stations[host].first
     own = before[first + cell.stations[host].processes] - before[first]
     wanted = (before[-1] - own) * cell.each[source, kind]
     if cell.kinds[kind].whole:
@@ -257,111 +269,119 @@ def number_to_each(cell, source, kind):
 
 
 @shared
-def frames_to_all(cell, host, batch):
+def frames_to_all(cell, host, burst):
     """Return how many frames, counted by process, a host sends in a burst."""
     total, its = np.int64(0), cell.stations[host]
-    for kind in range(cell.now[0].kinds):
-        if cell.kinds[kind].to_all and cell.batches[batch, kind]:
+    for kind in range(cell.state[0].kinds):
+        if cell.kinds[kind].to_all and cell.bursts[burst, kind]:
             for process in range(its.first, its.first + its.processes):
-                total += number_to_all(cell, process, kind)
+                total += multicast_count(cell, process, kind)
     return total
 
 
 @njit
-def burst_frames(cell, host, batch):
+def burst_frames(cell, host, burst):
     """Return how many frames a host sends in a burst."""
     total, its = np.int64(0), cell.stations[host]
-    for kind in range(cell.now[0].kinds):
-        if cell.batches[batch, kind] and not cell.kinds[kind].to_all:
+    for kind in range(cell.state[0].kinds):
+        if cell.bursts[burst, kind] and not cell.kinds[kind].to_all:
             for process in range(its.first, its.first + its.processes):
-                total += number_to_each(cell, process, kind)
-    return frames_to_all(cell, host, batch) + total
+                total += unicast_count(cell, process, kind)
+    return frames_to_all(cell, host, burst) + total
 
 
 @njit
-def ahead(cell, host, steps):
+def host_after(cell, host, steps):
     """Return the host so many after one; the first follows the last."""
     other = host + steps
-    return other if other < cell.now[0].hosts else other - cell.now[0].hosts
+    return other if other < cell.state[0].hosts else other - cell.state[0].hosts
 
 
 @njit
-def target(cell, host):
+def next_destination(cell, host):
     """Return the process that the next frame of a burst is for; what is for all is for itself."""
-    maker = cell.stations[host]
-    if not maker.stage:
-        return maker.first + maker.process
-    return cell.stations[ahead(cell, host, maker.steps)].first + maker.there
+    generator = cell.stations[host]
+    if not generator.stage:
+        return generator.first + generator.process
+    return cell.stations[host_after(cell, host, generator.steps)].first + generator.there
 
 
 @njit
-def count_next(cell, host, batch):
+def count_next(cell, host, burst):
     """Note how many frames of a burst there are of the row of the table that is next."""
-    maker = cell.stations[host]
-    kind, process = maker.kind, maker.first + maker.process
-    maker.times, maker.number = 0, 0
-    if cell.batches[batch, kind] and cell.kinds[kind].to_all != maker.stage:
-        if maker.stage:
-            maker.number = number(cell, process, target(cell, host), kind)
+    generator = cell.stations[host]
+    kind, process = generator.kind, generator.first + generator.process
+    generator.times, generator.number = 0, 0
+    if cell.bursts[burst, kind] and cell.kinds[kind].to_all != generator.stage:
+        if generator.stage:
+            generator.number = messages_to(cell, process, next_destination(cell, host), kind)
         else:
-            maker.number = number_to_all(cell, process, kind)
+            generator.number = multicast_count(cell, process, kind)
 
 
 @njit
-def like_last(maker):
+def repeats_last(generator):
     """Return whether the next frame of a burst is like the last but for its number."""
     # The number must not run over.
-    return maker.begun and maker.times < maker.number and maker.times & ITEMS
+    return generator.begun and generator.times < generator.number and generator.times & ITEMS
 
 
 @njit
-def make_like_last(maker):
+def repeat_last(generator):
     """Return the next frame of a burst, which is like the last but for its number."""
-    maker.times += 1
-    maker.made += 1
-    maker.last += NEXT_ITEM
-    return maker.last
+    generator.times += 1
+    generator.made += 1
+    generator.last += NEXT_ITEM
+    return generator.last
 
 
 @njit
-def make(cell, host, batch):
+def next_frame(cell, host, burst):
     """Return the next frame of a burst; see `make_another`."""
-    maker = cell.stations[host]
-    if like_last(maker):
-        return make_like_last(maker)
-    maker.last = make_another(cell, host, batch)
-    return maker.last
+    generator = cell.stations[host]
+    if repeats_last(generator):
+        return repeat_last(generator)
+    generator.last = advance_frame(cell, host, burst)
+    return generator.last
 
 
 @shared
-def make_another(cell, host, batch):
+def advance_frame(cell, host, burst):
     """Return the next frame of a burst, like the last or not.
 
     First the messages to all of each process, then, for each process, what goes to each
     remote process, the next host first, in the order of the table.
     """
-    maker, hosts, kinds = cell.stations[host], cell.now[0].hosts, cell.now[0].kinds
-    if not maker.begun:
-        maker.begun, maker.made, maker.stage = 1, 0, 0
-        maker.process, maker.steps, maker.there, maker.kind = 0, 1, 0, 0
-        count_next(cell, host, batch)
-    while maker.times == maker.number:
-        maker.kind += 1
-        if maker.kind == kinds:
-            maker.kind = 0
-            if maker.stage:
-                maker.there += 1
-                if maker.there == cell.stations[ahead(cell, host, maker.steps)].processes:
-                    maker.there = 0
-                    maker.steps += 1
-            if maker.steps == hosts or not maker.stage:
-                maker.steps = 1
-                maker.process += 1
-                if maker.process == maker.processes:
-                    maker.process = 0
-                    maker.stage = 1
-        count_next(cell, host, batch)
-    frame = compose(maker.kind, maker.first + maker.process, target(cell, host), maker.times)
-    maker.times += 1
-    maker.made += 1
-    return frame | STEADY if is_steady(cell, batch) else frame
+    generator, hosts, kinds = cell.stations[host], cell.state[0].hosts, cell.state[0].kinds
+    if not generator.begun:
+        generator.begun, generator.made, generator.stage = 1, 0, 0
+        generator.process, generator.steps, generator.there, generator.kind = 0, 1, 0, 0
+        count_next(cell, host, burst)
+    while generator.times == generator.number:
+        generator.kind += 1
+        if generator.kind == kinds:
+            generator.kind = 0
+            if generator.stage:
+                generator.there += 1
+                if (
+                    generator.there
+                    == cell.stations[host_after(cell, host, generator.steps)].processes
+                ):
+                    generator.there = 0
+                    generator.steps += 1
+            if generator.steps == hosts or not generator.stage:
+                generator.steps = 1
+                generator.process += 1
+                if generator.process == generator.processes:
+                    generator.process = 0
+                    generator.stage = 1
+        count_next(cell, host, burst)
+    frame = compose(
+        generator.kind,
+        generator.first + generator.process,
+        next_destination(cell, host),
+        generator.times,
+    )
+    generator.times += 1
+    generator.made += 1
+    return frame | STEADY if is_steady(cell, burst) else frame

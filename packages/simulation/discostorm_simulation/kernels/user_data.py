@@ -1,50 +1,52 @@
 """User data on the air: who sends a sample to whom, and how late its frames arrive."""
 
-from discostorm_simulation.kernels.channel_access import offer_new
+from discostorm_simulation.kernels.channel_access import submit_frame
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of
-from discostorm_simulation.kernels.queues import number, number_to_all, receivers
+from discostorm_simulation.kernels.queues import messages_to, multicast_count, receiver_count
 from discostorm_simulation.state import ITEMS, SENT_FRAMES, STEADY
 
 
 @njit
 def stamp(cell, time):
     """Return the time in stamps, as user data carry it in the place of a number."""
-    return (time // cell.now[0].stamp) & ITEMS
+    return (time // cell.state[0].stamp) & ITEMS
 
 
 @shared
 def send_user_data(cell, row, source, to, time):
     """Send the frames of a sample, with the time at which it was made."""
-    times = number_to_all(cell, source, row) if to == source else number(cell, source, to, row)
+    times = (
+        multicast_count(cell, source, row) if to == source else messages_to(cell, source, to, row)
+    )
     for _ in range(times):
         frame = compose(row, source, to, stamp(cell, time)) | STEADY
-        cell.delays[cell.kinds[row].user - 1, SENT_FRAMES] += receivers(cell, frame)
-        offer_new(cell, frame, time)
+        cell.delays[cell.kinds[row].user - 1, SENT_FRAMES] += receiver_count(cell, frame)
+        submit_frame(cell, frame, time)
 
 
 @shared
-def take_user_data(cell, frame, time):
+def receive_user_data(cell, frame, time):
     """Note how late a frame of user data has arrived."""
     row = cell.kinds[kind_of(frame)].user - 1
     cell.delays[row, (stamp(cell, time) - item_of(frame)) & ITEMS] += 1
 
 
 @shared
-def is_user_data(cell, batch):
+def is_user_data(cell, burst):
     """Return whether what a host sends by the clock is user data."""
-    for row in range(cell.now[0].kinds):
-        if cell.batches[batch, row] and cell.kinds[row].user:
+    for row in range(cell.state[0].kinds):
+        if cell.bursts[burst, row] and cell.kinds[row].user:
             return True
     return False
 
 
 @njit
-def has_found(cell, process, other):
+def may_send_data(cell, process, other):
     """Return whether a process may send user data to another: it has all of it.
 
     Without recovery nobody finds anybody, and all remote ones are sent to.
     """
-    if not cell.now[0].repairs:
+    if not cell.state[0].repairs:
         return cell.processes[process].host != cell.processes[other].host
-    return cell.pairs[process, other].done > 0
+    return cell.pairs[process, other].completed_at > 0
