@@ -13,11 +13,11 @@ SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
 OUT ?= build/figures
-# Points of the lab: lab/GRID.csv. What the whole grids gave belongs to the package.
+# Points of the lab: lab/grids/GRID.csv. What whole grids gave lies where it is read.
 GRID ?= grid
 # Where the book is on its host, for `make serve`.
 BASE ?= /
-MEASURED = $(if $(filter grid mitigations security shared,$(GRID)),discostorm/data/measured,"build/lab/$$GRID/measured")
+MEASURED = $(if $(filter grid mitigations shared,$(GRID)),packages/book/discostorm_book/data/measured,$(if $(filter security,$(GRID)),lab/data,"build/lab/$$GRID/measured"))
 # Given to the shell as they are, with quotes and dollars.
 override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
@@ -32,10 +32,10 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@sh scripts/setup.sh
 
-build/lab/.ready: $(READY) $(wildcard lab/*.c lab/*.cpp lab/*.hpp lab/*.idl lab/*.lock lab/*.sh)
+build/lab/.ready: $(READY) $(wildcard lab/programs/*.c lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test test-all pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -48,9 +48,13 @@ book: $(READY) ## execute every notebook and build the HTML book
 	@touch _build/.done
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
-test: $(READY) ## run all tests, notebooks included
+test: $(READY) ## test packages and notebooks, and visit each page once
 	@$(BIN)/python scripts/loopback.py
-	@$(BIN)/pytest -n 2
+	@$(BIN)/pytest -n 2 -m "not thorough"
+
+test-all: test ## run all tests: pages in all modes, PDF, lab, and each package alone
+	@$(BIN)/pytest -n 2 -m thorough
+	@$(BIN)/python scripts/checks/check_dist.py --alone all
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/checks/check_latex.sh
@@ -70,7 +74,9 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 	@rm -rf _build/html _build/.doctrees build/release
 	@$(BUILD)
 	@$(BIN)/discostorm figures --out build/release/figures
-	@SOURCE_DATE_EPOCH=$(EPOCH) $(BIN)/python -m hatchling build --target wheel --directory build/release/dist
+	@for package in . packages/simulation packages/planner packages/capture packages/book; do \
+		(cd $$package && SOURCE_DATE_EPOCH=$(EPOCH) "$(CURDIR)/$(BIN)/python" -m hatchling build \
+		--target wheel --directory "$(CURDIR)/build/release/dist") || exit 1; done
 	@$(BIN)/python scripts/book/make_release.py --epoch $(EPOCH)
 
 figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
@@ -101,26 +107,26 @@ bench: $(READY) ## measure the speed of the package against its limits
 	@$(BIN)/python scripts/checks/bench.py
 
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
-	@$(BIN)/python lab/run.py --grid "lab/$$GRID.csv" --out "build/lab/$$GRID"
-	@$(BIN)/python lab/count.py "build/lab/$$GRID" --out $(MEASURED)
-	@[ "$$GRID" != short ] || $(BIN)/python lab/run_hybrid.py --grid lab/hybrid/short.csv \
+	@$(BIN)/python lab/measure/run_grid.py --grid "lab/grids/$$GRID.csv" --out "build/lab/$$GRID"
+	@$(BIN)/python lab/measure/count_messages.py "build/lab/$$GRID" --out $(MEASURED)
+	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid/run.py --grid lab/hybrid/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
-	@test "$$GRID" != short || $(BIN)/python lab/deaths.py --short
+	@test "$$GRID" != short || $(BIN)/python lab/measure/failures.py --short
 
 ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
-	@$(BIN)/python lab/ills.py
-	@$(BIN)/python lab/run.py --grid lab/ills_healthy.csv --out build/lab/ills_healthy --crowd 12
-	@$(BIN)/python lab/ill_table.py
+	@$(BIN)/python lab/measure/faults.py
+	@$(BIN)/python lab/measure/run_grid.py --grid lab/grids/faults_healthy.csv --out build/lab/ills_healthy --crowd 12
+	@$(BIN)/python lab/measure/fault_findings.py
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
-	@$(BIN)/python lab/deaths.py $(ARGS)
-	@$(BIN)/python lab/deaths.py --outages $(ARGS)
+	@$(BIN)/python lab/measure/failures.py $(ARGS)
+	@$(BIN)/python lab/measure/failures.py --outages $(ARGS)
 
 published: build/lab/.ready ## stage the set-ups of which others published numbers (Debian, root; half an hour)
-	@$(BIN)/python lab/published.py $(ARGS)
+	@$(BIN)/python lab/measure/literature.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/run_hybrid.py --out packages/book/discostorm_book/data/measured/hybrid.csv
+	@$(BIN)/python lab/hybrid/run.py --out packages/book/discostorm_book/data/measured/hybrid.csv
 
 build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }
@@ -135,7 +141,7 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
 	@$(BIN)/python scripts/sweeps/simulate.py $(ARGS)
-	@$(BIN)/python lab/simulate_hybrid.py
+	@$(BIN)/python lab/hybrid/simulate.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/checks/test_versions.py oldest

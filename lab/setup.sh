@@ -15,13 +15,13 @@ else
     build/lab/venv/bin/python -m pip install --quiet --require-hashes -r lab/requirements.lock
 fi
 # Without the description of the type (-t), as ROS 2 has it.
-idlc -t -W no-implicit-extensibility -o build/lab/idl lab/String_.idl
+idlc -t -W no-implicit-extensibility -o build/lab/idl lab/programs/String_.idl
 for program in cyclone_dds watch_cyclone_dds; do
-    cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/$program lab/$program.c \
+    cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/$program lab/programs/$program.c \
         build/lab/idl/String_.c -lddsc
 done
 for program in fast_dds fast_dds_data fast_dds_load watch_fast_dds; do
-    c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/$program.cpp -lfastrtps -lfastcdr
+    c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/programs/$program.cpp -lfastrtps -lfastcdr
 done
 sh lab/keystore.sh build/lab/keystore
 touch build/lab/.ready

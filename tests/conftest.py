@@ -19,6 +19,32 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 
+#: Left to `make test-all`: what visits pages more than once, runs the lab's programs, makes the
+#: PDF, or sets up the project anew.
+THOROUGH = (
+    "browser/",
+    "book/test_downloads.py",
+    "book/test_pdf.py",
+    "book/test_run_notebooks.py",
+    "book/test_warm_kernels.py",
+    "lab/test_failures.py",
+    "lab/test_lab_programs.py",
+    "lab/test_snippets.py",
+    "project/test_setup.py",
+)
+#: One visit to each page is not.
+ONE_VISIT = "browser/test_pages.py"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    folder = Path(__file__).parent
+    for item in items:
+        if item.path.is_relative_to(folder):
+            name = item.path.relative_to(folder).as_posix()
+            if name.startswith(THOROUGH) and name != ONE_VISIT:
+                item.add_marker(pytest.mark.thorough)
+
+
 @pytest.fixture(scope="session")
 def built() -> Path:
     """Return the folder that `make book` writes; make it unless it is newer than its sources."""

@@ -11,7 +11,7 @@ from typing import Any
 import yaml  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
 
-from discostorm_book.notebook import NARROW
+from discostorm_book.notebook import PHONE_KEY
 
 #: As custom.js and custom.css call a screen narrow.
 _PHONE = "(width < 37.5rem)"
@@ -48,11 +48,11 @@ def _narrow(app: Sphinx, page: str) -> dict[str, str]:
     if not path.exists():
         return {}
     return {
-        cell["metadata"]["mystnb"]["figure"]["name"]: output["metadata"]["image/svg+xml"][NARROW]
+        cell["metadata"]["mystnb"]["figure"]["name"]: output["metadata"]["image/svg+xml"][PHONE_KEY]
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
         if "figure" in cell["metadata"].get("mystnb", {})
         for output in cell.get("outputs", ())
-        if NARROW in output.get("metadata", {}).get("image/svg+xml", {})
+        if PHONE_KEY in output.get("metadata", {}).get("image/svg+xml", {})
     }
 
 

@@ -2,7 +2,7 @@
 
 `data/vendors/as_built.csv` says of each message what it is sent for and when, and where that
 stands in the source; `data/measured/as_built.csv` how many, and how large, where only measuring
-tells. `lab/fit.py` writes it. What they send when they are arranged otherwise than as shipped,
+tells. `lab/measure/fit_models.py` writes it. What they send when arranged otherwise than shipped,
 against the storm, is in files of the same columns, `mitigations.csv`. Which tables there are, and
 whose they are, say `products.csv` and `configurations.csv`: a row there and its messages are all
 that another product takes.
@@ -39,7 +39,7 @@ Measured with 2 to 84 endpoints a process. Two things are less sure than the res
 announcements of new endpoints go to each other process as well, none to all of them within the runs
 of one point, as that is whether it was known before; and an announcement that no longer fits into
 one frame, from some 17 endpoints on, counts as one, so that the airtime of the others' headers is
-left out. Fast DDS 2.9.1 has to hold a lock that it does not, or it crashes (`lab/fast_dds.cpp`).
+left out. Fast DDS 2.9.1 crashes unless it holds a lock (`lab/programs/fast_dds.cpp`).
 
 Cyclone DDS with other settings
 -------------------------------

@@ -33,7 +33,9 @@ ROOT = HERE.parents[1]
 BUILD = ROOT / "build" / "ns3"
 NS3 = BUILD / "packages" / "ns3"
 CACHE = BUILD / "results"
-TABLES = ROOT / "discostorm" / "data" / "measured"
+#: The tables that the book reads; the others are for tests alone.
+BOOK, DATA = ROOT / "packages/book/discostorm_book/data/measured", ROOT / "lab" / "data"
+OF_BOOK = ("bursts", "agreements", "capture", "mixed")
 VERSION = "3.44"
 PROGRAM = BUILD / "storm"
 PROTOCOLS = {protocol.name: protocol for protocol in (ds.DDS, ds.ZENOH)}
@@ -370,8 +372,7 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
     """Write one table, unless there is nothing to write."""
     if not rows:
         return
-    TABLES.mkdir(parents=True, exist_ok=True)
-    path = TABLES / name
+    path = (BOOK if name in OF_BOOK else DATA) / f"ns3_{name}.csv"
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
@@ -432,10 +433,10 @@ def write_tables() -> None:
         if cached(run).exists() and len(setting) == run.seed - 1:
             setting.append(result(run))
     complete = {run: group for run, group in results.items() if len(group) >= 10}
-    write("ns3_frames.csv", list(frames()))
+    write("frames", list(frames()))
     files: defaultdict[str, dict[Run, list[dict[str, Any]]]] = defaultdict(dict)
     beside = {run: group for run, group in complete.items() if isinstance(run, Mixed)}
-    write("ns3_mixed.csv", mixed.table(beside, source, spread))
+    write("mixed", mixed.table(beside, source, spread))
     for run, group in complete.items():
         if isinstance(run, Mixed):
             continue
@@ -444,8 +445,8 @@ def write_tables() -> None:
             name = run.scenario
         files[name][run] = group
     for name, of_file in files.items():
-        write(f"ns3_{name}.csv", table(of_file))
-    write("ns3_times.csv", times(complete))
+        write(name, table(of_file))
+    write("times", times(complete))
 
 
 #: Bursts whose CPU time is measured in both simulators: Fig. 2 of the paper at its last host.
@@ -499,7 +500,7 @@ def time_both(rounds: int) -> None:
             }
         )
         say(", ".join(f"{name} {value}" for name, value in rows[-1].items() if name != "source"))
-    write("ns3_speed.csv", rows)
+    write("speed", rows)
 
 
 def cost(run: Run) -> float:

@@ -227,7 +227,7 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     (
         "read_capture / tshark",
         lambda: max(map(read_beside_tshark, CAPTURES)),
-        0.1,
+        1 / 3,
     ),
 ]
 

@@ -1,9 +1,10 @@
-"""Check what is published on an index: source archive, wheel, the page, and the page's examples.
+"""Check what is published on an index: source archives, wheels, their pages and examples.
 
-The examples run in a new environment that holds the wheel, and what the wheel asks for.
+`--alone` tests each package in an environment that has its wheel and what the wheel asks for.
 """
 
 import argparse
+import csv
 import doctest
 import hashlib
 import os
@@ -16,23 +17,45 @@ import tarfile
 import tempfile
 import zipfile
 from collections.abc import Iterator
-from importlib.metadata import Distribution, PathDistribution, distribution
+from importlib.metadata import Distribution, distribution
 from pathlib import Path
 
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
-#: Pages whose examples must run.
+#: Pages whose examples must run where all packages are installed.
 PAGES = ("PYPI.md", "README.md")
 LICENSES = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
+#: Chapters that run where they are downloaded, without the checkout: the command line, captures,
+#: what the lab counted, and the prototype.
+CHAPTERS = ("21_command_line", "00_captures", "10_products", "15_hybrid")
+#: Runs the code cells of a notebook.
+_RUN = """
+import json, sys
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+with open(sys.argv[1], encoding="utf-8") as file:
+    cells = json.load(file)["cells"]
+for cell in cells:
+    if cell["cell_type"] == "code":
+        shell.run_cell("".join(cell["source"])).raise_error()
+"""
+#: What the tests themselves need.
+TEST_TOOLS = ("hypothesis", "pytest", "pytest-regressions", "pytest-xdist")
+
+
+def packages() -> list[dict[str, str]]:
+    """Return the rows of packages/packages.csv, a package before those that rest on it."""
+    with (ROOT / "packages/packages.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
 def needed(package: Distribution, extras: set[str]) -> set[str]:
     """Return the names of the distributions that one needs, and all that these need."""
-    found: set[str] = set()
+    names: set[str] = set()
     todo = [(package, frozenset(extras))]
-    seen = set()
+    visited = set()
     while todo:
         package, wanted = todo.pop()
         for requirement in map(Requirement, package.requires or []):
@@ -42,17 +65,16 @@ def needed(package: Distribution, extras: set[str]) -> set[str]:
                 continue
             name = canonicalize_name(requirement.name)
             key = name, frozenset(requirement.extras)
-            if key not in seen:
-                seen.add(key)
-                found.add(name)
+            if key not in visited:
+                visited.add(key)
+                names.add(name)
                 todo.append((distribution(name), key[1]))
-    return found
+    return names
 
 
-def fill(folder: Path, wheel: Path, *extras: str) -> None:
-    """Link into a folder what the wheel needs with these extras, and nothing else."""
-    (info,) = wheel.glob("discostorm-*.dist-info")
-    for name in needed(PathDistribution(info), set(extras)):
+def link(folder: Path, names: set[str]) -> None:
+    """Link distributions of this Python into a folder."""
+    for name in sorted(names):
         for file in distribution(name).files or []:
             top = file.parts[0]
             if top not in ("..", "__pycache__") and not (folder / top).exists():
@@ -78,15 +100,16 @@ def _run(*command: str | Path, cwd: Path = ROOT, more: dict[str, str] | None = N
         check=False,
     )
     if done.returncode:
-        said = f"{done.stdout}{done.stderr}".strip()
-        raise SystemExit(f"check_dist: {shlex.join(map(str, command))} failed:\n{said}")
+        output = f"{done.stdout}{done.stderr}".strip()
+        raise SystemExit(f"check_dist: {shlex.join(map(str, command))} failed:\n{output}")
     return done.stdout
 
 
 def _build(target: str, source: Path, folder: Path) -> Path:
+    before = set(folder.glob("*"))
     build = (sys.executable, "-m", "hatchling", "build", "--target", target, "--directory", folder)
     _run(*build, cwd=source)
-    (built,) = folder.glob("*.whl" if target == "wheel" else "*.tar.gz")
+    (built,) = set(folder.glob("*")) - before
     return built
 
 
@@ -94,35 +117,44 @@ def _sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def build(folder: Path) -> list[Path]:
-    """Build source archive and wheel; out of the archive comes the same wheel."""
-    archive = _build("sdist", ROOT, folder)
-    wheel = _build("wheel", ROOT, folder)
+def build(source: Path, folder: Path) -> list[Path]:
+    """Build source archive and wheel of a package; out of the archive comes the same wheel."""
+    folder.mkdir(parents=True, exist_ok=True)
+    archive, wheel = _build("sdist", source, folder), _build("wheel", source, folder)
     with tempfile.TemporaryDirectory() as elsewhere:
         with tarfile.open(archive) as files:
             files.extractall(elsewhere, filter="data")
-        (source,) = Path(elsewhere).iterdir()
-        again = _build("wheel", source, Path(elsewhere, "dist"))
-        if _sha256(again) != _sha256(wheel):
-            raise SystemExit("check_dist: the wheel of the source archive is another")
+        (unpacked,) = Path(elsewhere).iterdir()
+        again = Path(elsewhere, "dist")
+        again.mkdir()
+        if _sha256(_build("wheel", unpacked, again)) != _sha256(wheel):
+            raise SystemExit(f"check_dist: {archive.name} gives another wheel")
     with zipfile.ZipFile(wheel) as files:
         names = {name.rpartition("/")[2] for name in files.namelist() if "/licenses/" in name}
     if names != set(LICENSES):
-        raise SystemExit(f"check_dist: the wheel must hold {LICENSES}; got {sorted(names)}")
+        raise SystemExit(f"check_dist: {wheel.name} must hold {LICENSES}; got {sorted(names)}")
     return [archive, wheel]
 
 
-def environment(folder: Path, wheel: Path) -> Path:
-    """Install the wheel into a new environment, beside what it needs; return its programs."""
-    _run(sys.executable, "-m", "venv", folder)
+def environment(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
+    """Install a package from a folder of wheels into a new environment; return its programs.
+
+    What it needs from others is linked from this Python, and so are the tools.
+    """
+    _run(sys.executable, "-m", "venv", "--without-pip", folder)
     programs = folder / ("Scripts" if os.name == "nt" else "bin")
-    python = programs / "python"
-    options = ("--quiet", "--disable-pip-version-check", "--no-index", "--no-deps")
-    _run(python, "-m", "pip", "install", *options, wheel)
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
-    site = Path(_run(python, "-c", where).strip())
-    fill(site, site)
-    _run(python, "-m", "pip", "--disable-pip-version-check", "check")
+    site = Path(_run(programs / "python", "-c", where).strip())
+    own = {row["name"] for row in packages()}
+    requirement = Requirement(wanted)
+    asked = needed(distribution(requirement.name), set(requirement.extras)) | set(tools)
+    for tool in tools:
+        asked |= needed(distribution(tool), set())
+    link(site, asked - own)
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
+    python = ("--python", programs / "python")
+    _run(*pip, *python, "install", "--quiet", "--no-index", "--find-links", wheels, wanted)
+    _run(*pip, *python, "check")
     return programs
 
 
@@ -140,32 +172,67 @@ def examples(page: Path, programs: Path) -> int:
         for command, shown in commands(text):
             tried += 1
             program, *arguments = shlex.split(command)
-            found = _run(programs / program, *arguments, cwd=where, more={"PYTHONUTF8": "1"})
-            if found != shown:
+            output = _run(programs / program, *arguments, cwd=where, more={"PYTHONUTF8": "1"})
+            if output != shown:
                 raise SystemExit(f"check_dist: {page.name} shows another output of: {command}")
     return tried
+
+
+def run_chapter(name: str, programs: Path) -> None:
+    """Run a downloaded chapter in an empty folder, in which it leaves nothing."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder, "downloads", f"{name}.ipynb")
+        copy.parent.mkdir()
+        copy.write_bytes((ROOT / "notebooks" / copy.name).read_bytes())
+        more = {"MPLBACKEND": "agg", "IPYTHONDIR": str(Path(folder, "ipython"))}
+        _run(programs / "python", "-I", "-c", _RUN, copy, cwd=copy.parent, more=more)
+        if [*copy.parent.iterdir()] != [copy]:
+            raise SystemExit(f"check_dist: {name} leaves files beside it")
+
+
+def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
+    """Run the tests of a package where nothing is installed but what it names."""
+    programs = environment(folder, wheels, row["name"], *TEST_TOOLS)
+    tests = "tests/core" if row["folder"] == "." else f"{row['folder']}/tests"
+    print(f"\nTesting {row['name']} alone ...", flush=True)
+    options = ("-q", "-n", "2", "-p", "no:cacheprovider", "--doctest-modules")
+    pytest = (programs / "python", "-m", "pytest", *options)
+    if subprocess.run(
+        [*pytest, tests, "--pyargs", row["import"]], cwd=ROOT, check=False
+    ).returncode:
+        raise SystemExit(f"check_dist: the tests of {row['name']} fail where it is alone")
 
 
 def main() -> None:
     """Build, check, install and try."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tools", type=Path, required=True, help="folder of twine and others")
+    parser.add_argument("--tools", type=Path, help="folder of twine and others")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "dist")
+    parser.add_argument("--alone", metavar="NAME", help="test this package alone, or all")
     given = parser.parse_args()
     shutil.rmtree(given.out, ignore_errors=True)
-    given.out.mkdir(parents=True)
-    built = build(given.out)
-    tools = {"PYTHONPATH": str(given.tools)}
-    _run(sys.executable, "-m", "twine", "check", "--strict", *built, more=tools)
-    _run(sys.executable, "-m", "check_wheel_contents", built[1], more=tools)
-    validate = "from cffconvert.cli.cli import cli; cli()"
-    _run(sys.executable, "-c", validate, "--validate", "-i", "CITATION.cff", more=tools)
+    built = [file for row in packages() for file in build(ROOT / row["folder"], given.out)]
     with tempfile.TemporaryDirectory() as folder:
-        programs = environment(Path(folder, "env"), built[1])
-        tried = {name: examples(ROOT / name, programs) for name in PAGES}
+        if given.alone:
+            for row in packages():
+                if given.alone in ("all", row["name"]):
+                    test_alone(row, given.out, Path(folder, row["name"]))
+            return
+        tools = {"PYTHONPATH": str(given.tools)}
+        _run(sys.executable, "-m", "twine", "check", "--strict", *built, more=tools)
+        _run(sys.executable, "-m", "check_wheel_contents", *built[1::2], more=tools)
+        validate = "from cffconvert.cli.cli import cli; cli()"
+        _run(sys.executable, "-c", validate, "--validate", "-i", "CITATION.cff", more=tools)
+        programs = environment(Path(folder, "env"), given.out, "discostorm[all]")
+        pages = [ROOT / name for name in PAGES]
+        pages += [ROOT / row["folder"] / "README.md" for row in packages()[1:]]
+        tried = {page: examples(page, programs) for page in pages}
+        for name in CHAPTERS:
+            run_chapter(name, programs)
     for file in built:
         print(f"{_sha256(file)}  {file.name}  {file.stat().st_size / 1e6:.1f} MB")
-    print("Checked, with " + ", ".join(f"{count} examples of {n}" for n, count in tried.items()))
+    counts = ", ".join(f"{n} examples of {page.relative_to(ROOT)}" for page, n in tried.items())
+    print(f"Checked, with {counts}, and {len(CHAPTERS)} downloaded chapters")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 
 .zenodo.json and codemeta.json are written whole. In CITATION.cff, pyproject.toml and PYPI.md only
 what stands between two marks changes: addresses, which are left out while `_config.yml` names none,
-and how to install.
+and how to install. Every pyproject.toml takes the version from CITATION.cff, also where a package
+requires another one.
 """
 
 import json
@@ -15,6 +16,11 @@ from urllib.parse import urlsplit
 import yaml  # type: ignore[import-untyped]
 
 ROOT = Path(__file__).parents[2]
+#: The core's file comes first; the packages built on it follow.
+PROJECTS = (
+    "pyproject.toml",
+    *(f"packages/{name}/pyproject.toml" for name in ("simulation", "planner", "capture", "book")),
+)
 MARKED = re.compile(
     r"^((?:<!-- |# )(addresses|install)\b[^\n]*\n)(.*?)^((?:<!-- |# )end\b)", re.M | re.S
 )
@@ -119,19 +125,18 @@ def _urls(given: Sources) -> dict[str, str]:
 
 def marked(name: str, given: Sources) -> dict[str, str]:
     """Return what stands between the marks of a file, by the word of the first mark."""
-    if name == "pyproject.toml":
+    if name in PROJECTS:
         lines = [f'{key} = "{address}"\n' for key, address in _urls(given).items()]
         return {"addresses": "".join(["[project.urls]\n", *lines, "\n"] if lines else [])}
     if name == "CITATION.cff":
         found = {"url": given.base, "repository-code": given.source}
         return {"addresses": "".join(f"{key}: {url}\n" for key, url in found.items() if url)}
-    wheel = f"discostorm-{given.cff['version']}-py3-none-any.whl"
     if given.index:
-        install = "With Python 3.11 or newer:\n\n    pip install discostorm\n"
+        install = "With Python 3.11 or newer:\n\n    pip install 'discostorm[all]'\n"
     else:
         install = (
-            "The wheel is in the release's archive, in the folder `dist`. With Python 3.11 or "
-            f"newer:\n\n    pip install {wheel}\n"
+            "The wheels are in the release's archive, in the folder `dist`. With Python 3.11 or "
+            "newer, in that folder:\n\n    pip install --find-links . 'discostorm[all]'\n"
         )
     if not given.base:
         book = (
@@ -155,11 +160,19 @@ def filled(name: str, given: Sources, root: Path = ROOT) -> str:
     return MARKED.sub(lambda found: found[1] + new[found[2]] + found[4], text)
 
 
+def versioned(text: str, given: Sources) -> str:
+    """Return the text of a pyproject.toml with this version, and the same of our own packages."""
+    version = str(given.cff["version"])
+    text = re.sub(r"(?m)^(version = )\"[^\"]*\"", rf'\1"{version}"', text)
+    return re.sub(r"(\"discostorm[\w-]*)==[^\"]*\"", rf'\1=={version}"', text)
+
+
 def written(root: Path = ROOT) -> dict[str, str]:
     """Return the text of every file that is written here."""
     given = Sources(root)
     files = {name: filled(name, given, root) for name in ("CITATION.cff", "PYPI.md")}
-    files["pyproject.toml"] = filled("pyproject.toml", given, root)
+    for name in PROJECTS:
+        files[name] = versioned(filled(name, given, root), given)
     return files | {".zenodo.json": zenodo(given), "codemeta.json": codemeta(given)}
 
 

@@ -151,18 +151,7 @@ def test_a_minus_is_one_for_people_and_a_hyphen_for_machines() -> None:
         "`ours -5`, $N^{-1}$, IEEE-754",
     ]
     assert [mark.endswith(":") for mark in rule.strip("|").split("|")] == [True] * 3 + [False]
-    assert notebook.answer("By -5%.").data == f"> **The answer.** By {minus}5%."
     assert notebook.download(frame[["points"]], "fig-some").content == "points\n-3\n2\n"
-
-
-def test_sentences_are_said_one_by_one_or_as_a_list() -> None:
-    shown: list[Any] = []
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(notebook, "display", shown.append)
-        notebook.say("One.")
-        notebook.say("One.", "Two: -2.")
-    assert [markdown.data for markdown in shown] == ["One.", "- One.\n- Two: \N{MINUS SIGN}2."]
-    assert notebook.answer("Yes.", "Why: so.").data == "> **The answer.** Yes.\n>\n> Why: so."
 
 
 def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:

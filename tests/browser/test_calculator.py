@@ -762,7 +762,7 @@ def test_links_of_0_2_0_open_with_the_same_entries(
 def test_the_link_of_a_capture_opens_with_its_fleet(
     tab: Page, address: str, tmp_path: Path, name: str, wired: list[str], wanted: dict[str, str]
 ) -> None:
-    file, written = ROOT / "tests" / "captures" / f"{name}.pcap.xz", tmp_path / "fleet.toml"
+    file, written = ROOT / "tests/reference/captures" / f"{name}.pcap.xz", tmp_path / "fleet.toml"
     options = [part for host in wired for part in ("--wired", host)]
     command = ["capture", str(file), "--write-fleet", str(written), *options]
     told = json.loads(CliRunner().invoke(main, [*command, "--json"]).stdout)

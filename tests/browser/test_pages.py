@@ -456,6 +456,4 @@ def test_what_comes_from_elsewhere_is_as_it_came(row: dict[str, str]) -> None:
 def test_every_page_is_in_the_contents(book: Path) -> None:
     built = {path.relative_to(book).with_suffix("").as_posix() for path in book.rglob("*.html")}
     built = {page for page in built if not page.startswith("_static")}
-    with (ROOT / "book/moved.csv").open(encoding="utf-8", newline="") as file:
-        moved = {row["page"].removesuffix(".html") for row in csv.DictReader(file)}
-    assert built == {*PAGES, *moved, "search", "index"}
+    assert built == {*PAGES, "search", "index"}

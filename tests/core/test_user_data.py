@@ -5,6 +5,7 @@ from dataclasses import replace
 from math import ceil
 from typing import Any
 
+import lab_data
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -312,7 +313,7 @@ def on_the_wire(use: str) -> dict[tuple[str, int, bool], dict[str, tuple[float, 
     """Return packets and bytes of a sample by direction, as captured for one of two uses."""
     names = {"fast_dds": FAST, "cyclone_dds": CYCLONE, "zenoh_peer": ZENOH}
     found: dict[tuple[str, int, bool], dict[str, tuple[float, float]]] = {}
-    for row in read_data("measured/user_data.csv", "discostorm_book"):
+    for row in lab_data.read("user_data.csv"):
         if row["use"] != use:
             continue
         key = (names[row["product"]], int(row["bytes"]), row["reliability"] == "reliable")
@@ -326,7 +327,7 @@ def test_the_lab_ran_each_product_with_each_size() -> None:
     """All sizes and rates of those that test the framing differ from those it is partly from."""
     assert len(on_the_wire("fit")) == 3 * 4 * 2
     assert len(on_the_wire("test")) == 3 * 5 * 2
-    rows = read_data("measured/user_data.csv", "discostorm_book")
+    rows = lab_data.read("user_data.csv")
     sizes, rates = ({(r["use"], r[name]) for r in rows} for name in ("bytes", "hz"))
     for found in (sizes, rates):
         fit, test = ({value for use, value in found if use == which} for which in ("fit", "test"))

@@ -10,17 +10,15 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+import failure_log
+import failures as lab
 import numpy as np
 import pytest
-from test_lab_programs import LAB, marked, ready, wait_until
+from test_lab_programs import marked, ready, wait_until
 
 from discostorm.data import read_data
 from discostorm.snippets import snippets
 from discostorm_book import lab_counts
-
-# test_lab has put the lab on the path
-import death_log  # isort: skip
-import deaths as lab  # isort: skip
 
 ROWS = read_data("measured/deaths.csv", "discostorm_book")
 OUTAGES = read_data("measured/outages.csv", "discostorm_book")
@@ -54,7 +52,7 @@ def matches(whom: str, when: float, change: str = "matched") -> list[str]:
 def found(out: Path, job: dict[str, Any]) -> dict[tuple[str, str, str], float]:
     return {
         (row["phase"], row["who"], row["quantity"]): round(row["seconds"], 3)
-        for row in death_log.evaluate(out, job)
+        for row in failure_log.evaluate(out, job)
     }
 
 
@@ -64,10 +62,10 @@ def test_a_log_is_read_line_by_line(tmp_path: Path) -> None:
         "1.000 me 0a\nServer up\n\x1b[2m2026 WARN x\n1.250 matched w 0b\n1.500 unmatched r 0b\n2.0"
     )
     (tmp_path / "run.1.log").write_text(text)
-    assert death_log.read_log(tmp_path / "run", "1") == [
-        death_log.Event(1.0, "me", "0a"),
-        death_log.Event(1.25, "matched w", "0b"),
-        death_log.Event(1.5, "unmatched r", "0b"),
+    assert failure_log.read_log(tmp_path / "run", "1") == [
+        failure_log.Event(1.0, "me", "0a"),
+        failure_log.Event(1.25, "matched w", "0b"),
+        failure_log.Event(1.5, "unmatched r", "0b"),
     ]
 
 
@@ -113,7 +111,7 @@ def server_dies(tmp_path: Path, *, silent: float) -> tuple[Path, dict[str, Any]]
 
 def test_who_goes_on_and_when_a_newcomer_is_found(tmp_path: Path) -> None:
     out, job = server_dies(tmp_path, silent=0.6)
-    assert death_log.all_well(out, job)
+    assert failure_log.all_well(out, job)
     seconds = found(out, job)
     assert seconds["well", "newcomer", "found"] == 1  # both heard since 111
     assert seconds["death", "survivors", "silence"] == 0.8
@@ -178,7 +176,7 @@ def test_a_run_in_which_not_all_was_well_is_known(tmp_path: Path) -> None:
     out, job = server_dies(tmp_path, silent=0.6)
     log = out.with_suffix(".1.log")
     log.write_text(log.read_text().replace("matched r bb", "matched r dd"))
-    assert not death_log.all_well(out, job)
+    assert not failure_log.all_well(out, job)
 
 
 def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
@@ -289,7 +287,7 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
     ready()
     mark = uuid.uuid4().hex
     made = subprocess.Popen(
-        [sys.executable, str(LAB / "deaths.py"), "--short", "--out", str(tmp_path)],
+        [sys.executable, str(lab.MEASURE / "failures.py"), "--short", "--out", str(tmp_path)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,

@@ -4,13 +4,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import simulate_hybrid
 
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
-from discostorm_book.comparison import held_hybrid
-from hybrid import wire
+from discostorm_book.comparison import compare_hybrid_with_runs
+from hybrid import simulate, wire
 from hybrid.channel import Channel, Frame, timing_of
 from hybrid.simulation import Death, hybrid_run
 from hybrid.speaker import Speakers, parameters
@@ -51,7 +50,7 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
     of_goals |= {scenario for scenario in seeds if scenario.startswith("50 die")}
     assert all(len(seeds[scenario]) == 100 for scenario in of_goals)
     assert {name: len(used) for name, used in seeds.items()} == {
-        name: simulate_hybrid.seeds_of(name) for name in simulate_hybrid.scenarios()
+        name: simulate.seeds_of(name) for name in simulate.scenarios()
     }
 
 
@@ -68,16 +67,16 @@ def test_stored_runs_come_out_again(scenario):
         for row in STORED
     }
     for seed in (300, 309):
-        again = {key: str(value) for key, value in simulate_hybrid.row(scenario, seed).items()}
+        again = {key: str(value) for key, value in simulate.row(scenario, seed).items()}
         assert again == stored[scenario, str(seed)]
 
 
 def test_runs_that_the_book_compares_with_the_lab_come_out_again():
     stored = read_data("simulated/hybrid_lab.csv", "discostorm_book")
-    runs = simulate_hybrid.lab_runs()
+    runs = simulate.lab_runs()
     assert [(r["scenario"], r["software"], int(r["hosts"]), int(r["seed"])) for r in stored] == runs
     for run, row in zip(runs[::15], stored[::15], strict=True):
-        again = {key: str(value) for key, value in simulate_hybrid.lab_row(*run).items()}
+        again = {key: str(value) for key, value in simulate.lab_row(*run).items()}
         assert again == row
 
 
@@ -300,7 +299,7 @@ def test_sets_of_several_datagrams_reach_all():
 @pytest.mark.parametrize("alike", [False, True])
 def test_speakers_in_the_lab_send_what_the_table_says(alike):
     # Of 10 to 20 endpoints a host; fewer names deflate less well than that, more deflate better.
-    table = held_hybrid(alike)
+    table = compare_hybrid_with_runs(alike)
     table = table[(table["processes"] * table["endpoints"]).between(10, 20)]
     assert set(table["window"]) == {"startup", "steady"}
     assert table["runs"].min() >= 2

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import lab_data
 import numpy as np
 import pandas as pd
 import pytest
@@ -122,7 +123,8 @@ def test_what_was_counted_stays(
     file: str, rows: int, messages: int, frames: float, octets: int
 ) -> None:
     """Only a new measurement changes these, and then by hand."""
-    found = read_data(f"measured/{file}.csv", "discostorm_book")
+    path = lab_data.DATA / f"{file}.csv"
+    found = read_data(str(path if path.exists() else lab_data.BOOK / path.name))
     assert len(found) == rows
     assert sum(int(row["messages"]) for row in found) == messages
     assert sum(float(row["frames"]) for row in found) == pytest.approx(frames, abs=0.001)

@@ -21,13 +21,13 @@ from support import ROOT, missing
 
 LAB = ROOT / "lab"
 
-import run as lab  # noqa: E402
+import run_grid as lab  # noqa: E402
 
 pytestmark = pytest.mark.book
 
 
 def points(use: str) -> list[tuple[int, int, int, str]]:
-    with (LAB / "grid.csv").open(newline="") as file:
+    with (lab.GRIDS / "grid.csv").open(newline="") as file:
         return [
             (int(row["hosts"]), int(row["processes"]), int(row["endpoints"]), row["names"])
             for row in csv.DictReader(file)
@@ -57,8 +57,8 @@ def test_each_half_of_the_grid_can_tell_the_units_apart(use: str) -> None:
 
 def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
     versions = dict.fromkeys(lab.PACKAGES, "1")
-    names = [job["name"] for job in lab.jobs(LAB / "grid.csv", [], False, versions)]
-    with (LAB / "grid.csv").open(newline="") as file:
+    names = [job["name"] for job in lab.jobs(lab.GRIDS / "grid.csv", [], False, versions)]
+    with (lab.GRIDS / "grid.csv").open(newline="") as file:
         runs = sum(int(row["runs"]) for row in csv.DictReader(file))
     assert len(names) == len(set(names)) == runs * len(lab.PRODUCTS)
     assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)  # with_suffix needs no dot
@@ -66,7 +66,7 @@ def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
 
 def test_every_configuration_has_six_points_and_three_runs_of_each() -> None:
     versions = dict.fromkeys(lab.PACKAGES, "1")
-    jobs = lab.jobs(LAB / "mitigations.csv", [], False, versions)
+    jobs = lab.jobs(lab.GRIDS / "mitigations.csv", [], False, versions)
     names = [job["name"] for job in jobs]
     assert len(names) == len(set(names))
     assert {(job["product"], job["variant"]) for job in jobs} == set(lab.ARRANGEMENTS)
@@ -166,7 +166,9 @@ def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[st
     heading = "hosts,processes,endpoints,names,use,runs,seconds"
     grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
     some = [f"--only={name}" for name in only]
-    return started("run.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2, *some)
+    return started(
+        "measure/run_grid.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2, *some
+    )
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
@@ -263,7 +265,7 @@ def test_captures_are_counted_in_windows(done: Done, tmp_path: Path) -> None:
     ready()
     code, said = done.ended["long"]
     assert code == 0, said
-    command = [sys.executable, str(LAB / "count.py"), str(done.folder / "long")]
+    command = [sys.executable, str(lab.MEASURE / "count_messages.py"), str(done.folder / "long")]
     command += ["--out", str(tmp_path / "tables")]
     subprocess.run(command, check=True, capture_output=True)
     with (tmp_path / "tables" / "runs.csv").open(newline="") as file:
@@ -304,7 +306,7 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")
     where = ("--captures", tmp_path / "out", "--out", tmp_path / "hybrid.csv")
-    return started("run_hybrid.py", mark, "--grid", grid, *where)
+    return started("hybrid/run.py", mark, "--grid", grid, *where)
 
 
 def test_speakers_of_the_hybrid_discovery_find_each_other(done: Done) -> None:

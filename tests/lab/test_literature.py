@@ -5,15 +5,16 @@ import math
 from collections import Counter
 from statistics import median
 
+import lab_data
 import numpy as np
 import pytest
-from support import ROOT
+from literature import staged
+from run_grid import GRIDS
 
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm_book import comparison, literature
 
-LAB = ROOT / "lab"
 ROWS = {row["id"]: row for row in read_data("vendors/published.csv", "discostorm_book")}
 
 
@@ -78,15 +79,12 @@ def test_the_paper_and_zettascale_agree_on_what_sedp_grows_with() -> None:
 
 
 def staging_rows() -> list[dict[str, str]]:
-    with (LAB / "published.csv").open(newline="") as file:
+    with (GRIDS / "literature.csv").open(newline="") as file:
         return list(csv.DictReader(file))
 
 
 def test_each_staging_was_run_as_often_as_it_says_and_each_capture_is_its_own() -> None:
-    runs = {
-        (row["staging"], row["run"]): row
-        for row in read_data("measured/published.csv", "discostorm_book")
-    }
+    runs = {(row["staging"], row["run"]): row for row in lab_data.read("literature.csv")}
     wanted = {row["staging"]: int(row["runs"]) for row in staging_rows()}
     assert Counter(staging for staging, _ in runs) == wanted
     assert min(wanted.values()) >= 5
@@ -97,9 +95,16 @@ def test_each_staging_was_run_as_often_as_it_says_and_each_capture_is_its_own() 
         assert float(mine["seconds"]) == float(row["seconds"])
 
 
+def test_the_books_table_is_what_the_runs_say() -> None:
+    rows = staged(lab_data.read("literature.csv"), GRIDS / "literature.csv")
+    made = [{key: str(value) for key, value in row.items()} for row in rows]
+    assert made == read_data("measured/staged.csv", "discostorm_book")
+    assert set(literature.stagings()["staged"]) == {row["title"] for row in staging_rows()}
+
+
 def test_what_was_counted_of_a_run_fits_together() -> None:
     runs: dict[tuple[str, str], dict[str, tuple[int, int]]] = {}
-    for row in read_data("measured/published.csv", "discostorm_book"):
+    for row in lab_data.read("literature.csv"):
         kinds = runs.setdefault((row["staging"], row["run"]), {})
         assert row["kind"] not in kinds
         kinds[row["kind"]] = int(row["count"]), int(row["bytes"])
@@ -113,7 +118,7 @@ def test_what_was_counted_of_a_run_fits_together() -> None:
 
 def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_given() -> None:
     """A node has 15, a participant 2, a service and a client 2 each; counted line by line."""
-    with (LAB / "published_endpoints.csv").open(newline="") as file:
+    with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     each = {"node": 15, "service": 2, "client": 2, "writer": 1, "reader": 1}
     ends = Counter({row["program"]: 2 for row in rows})
@@ -129,7 +134,7 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
 
 def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names() -> None:
     table = literature.published()
-    rows = read_data("measured/published.csv", "discostorm_book")
+    rows = lab_data.read("literature.csv")
     for name, row in table.iterrows():
         some = row["staged"].split()
         assert set(some) <= {staging["staging"] for staging in staging_rows()}, name

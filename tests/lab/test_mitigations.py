@@ -24,7 +24,7 @@ Sums = dict[tuple[str, str, str, str], NDArray[np.float64]]
 
 def counted(name: str) -> Sums:
     """Return messages and bytes by point, window, phase and hops: medians, of the test half."""
-    table = comparison.held(TABLES[name])
+    table = comparison.compare_with_runs(TABLES[name])
     table = table[(table["use"] == "test") & table["kind"].str.startswith("all")]
     return {
         tuple(row[column] for column in COLUMNS[:-1]): np.array(
@@ -304,7 +304,7 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         if r["product"] == product and r["variant"] == variant
     ]
     assert {point: mine.count(point) for point in mine} == {("3", "2"): 5, ("4", "1"): 5}
-    table = comparison.held(ds.PROTOCOLS[name], shared=True)
+    table = comparison.compare_with_runs(ds.PROTOCOLS[name], shared=True)
     table = table[table["kind"] == "all"]
     tells = table[table["phase"].isin(["SEDP", "Declaration"]) & (table["window"] == "startup")]
     assert len(tells) == 2

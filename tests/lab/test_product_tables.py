@@ -4,10 +4,11 @@ import lzma
 import struct
 from pathlib import Path
 
+import fit_models
+import lab_data
 import numpy as np
 import pytest
 import sympy as sp
-from support import ROOT
 
 import discostorm as ds
 from discostorm import measured
@@ -16,8 +17,8 @@ from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
 from discostorm.protocols.as_built import as_built
 from discostorm_book import comparison, lab_counts
-from discostorm_capture import rtps, zenoh
-from discostorm_capture.zenoh_reader import TCP_KINDS
+from discostorm_capture import rtps, zenoh_messages
+from discostorm_capture.zenoh import TCP_KINDS
 
 TABLES = {name: ds.PROTOCOLS.get(name) or as_built(name) for name in measured.products()}
 each_table = pytest.mark.parametrize("name", TABLES)
@@ -29,29 +30,23 @@ def test_the_fit_is_that_of_the_measurements(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """Again from the counts: the same bytes, and the same list of what the tables miss."""
-    monkeypatch.syspath_prepend(str(ROOT / "lab"))
-    import fit
-
     for arguments, names, package in (
         ([], ("as_built.csv", "mitigations.csv"), "discostorm"),
         (["--misses"], ("misses.csv", "mitigation_misses.csv"), "discostorm_book"),
     ):
-        monkeypatch.setattr("sys.argv", ["fit.py", "--out", str(tmp_path), *arguments])
-        fit.main()
+        monkeypatch.setattr("sys.argv", ["fit_models.py", "--out", str(tmp_path), *arguments])
+        fit_models.main()
         for name in names:
             now = (tmp_path / name).read_text(encoding="utf-8")
             assert now == data_path(f"measured/{name}", package).read_text(encoding="utf-8")
 
 
-def test_no_factor_of_the_fit_is_negative(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_factor_of_the_fit_is_negative() -> None:
     # A falling line meets all three points; of those that do not fall, the flat one through the
     # middle is nearest.
-    monkeypatch.syspath_prepend(str(ROOT / "lab"))
-    import fit
-
     terms = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]])
-    assert fit.least_deviations(terms, np.array([3.0, 2.0, 1.0])) == [2.0, 0.0]
-    assert fit.least_deviations(terms, np.array([1.0, 2.0, 3.0])) == [1.0, 1.0]
+    assert fit_models.least_deviations(terms, np.array([3.0, 2.0, 1.0])) == [2.0, 0.0]
+    assert fit_models.least_deviations(terms, np.array([1.0, 2.0, 3.0])) == [1.0, 1.0]
 
 
 def test_each_row_says_where_it_is_from() -> None:
@@ -71,7 +66,7 @@ def test_each_row_says_where_it_is_from() -> None:
 
 @each_table
 def test_kinds_are_called_as_the_reader_calls_them(name: str) -> None:
-    known = {*rtps.kind_names(), *zenoh.KINDS, *TCP_KINDS}
+    known = {*rtps.kind_names(), *zenoh_messages.KINDS, *TCP_KINDS}
     assert {message.kind for message in TABLES[name].messages} <= known
 
 
@@ -83,7 +78,7 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
         for row in read_data("measured/misses.csv", "discostorm_book")
         if row["protocol"] == name
     }
-    table = comparison.held(TABLES[name])
+    table = comparison.compare_with_runs(TABLES[name])
     table = table[table["use"] == "test"]
     off = set()
     for row in table.to_dict("records"):
@@ -98,7 +93,7 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
 
 
 def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
-    causes = read_data("measured/causes.csv", "discostorm_book")
+    causes = lab_data.read("causes.csv")
     reasons = {row["reason"] for row in read_data("measured/reasons.csv", "discostorm_book")}
     assert {
         row["reason"] for row in (*read_data("measured/misses.csv", "discostorm_book"), *causes)

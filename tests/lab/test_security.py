@@ -8,19 +8,22 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import security
 from click.testing import CliRunner
+from counted_airtime import airtime_counted
 from handmade_captures import packets, pcap, rtps, submessage, udp
+from lab_data import read as read_lab
+from run_grid import GRIDS
 from support import ROOT
 
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm_book.comparison import airtime_counted
-from discostorm_book.lab_counts import points_of
+from discostorm_book import security as stored
 from discostorm_capture import Capture
 
 STORED = ROOT / "tests/reference/captures/security"
-RUNS = {row["run"]: row for row in read_data("measured/security_runs.csv", "discostorm_book")}
+RUNS = {row["run"]: row for row in read_lab("security_runs.csv")}
 #: What is beside which product with security.
 PLAIN = {"fast_dds": "default", "cyclone_dds_0.10": "spdp"}
 SECURED = ("secure", "secure_discovery")
@@ -51,7 +54,7 @@ def hidden(key: int, length: int, how: int = 4) -> bytes:
 
 def test_every_point_was_run_as_often_as_the_grid_says() -> None:
     shape = ("hosts", "processes", "endpoints", "names", "use")
-    with (ROOT / "lab" / "security.csv").open(newline="") as file:
+    with (GRIDS / "security.csv").open(newline="") as file:
         grid = {
             (row["configuration"], *(row[name] for name in shape)): int(row["runs"])
             for row in csv.DictReader(file)
@@ -63,14 +66,12 @@ def test_every_point_was_run_as_often_as_the_grid_says() -> None:
     assert {(row["product"], row["variant"]) for row in RUNS.values()} == {
         (product, variant) for product, plain in PLAIN.items() for variant in (plain, *SECURED)
     }
-    assert {
-        row["run"] for row in read_data("measured/security_counts.csv", "discostorm_book")
-    } == RUNS.keys()
+    assert {row["run"] for row in read_lab("security_counts.csv")} == RUNS.keys()
 
 
 def test_runs_were_on_time_on_an_idle_machine_and_name_none_of_its_folders() -> None:
     for row in RUNS.values():
-        assert 0 <= float(row["late_s"]) < 0.2
+        assert 0 <= float(row["start_skew_s"]) < 0.2
         assert float(row["idle"]) >= 0.2
         secured = row["variant"] in SECURED
         assert secured == ("build/lab/keystore" in row["environment"]) == bool(row["strangers"])
@@ -79,7 +80,7 @@ def test_runs_were_on_time_on_an_idle_machine_and_name_none_of_its_folders() -> 
 
 def test_handshakes_keys_and_encryption_are_there_with_security_alone() -> None:
     kinds: dict[str, set[str]] = {}
-    for row in read_data("measured/security_counts.csv", "discostorm_book"):
+    for row in read_lab("security_counts.csv"):
         if row["window"] == "startup":
             kinds.setdefault(row["run"], set()).add(row["kind"])
     for run, found in kinds.items():
@@ -92,7 +93,7 @@ def test_handshakes_keys_and_encryption_are_there_with_security_alone() -> None:
 @pytest.mark.parametrize("product", PLAIN)
 def test_security_takes_more_airtime_at_every_point(product: str) -> None:
     plain, *secured = (
-        points_of(product, variant, 1, "security_") for variant in (PLAIN[product], *SECURED)
+        security.secured_points(product, variant) for variant in (PLAIN[product], *SECURED)
     )
     assert len(plain) == 8
     for points in secured:
@@ -100,6 +101,16 @@ def test_security_takes_more_airtime_at_every_point(product: str) -> None:
             assert without.fleet == with_.fleet
             least = airtime_counted(without, "startup", False).max()
             assert airtime_counted(with_, "startup", False).min() > least
+
+
+def test_the_books_tables_are_what_the_counts_say() -> None:
+    for name, rows in (
+        ("security", security.startups()),
+        ("security_strangers", security.strangers()),
+    ):
+        made = [{key: str(value) for key, value in row.items()} for row in rows]
+        assert made == read_data(f"measured/{name}.csv", "discostorm_book"), "run security.py"
+    assert set(stored.PRODUCTS) == set(security.PRODUCTS)
 
 
 def test_cyclone_dds_authenticates_every_pair() -> None:
@@ -110,7 +121,7 @@ def test_cyclone_dds_authenticates_every_pair() -> None:
 def test_fast_dds_sends_each_handshake_message_to_all_it_knows() -> None:
     """Request, reply and final message of each of 6 pairs, to up to 3 processes instead of one."""
     count: Counter[str] = Counter()
-    for row in read_data("measured/security_counts.csv", "discostorm_book"):
+    for row in read_lab("security_counts.csv"):
         if (row["window"], row["kind"]) == ("startup", "Authentication"):
             count[row["run"]] += int(row["messages"])
     four = [run for run, row in RUNS.items() if (row["hosts"], row["processes"]) == ("4", "1")]

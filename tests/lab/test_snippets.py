@@ -141,7 +141,7 @@ def loader(file: str) -> Callable[[Path], dict[str, str]] | None:
 
 
 #: What is sent by a snippet for Zenoh is counted by a table, and was measured with the settings
-#: of a variant of the lab (`lab/zenoh.json`; none: as shipped, but for what changes no number).
+#: of a variant of `lab/programs/zenoh.json` (none: as shipped, but for what changes no number).
 COUNTED = {
     "zenoh_router.json5": ("Zenoh router", "zenohd"),
     "zenoh_client.json5": ("Zenoh router", "router"),
@@ -290,7 +290,7 @@ def test_what_is_pasted_for_zenoh_sends_as_the_table_counts_and_as_was_measured(
     periods = {m.schedule.period for m in PROTOCOLS[name].messages if m.kind == "KeepAlive"}
     assert periods == {seconds}
     if variant is not None:
-        settings = json.loads((Path(lab.LAB) / "zenoh.json").read_text())
+        settings = json.loads((lab.PROGRAMS / "zenoh.json").read_text())
         measured = settings["all"] | settings[variant]
         keys = {key for key in found if key.startswith("transport/")} | {"mode"}
         keys |= {"scouting/multicast/enabled"}

@@ -15,14 +15,14 @@ from check_dist import commands
 from click.testing import CliRunner
 from make_release import CONTENTS, crate
 from support import ROOT
-from write_metadata import written
+from write_metadata import PROJECTS, written
 
 from discostorm.cli import main
 
 pytestmark = pytest.mark.book
 
 PAGE = (ROOT / "PYPI.md").read_text(encoding="utf-8")
-SOURCES = ("CITATION.cff", "PYPI.md", "pyproject.toml", "_config.yml")
+SOURCES = ("CITATION.cff", "PYPI.md", "_config.yml", *PROJECTS)
 BASE = "https://example.org/storm/"
 
 
@@ -30,6 +30,7 @@ BASE = "https://example.org/storm/"
 def published(tmp_path: Path) -> Path:
     """Return a folder with the sources, in which every address is known."""
     for name in SOURCES:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     config = (ROOT / "_config.yml").read_text(encoding="utf-8")
     for key, address in (
@@ -70,9 +71,9 @@ def test_once_they_are_known_all_addresses_are_told(published: Path) -> None:
     related = json.loads(files[".zenodo.json"])["related_identifiers"]
     assert {each["identifier"] for each in related} == {BASE, "https://example.org/source"}
     assert f"({BASE}_static/preview.png)" in files["PYPI.md"]
-    assert "    pip install discostorm\n" in files["PYPI.md"]
+    assert "    pip install 'discostorm[all]'\n" in files["PYPI.md"]
     # Written once more, nothing changes.
-    for name in ("CITATION.cff", "PYPI.md", "pyproject.toml"):
+    for name in ("CITATION.cff", "PYPI.md", *PROJECTS):
         (published / name).write_text(files[name], encoding="utf-8")
     assert written(published) == files
 
@@ -119,7 +120,7 @@ def test_commands_of_the_page_of_an_index_print_what_it_shows() -> None:
 def test_the_release_says_what_it_holds_with_checksums() -> None:
     assert {"build/release/dist", "codemeta.json", ".zenodo.json"} <= CONTENTS.keys()
     contents = {"codemeta.json": (ROOT / "codemeta.json").read_bytes(), "data/a.csv": b"1\n"}
-    graph = json.loads(crate(contents, "0.3.0"))["@graph"]
+    graph = json.loads(crate(contents, "0.4.0"))["@graph"]
     about, root, *files = graph
     assert about["about"] == {"@id": root["@id"]}
     assert {each["@id"] for each in files} == {each["@id"] for each in root["hasPart"]}

@@ -94,6 +94,7 @@ def test_the_style_sheet_of_the_pages_is_the_palette() -> None:
 def test_no_other_file_has_colors_of_its_own() -> None:
     files = [
         *(ROOT / "discostorm").rglob("*.py"),
+        *(ROOT / "packages").rglob("*.py"),
         *(ROOT / "discostorm/data").glob("*.mplstyle"),
         *(ROOT / "book").glob("*.md"),
         *(ROOT / "book/_static").glob("*.[cj]s*"),

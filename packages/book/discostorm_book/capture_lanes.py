@@ -1,89 +1,40 @@
-"""Captures on a page: as lanes to touch, the chapter's own and what a reader drops there."""
+"""Captures on a page as lanes to touch: the chapter's own, and those that a reader drops there."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from IPython.display import HTML
 
+from discostorm.data import read_data
 from discostorm.palette import PALETTE
 from discostorm_book.figures.captures import ROWS
 from discostorm_book.pages import carried
 from discostorm_capture import Capture
 
-#: What messages do, by their kind.
-MEANS = {
-    "SPDP": "announces a process",
-    "SEDP": "announces an endpoint",
-    "Heartbeat": "says which endpoint announcements there are",
-    "ACKNACK": "confirms endpoint announcements or asks for missing ones",
-    "Gap": "says which endpoint announcements are void",
-    "Liveliness": "renews a lease",
-    "Type lookup": "asks for a data type",
-    "User data": "is what the robots\N{RIGHT SINGLE QUOTATION MARK} programs send",
-    "Encrypted": "can't be read",
-    "Encrypted key exchange": "exchanges keys for encryption",
-    "Authentication": "proves who a process is",
-    "Scout": "looks for other processes",
-    "Hello": "answers a Scout",
-    "Init": "begins a session",
-    "Open": "opens a session",
-    "Close": "ends a session",
-    "Declare": "announces an endpoint",
-    "Declare key expression": "numbers a name for the announcements that follow",
-    "Declare final": "ends an answer of announcements",
-    "Undeclare": "takes back an announcement",
-    "Interest": "asks which endpoints there are",
-    "OAM": "exchanges link states",
-    "KeepAlive": "renews a lease",
-    "Frame": "carries other messages",
-    "Fragment": "carries a part of a message",
-    "Push": "is what the robots\N{RIGHT SINGLE QUOTATION MARK} programs send",
-    "Request": "asks a program",
-    "Response": "answers a program",
-    "ResponseFinal": "ends the answers of a program",
-    "TCP ACK": "confirms that bytes arrived",
-    "TCP control": "opens or ends a connection",
-    "TCP retransmission": "is sent again, because it was not confirmed",
-}
-#: What belongs to such messages, by the ends of their kinds; "{}" is what stands before.
-ENDINGS = {
-    " Heartbeat": "says which {} messages there are",
-    " Gap": "says which {} messages are void",
-    " HEARTBEAT_FRAG": "says which parts of {} messages there are",
-    " ACKNACK": "confirms {} messages or asks for missing ones",
-}
+_PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
+#: Purposes of messages, by their kind.
+MEANS = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
+#: Purposes by the end of a kind; "{}" is the part before it.
+ENDINGS = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
 #: Messages of Zenoh, where those of DDS that do the same are drawn.
 LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
 def rows() -> list[dict[str, Any]]:
-    """Return the rows of a lane from its top: which kinds, and in which color; the last has others.
-
-    Examples
-    --------
-    >>> [row["name"] for row in rows()]
-    ['SPDP, Scout', 'SEDP, Declare', 'Heartbeat, ACKNACK, others']
-    """
-    found: list[dict[str, Any]] = []
+    """Return the rows of a lane from its top, with kinds and color; the last has others, too."""
+    listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
         both = (*kinds, *LIKE.get(name, ()))
         color = PALETTE["captured", name].property if name in LIKE else "--ds-neutral-gray"
-        found.append({"name": ", ".join(both), "kinds": both, "color": color})
-    found[-1]["name"] += ", others"
-    return found
+        listed.append({"name": ", ".join(both), "kinds": both, "color": color})
+    listed[-1]["name"] += ", others"
+    return listed
 
 
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
-    """Let readers touch the messages of captures, and look at what they captured themselves.
+    """Let readers touch the messages of captures, all on one clock, and of captures of their own.
 
-    Parameters
-    ----------
-    captures : mapping of str to Capture
-        By what they are called, on one clock.
-    most : int
-        So many pairs that never completed are listed at first [1].
-    until : float
-        So much is shown at first [s].
+    At first so many pairs that never completed are listed, and so many seconds are shown.
     """
     data = {
         "rows": rows(),
@@ -92,18 +43,15 @@ def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
         "most": most,
         "until": until,
         "captures": [
-            {"name": name, "diagnosis": _shortly(capture)} for name, capture in captures.items()
+            {"name": name, "diagnosis": _diagnosis(capture)} for name, capture in captures.items()
         ],
     }
-    return carried("lanes", data, "captures/captures.css", *_scripts("lanes", "told", "own"))
+    scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
+    return carried("lanes", data, "captures/captures.css", *scripts)
 
 
-def _scripts(*names: str) -> Iterable[str]:
-    return (f"captures/{name}.js" for name in names)
-
-
-def _shortly(capture: Capture) -> dict[str, Any]:
-    """Return what lanes need of a diagnosis, as `discostorm capture --json` writes it."""
+def _diagnosis(capture: Capture) -> dict[str, Any]:
+    """Return a part of a diagnosis as `discostorm capture --json` writes it."""
     told = capture.diagnosis().to_dict()
     hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in told["hosts"]]
     return {key: told[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}

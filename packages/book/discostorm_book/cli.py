@@ -42,5 +42,5 @@ def claims(verdict: str | None, output: Output) -> None:
         chosen = [{name: row[name] for name in shown} for row in chosen]
     print_rows(chosen, output)
     if output.for_people:
-        found = ", ".join(f"{counts[known]} {known}" for known in VERDICTS)
-        click.echo(f"\n{len(rows)} claims: {found}.")
+        verdicts = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS)
+        click.echo(f"\n{len(rows)} claims: {verdicts}.")

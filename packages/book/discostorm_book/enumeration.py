@@ -1,6 +1,6 @@
-"""A second opinion on the message counts: name everybody, walk the protocol, count.
+"""A second opinion on the message counts: name each process, walk the protocol, count.
 
-Plain Python on purpose: it shares no code with the tables of messages or the fleets whose
+Plain Python on purpose: the walk shares no code with the tables of messages or the fleets whose
 counts it confirms.
 """
 
@@ -14,12 +14,10 @@ EVERYONE = "everyone"
 
 _TOPICS = ("publications", "subscriptions")
 
-_PHASES = {
-    "SPDP": ("SPDP",),
-    "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),
-    "Scouting": ("Scout", "Hello"),
-    "Declaration": ("Declare", "KeepAlive"),
-}
+_PHASE_OF = {
+    "SPDP": "SPDP", "SEDP": "SEDP", "Heartbeat": "SEDP", "ACKNACK": "SEDP",
+    "Scout": "Scouting", "Hello": "Scouting", "Declare": "Declaration", "KeepAlive": "Declaration",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +33,7 @@ class Process:
 
 @dataclass(frozen=True, slots=True)
 class Endpoint:
-    """An endpoint by its process and its number in it; the built-in topic that tells of it."""
+    """An endpoint by its process and its number in it, with the built-in topic of its kind."""
 
     process: Process
     number: int
@@ -60,20 +58,9 @@ About: TypeAlias = Endpoint | Session | str
 
 @dataclass(frozen=True, slots=True)
 class Sent:
-    """One message on one hop.
+    """One message on one hop: from its sender's host up to the access point, or down from there.
 
-    Parameters
-    ----------
-    sender : Process
-        Who made it.
-    receiver : Process or "everyone"
-        Who it is for.
-    kind : str
-        What it is called, such as SEDP.
-    about : Endpoint, Session or str
-        What it tells of: an endpoint, a session, a built-in topic, or the sender itself ("").
-    hop : {"up", "down"}
-        From the sender's host to the access point, or on from there.
+    It is about an endpoint, a session, a built-in topic, or the sender itself ("").
     """
 
     sender: Process
@@ -84,20 +71,20 @@ class Sent:
 
     @property
     def phase(self) -> str:
-        """The discovery phase it belongs to."""
-        return next(phase for phase, kinds in _PHASES.items() if self.kind in kinds)
+        """The discovery phase of the message."""
+        return _PHASE_OF[self.kind]
 
 
-# A message before it is on a hop: receiver, kind and what it tells of.
+# A message before it is on a hop: receiver, kind and what it is about.
 _Message: TypeAlias = tuple[Process | str, str, About]
 _Hear: TypeAlias = Callable[[Process, Sequence[Endpoint], Sent], list[_Message]]
 
 
 def _hear_dds(_me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
-    """Return what a DDS process sends when it hears a message."""
+    """Return the answers of a DDS process to a message."""
     other = heard.sender
     answers: list[_Message] = []
-    if heard.kind == "SPDP":  # a new participant: tell it all, and ask what has arrived
+    if heard.kind == "SPDP":  # a new participant: announce all, ask what has arrived
         for topic in _TOPICS:
             answers += [(other, "SEDP", endpoint) for endpoint in mine if endpoint.topic == topic]
             answers.append((other, "Heartbeat", topic))
@@ -107,12 +94,12 @@ def _hear_dds(_me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Mess
 
 
 def _hear_zenoh(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
-    """Return what a Zenoh peer sends when it hears a message."""
+    """Return the answers of a Zenoh peer to a message."""
     other = heard.sender
     answers: list[_Message] = []
     if heard.kind == "Scout":
         answers.append((other, "Hello", ""))
-    elif heard.kind == "Hello":  # found: open a session, declare all, keep it alive
+    elif heard.kind == "Hello":  # open a session, declare all, keep it alive
         answers += [(other, "Declare", endpoint) for endpoint in mine]
         answers.append((other, "KeepAlive", Session(me)))
     elif heard.kind == "KeepAlive" and heard.about != Session(me):  # its session: answer
@@ -120,7 +107,7 @@ def _hear_zenoh(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Mes
     return answers
 
 
-#: For each protocol the message a process starts with, and how it reacts to what it hears.
+#: For each protocol the message that a process starts with, and its reaction to others.
 _PROTOCOLS: dict[str, tuple[str, _Hear]] = {
     "DDS": ("SPDP", _hear_dds),
     "Zenoh": ("Scout", _hear_zenoh),
@@ -130,8 +117,8 @@ _PROTOCOLS: dict[str, tuple[str, _Hear]] = {
 def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
-    for host, counts in enumerate(_several("hosts", hosts), start=1):
-        for number, count in enumerate(_several(f"hosts[{host - 1}]", counts), start=1):
+    for host, counts in enumerate(_checked("hosts", hosts), start=1):
+        for number, count in enumerate(_checked(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
                 raise ValueError(
                     f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
@@ -144,7 +131,7 @@ def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     return processes
 
 
-def _several(name: str, value: Any) -> Iterable[Any]:
+def _checked(name: str, value: Any) -> Iterable[Any]:
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TypeError(f"{name} must be a sequence; got {value!r}")
     return value
@@ -153,28 +140,10 @@ def _several(name: str, value: Any) -> Iterable[Any]:
 def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     """Yield every message of the discovery among hosts, first up and then down.
 
-    All processes start at once. A message goes up to the access point, down again, and
-    those that hear it answer; messages inside a host do not use the air.
-
-    Parameters
-    ----------
-    protocol : {"DDS", "Zenoh"}
-        Whose messages to send, as the paper describes it (Sec. III-B and III-C).
-    hosts : sequence of sequences of int
-        For each host the number of endpoints [1] of each of its processes. The paper's
-        swarm is ``[[N_E] * N_P] * N_H``.
-
-    Yields
-    ------
-    Sent
-        One message on one hop. A multicast message goes down once, to everyone.
-
-    Raises
-    ------
-    ValueError
-        If there is no such protocol, or a count is not a whole number of at least 0.
-    TypeError
-        If `hosts` is not a sequence of sequences.
+    All processes start at once. A message goes up to the access point and down again, once to
+    everyone if it is multicast, and those that hear it answer, as Sec. III-B and III-C of the
+    paper describe it. Messages inside a host do not use the air. `hosts` has, for each host, the
+    number of endpoints of each of its processes: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
 
     Examples
     --------
@@ -201,12 +170,8 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     while waiting:
         sender, (receiver, kind, about) = waiting.popleft()
         yield Sent(sender, receiver, kind, about, "up")
-        down = Sent(sender, receiver, kind, about, "down")
-        yield down
-        if isinstance(receiver, Process):
-            hearing = [receiver]
-        else:
-            hearing = [process for process in processes if process.host != sender.host]
-        for process in hearing:
+        yield (down := Sent(sender, receiver, kind, about, "down"))
+        others = (process for process in processes if process.host != sender.host)
+        for process in [receiver] if isinstance(receiver, Process) else others:
             answers = hear(process, processes[process], down)
             waiting.extend((process, answer) for answer in answers)

@@ -1,41 +1,32 @@
-"""Facts of a chapter: what a cell computes, and the numbers of the text that must say the same.
+"""Facts of a chapter: values that a cell computes, and that the text below it must state.
 
-A cell calls `facts` with named values. The Markdown below it, up to the next such cell, says these
-values in their order, rounded as its author likes, in the units that people use. `unfounded` reads
-the text and the values and says where they disagree.
+A cell calls `facts` with named values. The Markdown below, up to the next such cell, states these
+values in their order, rounded as its author likes, in any unit. `unfounded` compares the two.
 """
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from IPython.display import display
 
-#: Of an output's metadata: the values, with all digits that matter.
+#: The key of an output's metadata that has the values, with all digits that matter.
 KEY = "discostorm_facts"
 
 _SCALES = {
-    "%": 0.01,
-    "ms": 1e-3,
-    "µs": 1e-6,
-    "ns": 1e-9,
-    "kB": 1e3,
-    "kbit/s": 1e3,
-    "Mbit/s": 1e6,
-    "MHz": 1e6,
-    "GHz": 1e9,
-    "million": 1e6,
-}
+    "%": 0.01, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9, "kB": 1e3, "kbit/s": 1e3, "Mbit/s": 1e6,
+    "MHz": 1e6, "GHz": 1e9, "million": 1e6,
+}  # fmt: skip
+_UP_TO_TWENTY = (
+    "two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
+    "seventeen eighteen nineteen twenty"
+)
 #: Numbers in words, which may state a fact or not; "one" hardly ever does.
-NUMBER_WORDS = {
-    "half": 0.5, "two": 2.0, "twice": 2.0, "three": 3.0, "four": 4.0, "five": 5.0, "six": 6.0,
-    "seven": 7.0, "eight": 8.0, "nine": 9.0, "ten": 10.0, "eleven": 11.0, "twelve": 12.0,
-    "thirteen": 13.0, "fourteen": 14.0, "fifteen": 15.0, "sixteen": 16.0, "seventeen": 17.0,
-    "eighteen": 18.0, "nineteen": 19.0, "twenty": 20.0, "thirty": 30.0, "fifty": 50.0,
-    "hundred": 100.0, "thousand": 1000.0,
+NUMBER_WORDS = {word: float(n) for n, word in enumerate(_UP_TO_TWENTY.split(), start=2)} | {
+    "half": 0.5, "twice": 2.0, "thirty": 30.0, "fifty": 50.0, "hundred": 100.0, "thousand": 1000.0
 }  # fmt: skip
 
 #: What has digits and states no result: code, formulas, links, names, numbers of parts of a text.
@@ -74,7 +65,7 @@ _ABOUT = re.compile(r"(?:about|some|roughly|nearly|almost|around)\s$", re.IGNORE
 
 @dataclass(frozen=True)
 class Numeral:
-    """A number of a text: where it begins and ends, its value, and by how much it may be off.
+    """A number of a text, its value, and by how much it may be off for its digits.
 
     ``optional`` are words such as "two", which may state a fact or not.
     """
@@ -87,22 +78,18 @@ class Numeral:
     optional: bool = False
 
     def states(self, fact: float) -> bool:
-        """Return whether it is the fact, rounded."""
+        """Return whether this is the fact, rounded."""
         return abs(fact - self.value) <= self.slack * (1 + 1e-9)
 
 
 def facts(of: str = "", **values: Any) -> None:
     """Keep the values that the text below states, in its order.
 
-    Parameters
-    ----------
-    of : str
-        How the paragraph begins that states them, where it does not stand below.
-    **values : number
-        In SI units; shares as fractions of one.
+    Values are in SI units, shares fractions of one. If a paragraph states them that is not below,
+    `of` is how it begins.
     """
     shown = [f"{name.replace('_', ' ')} {float(value):.4g}" for name, value in values.items()]
-    # Ten digits: a last bit, which differs between processors, is not seen. As text, because
+    # Ten digits hide a last bit, which differs between processors. As text, because
     # there is more than one way to write a number in JSON.
     kept = [[name, f"{float(value):.10g}"] for name, value in values.items()]
     display(
@@ -114,33 +101,26 @@ def facts(of: str = "", **values: Any) -> None:
 
 def numerals(text: str) -> list[Numeral]:
     """Return the numbers of a text that state something, in its order."""
-    open_text = _APART.sub(lambda found: " " * len(found[0]), text)
-    found = []
+    open_text = _APART.sub(lambda match: " " * len(match[0]), text)
+    numbers = []
     for match in _NUMERAL.finditer(open_text):
         scale = _scale(open_text, match.end())
         digits = match[0].replace(",", "")
-        places = len(digits.partition(".")[2])
-        step = 10.0**-places
-        if not places and _ABOUT.search(open_text[: match.start()]):
+        decimals = len(digits.partition(".")[2])
+        step = 10.0**-decimals
+        if not decimals and _ABOUT.search(open_text[: match.start()]):
             step = 10.0 ** (len(digits) - len(digits.rstrip("0")))
-        found.append(
-            Numeral(
-                match.start(),
-                match.end(),
-                match[0],
-                float(digits) * scale,
-                step / 2 * scale,
-            )
-        )
+        value, slack = float(digits) * scale, step / 2 * scale
+        numbers.append(Numeral(*match.span(), match[0], value, slack))
     for match in _WORD.finditer(open_text):
         value = NUMBER_WORDS[match[0].lower()]
         slack = 0.05 if value < 1 else 0.5
-        found.append(Numeral(match.start(), match.end(), match[0], value, slack, optional=True))
-    return sorted(found, key=lambda numeral: numeral.start)
+        numbers.append(Numeral(*match.span(), match[0], value, slack, optional=True))
+    return sorted(numbers, key=lambda numeral: numeral.start)
 
 
 def _scale(text: str, end: int) -> float:
-    """Return what the unit behind a number multiplies it by; both ends of a range share one."""
+    """Return the factor of the unit behind a number; both ends of a range share one."""
     if unit := _UNIT.match(text, end):
         return _SCALES[unit[1]]
     if (more := _RANGE.match(text, end)) and (other := _NUMERAL.match(text, more.end())):
@@ -149,38 +129,35 @@ def _scale(text: str, end: int) -> float:
 
 
 def unfounded(text: str, values: Mapping[str, float]) -> str | None:
-    """Return what a text and its facts disagree on; None where each states the other.
+    """Return where a text and its facts disagree; None where each states the other.
 
-    Each number of the text must be the next of the facts, or one of those before it; each fact
-    must be stated.
+    Each number of the text must be the next fact or an earlier one; each fact must be stated.
     """
-    said = numerals(text)
-    names, held = list(values), list(values.values())
+    numbers, names, kept = numerals(text), list(values), list(values.values())
     furthest = (0, 0)
 
-    def fits(at: int, used: int) -> bool:
+    def fits(index: int, used: int) -> bool:
         nonlocal furthest
-        furthest = max(furthest, (used, at))
-        if at == len(said):
-            return used == len(held)
-        numeral = said[at]
-        if used < len(held) and numeral.states(held[used]) and fits(at + 1, used + 1):
+        furthest = max(furthest, (used, index))
+        if index == len(numbers):
+            return used == len(kept)
+        numeral = numbers[index]
+        if used < len(kept) and numeral.states(kept[used]) and fits(index + 1, used + 1):
             return True
-        if any(numeral.states(fact) for fact in held[:used]) and fits(at + 1, used):
+        if any(numeral.states(fact) for fact in kept[:used]) and fits(index + 1, used):
             return True
-        return numeral.optional and fits(at + 1, used)
+        return numeral.optional and fits(index + 1, used)
 
     if fits(0, 0):
         return None
-    used, at = furthest
-    rest = ", ".join(
-        f"{name} = {value:.6g}" for name, value in zip(names[used:], held[used:], strict=True)
-    )
-    if at == len(said):
+    used, index = furthest
+    rest = ", ".join(f"{name} = {values[name]:.6g}" for name in names[used:])
+    if index == len(numbers):
         return f"the text does not state {rest}"
-    place = text[max(0, said[at].start - 60) : said[at].end + 30].replace("\n", " ")
+    numeral = numbers[index]
+    context = text[max(0, numeral.start - 60) : numeral.end + 30].replace("\n", " ")
     wanted = f"the next facts are {rest}" if rest else "no fact is left"
-    return f"{said[at].text!r} in “…{place}…”: {wanted}"
+    return f"{numeral.text!r} in “…{context}…”: {wanted}"
 
 
 @dataclass(frozen=True)
@@ -201,44 +178,30 @@ def _kept(cell: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 
 def paragraphs(cells: Sequence[Mapping[str, Any]]) -> list[Paragraphs]:
-    """Return what a notebook's Markdown says, each piece with the facts that are for it."""
+    """Return the Markdown of a notebook, each piece with the facts that are for it."""
     named = {kept["of"]: kept["values"] for cell in cells for kept in _kept(cell) if kept["of"]}
     pieces: list[tuple[list[int], list[str], Mapping[str, float] | None]] = [([], [], None)]
     for index, cell in enumerate(cells):
-        if cell["cell_type"] == "markdown":
-            for text in _named("".join(cell["source"]), named):
-                start = next((of for of in named if text.startswith(of)), None)
-                if start is None:
-                    pieces[-1][0].append(index)
-                    pieces[-1][1].append(text)
-                else:
-                    pieces.insert(-1, ([index], [text], named[start]))
-        else:
-            for kept in _kept(cell):
-                if not kept["of"]:
-                    pieces += [([], [], kept["values"])]
-    return [Paragraphs(tuple(where), "\n\n".join(texts), values) for where, texts, values in pieces]
-
-
-def _named(text: str, starts: Iterable[str]) -> Iterator[str]:
-    """Split a text so that each paragraph that begins as named stands by itself."""
-    rest: list[str] = []
-    for paragraph in re.split(r"\n{2,}", text):
-        if any(paragraph.startswith(of) for of in starts):
-            if rest:
-                yield "\n\n".join(rest)
-            rest = []
-            yield paragraph
-        else:
-            rest.append(paragraph)
-    if rest:
-        yield "\n\n".join(rest)
+        if cell["cell_type"] != "markdown":
+            pieces += [([], [], kept["values"]) for kept in _kept(cell) if not kept["of"]]
+            continue
+        for text in re.split(r"\n{2,}", "".join(cell["source"])):
+            start = next((of for of in named if text.startswith(of)), None)
+            if start is None:
+                pieces[-1][0].append(index)
+                pieces[-1][1].append(text)
+            else:
+                pieces.insert(-1, ([index], [text], named[start]))
+    return [
+        Paragraphs(tuple(dict.fromkeys(where)), "\n\n".join(texts), values)
+        for where, texts, values in pieces
+    ]
 
 
 def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return where the text of a notebook and its facts disagree."""
     texts = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
-    found = [
+    problems = [
         f"no paragraph begins with {kept['of']!r}"
         for cell in cells
         for kept in _kept(cell)
@@ -247,8 +210,8 @@ def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
     for piece in paragraphs(cells):
         if problem := unfounded(piece.text, piece.values or {}):
             where = ", ".join(map(str, piece.cells))
-            found.append(f"cell {where or 'of facts'}: {problem}")
-    return found
+            problems.append(f"cell {where or 'of facts'}: {problem}")
+    return problems
 
 
 def is_guarded(cells: Sequence[Mapping[str, Any]]) -> bool:

@@ -1,4 +1,4 @@
-"""The failures that the lab staged, run by run: who heard whom, and when not."""
+"""The failures that the lab reproduced, run by run: who heard whom, and when not."""
 
 import re
 from collections.abc import Iterator
@@ -11,21 +11,21 @@ from numpy.typing import NDArray
 from discostorm_book import lab_counts
 from discostorm_book.lab_counts import death_times
 
-#: What failed in each: what it is called, what is killed, and who has a server or router.
+#: By configuration: its name, the victim, and who has a server or router.
 ARRANGEMENTS = {
     "Fast DDS Discovery Server": ("one Discovery Server", "the server", "one"),
     "Zenoh router": ("one central Zenoh router", "the router", "one"),
     "Zenoh router per host": ("a router per robot", "robot 1's router", "each"),
     "Zenoh router per host, one hub": ("a router per robot behind one hub", "the hub", "hub"),
 }
-#: A restart comes so long after its kill, as ``data/measured/README.md`` says [s].
+#: Seconds from a kill to its restart, as ``data/measured/README.md`` says.
 RESTART = 3.0
-#: What joins during such an event was not there before.
+#: An event in which a process joins that was not there before.
 _OUTAGE = r"outage of \d+ s"
-#: Who is silent for longer is not heard, likewise [s].
+#: Silence from which on a process is not heard, likewise [s].
 SILENT = 2.0
-#: Two groups, or one with itself, by whom the rows of ``data/measured/deaths.csv`` are about, and
-#: what they are called: those that knew each other, and late joiners.
+#: By the subject of rows of ``data/measured/deaths.csv``: two groups, or one with itself, and their
+#: name. First those that knew each other, then late joiners.
 _KNOWN = {
     "survivors": ("survivors", "survivors", "{others}"),
     "orphans": ("orphans", "orphans", "The two processes of robot 1"),
@@ -36,40 +36,32 @@ _LATE = {
     "newcomer, and orphans": ("newcomer", "orphans", "Late joiner and robot 1"),
     "newcomer beside orphans": ("beside", "survivors", "Late joiner on robot 1 and {others}"),
     "newcomer beside orphans, and orphans": (
-        *("beside", "orphans"),
+        "beside",
+        "orphans",
         "Late joiner on robot 1 and its neighbors",
     ),
 }
 
 
 def relations(name: str) -> list[tuple[str, str, str]]:
-    """Return which two groups, or one with itself, were looked at, and what they are called."""
+    """Return the pairs of groups that were observed in a configuration, and their names."""
     rows = lab_counts.deaths()
-    there = set(rows[rows["configuration"] == name]["who"])
-    others = "robots 2 to 4" if "orphans" in there else "robots 1 to 4"
-    named = [groups for who, groups in (_KNOWN | _LATE).items() if who in there]
-    texts = [text.format(others=others) for *_, text in named]
+    present = set(rows[rows["configuration"] == name]["who"])
+    others = "robots 2 to 4" if "orphans" in present else "robots 1 to 4"
     return [
-        (a, b, text[0].upper() + text[1:]) for (a, b, _), text in zip(named, texts, strict=True)
+        (one, other, text.format(others=others).replace("robots", "Robots", text[0] == "{"))
+        for who, (one, other, text) in (_KNOWN | _LATE).items()
+        if who in present
     ]
 
 
 def stagings(name: str) -> list[dict[str, Any]]:
-    """Return what was staged with an configuration: a server or router is killed and comes back.
+    """Return the failures of a configuration's server or router, one for each event of the lab.
 
-    Parameters
-    ----------
-    name : str
-        Of `ARRANGEMENTS`.
-
-    Returns
-    -------
-    list of dict
-        A row for each event of ``data/measured/deaths.csv`` and ``outages.csv``, with the times
-        after the failure at which the server or router was ``back``, a late joiner ``joins`` and
-        all was watched to the ``end`` [s], and the ``runs``: for each of the `relations`, from
-        when to when not all of them heard each other [s], None for to the end, or None if they
-        did throughout. Once a router is back, all late joiners are timed together.
+    With the times after the failure at which the server or router was ``back``, a late joiner
+    ``joins`` and the observation came to its ``end`` [s], and the ``runs``: for each of the
+    `relations`, from when to when not all of them heard each other [s], None for to the end, or
+    None if they did throughout. Once a router is back, all late joiners are timed together.
     """
     every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
     of_name = every[every["configuration"] == name]
@@ -126,5 +118,5 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
 
 
 def _time(value: float) -> float | None:
-    """Return a time as it is stored, to a hundredth of a second, or None if it never came."""
+    """Return a time to a hundredth of a second, or None if it never came."""
     return round(float(value), 2) if np.isfinite(value) else None

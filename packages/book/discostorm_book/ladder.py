@@ -1,14 +1,13 @@
 """The ladder of assumptions: how many robots fit under which of them, computed or simulated.
 
-Each assumption is a switch. The closed forms know any combination of timing, frames in an exchange
-and table; what only a simulation knows is there for the settings that it was run with.
+Each assumption is a switch. Closed forms give any combination of timing, aggregation and table;
+simulated steps exist for the settings that were run.
 """
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
-from typing import Literal
 
 from discostorm import figures, words
 from discostorm.data import read_data
@@ -22,122 +21,53 @@ MOST_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64
 
-PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
+_ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 
 @dataclass(frozen=True)
 class Switch:
-    """An assumption in place of the paper's.
+    """An assumption in place of the paper's: its key in a `Rung`, name, and what it changes.
 
-    Parameters
-    ----------
-    key : str
-        What it is called in a `Rung`.
-    name : str
-        What a reader turns on.
-    why : str
-        What it changes, in words.
-    kind : {"computed", "simulated", "measured"}
-        Where its numbers come from: "measured" ones are computed from what was counted.
-    needs : tuple of str
-        Keys of the switches without which it does not go.
+    It is "computed", "measured" (computed from counts of real middleware) or "simulated", and may
+    need others to be on.
     """
 
     key: str
     name: str
     why: str
-    kind: Literal["computed", "simulated", "measured"] = "computed"
-    needs: tuple[str, ...] = ()
+    kind: str
+    needs: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Rung:
-    """How many robots fit under some of the assumptions.
-
-    Parameters
-    ----------
-    switches : frozenset of str
-        Keys of those that are on.
-    protocol : str
-        Of which protocol: DDS or Zenoh.
-    fit : int
-        The largest whole number of robots that fits.
-    within : float
-        How long their start may take [s]: until all that is asked for is carried or, where queues
-        overflow, until all know each other in the median of the runs.
-    full : float
-        Robots at which the channel is full [1]; of a simulation, which has whole ones, NaN.
-    fits : tuple of (int, int)
-        Between which whole numbers of robots it lies; of an equation it is one.
-    runs : str
-        In words how many runs it comes from and what they say; empty unless it is simulated.
-    """
+    """How many robots fit under some of the assumptions, the switches by their keys."""
 
     switches: frozenset[str]
     protocol: str
+    #: The largest whole number of robots that fits.
     fit: int
+    #: How long startup may take [s]: until every message is carried or, where queues overflow,
+    #: until discovery is complete in the median run.
     within: float
+    #: Robots at which the channel is full [1]; NaN for a simulation, which has whole robots.
     full: float = math.nan
+    #: Smallest and largest whole number of robots that the runs allow.
     fits: tuple[int, int] = (0, 0)
+    #: What the simulated runs found, in words.
     runs: str = ""
 
     @property
     def shown(self) -> str:
-        """The number of robots, or from which to which it may be."""
+        """The number of robots, or its range."""
         low, high = self.fits
         return f"{self.fit}" if low == high else f"{low} to {high}"
 
 
-TIMING = Switch(
-    "timing",
-    "Exact 802.11n timing",
-    "whole symbols, preambles and waits of IEEE 802.11n instead of the paper's rate and overhead",
+SWITCHES = tuple(
+    Switch(row["key"], row["name"], row["why"], row["kind"], tuple(row["needs"].split()))
+    for row in read_data("simulated/switches.csv", "discostorm_book")
 )
-AGGREGATION = Switch(
-    "aggregation",
-    f"Full aggregation, {MPDUS} frames per A-MPDU",
-    "the best case: every queue always holds that many frames for one receiver",
-    needs=("timing",),
-)
-PERIODS = Switch(
-    "periods",
-    "The products' timers; startup may take a lease",
-    "periodic traffic is counted too, and startup may take one lease instead of one second",
-)
-AS_BUILT = Switch(
-    "as built",
-    "The products' real messages",
-    "the messages that we captured from Fast DDS and from Zenoh peers, instead of the paper's",
-    kind="measured",
-    needs=("periods",),
-)
-
-CONTENTION = Switch(
-    "contention",
-    "Hosts contend for the channel",
-    "robots and access point back off, collide and retry, frame by frame; no queue overflows",
-    kind="simulated",
-    needs=("timing",),
-)
-QUEUES = Switch(
-    "queues",
-    "Queues overflow, middleware recovers",
-    "queues hold 500 frames, each for at most half a second; the middleware retransmits what they "
-    "lose, and startup may take one lease",
-    kind="simulated",
-    needs=("contention",),
-)
-STAGGERED = Switch(
-    "staggered",
-    "Robots start in turn",
-    "one robot after another, each once the airtime of the bursts before it has passed",
-    kind="simulated",
-    needs=("queues",),
-)
-
-COMPUTED = (TIMING, AGGREGATION, PERIODS, AS_BUILT)
-SIMULATED = (CONTENTION, QUEUES, STAGGERED)
-SWITCHES = (*COMPUTED, *SIMULATED)
 
 #: The paper's table, that with the periods of a product, and the product's own.
 TABLES = {
@@ -147,26 +77,19 @@ TABLES = {
 
 
 def rungs() -> Iterator[Rung]:
-    """Yield what is known of each combination of the switches, the paper's first."""
-    for protocol, on in product(TABLES, _subsets(COMPUTED)):
+    """Yield the robots that fit for each combination of the switches, the paper's first."""
+    for protocol, on in product(TABLES, _combinations()):
         table = PROTOCOLS[TABLES[protocol][len(on & {"periods", "as built"})]]
         mpdus = MPDUS if "aggregation" in on else 1
+        wifi = Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER
         within = table.lease if "periods" in on else PAPER_WINDOW
-        hosts = saturation_hosts(
-            table,
-            PROCESSES,
-            ENDPOINTS,
-            wifi=Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER,
-            window=within,
-        )
-        assert isinstance(hosts, float)
-        assert math.isfinite(hosts)
+        hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = words.whole_below(hosts)
         yield Rung(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated()
 
 
-#: What is on in a step of the sweeps.
+#: Switches that are on in a step of the sweeps.
 _STEPS = {
     "contention": {"timing", "contention"},
     "queues": {"timing", "contention", "queues"},
@@ -181,31 +104,32 @@ def _simulated() -> Iterator[Rung]:
         if row["step"] in _STEPS and float(row["limit_s"]) == limit:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
             fits = int(row["hosts_low"]), int(row["hosts_high"])
+            within, runs = float(row["limit_s"]), _runs_in_words(row)
             yield Rung(
-                frozenset(on), row["protocol"], int(row["hosts"]), limit, fits=fits, runs=_told(row)
+                frozenset(on), row["protocol"], int(row["hosts"]), within, fits=fits, runs=runs
             )
 
 
-def _told(row: dict[str, str]) -> str:
-    """Return what the runs of a step of the ladder say, in words."""
-    said = []
-    for robots, value, runs in (
-        (int(row["hosts"]), "value", "runs"),
-        (int(row["hosts"]) + 1, "one_more", "one_more_runs"),
-    ):
+def _runs_in_words(row: dict[str, str]) -> str:
+    """Return what the runs of a step of the ladder found, in words."""
+    parts = []
+    for more, value, runs in ((0, "value", "runs"), (1, "one_more", "one_more_runs")):
         median, low, high = (float(row[f"{value}{end}_s"]) for end in ("", "_low", "_high"))
-        said.append(
-            f"with {robots} robots the median of {int(row[runs]):,} runs is {median:.3g} s "
-            f"({low:.3g} to {high:.3g} s)"
+        parts.append(
+            f"with {int(row['hosts']) + more} robots the median of {int(row[runs]):,} runs is "
+            f"{median:.3g} s ({low:.3g} to {high:.3g} s)"
         )
-    sure = row["hosts_low"] == row["hosts_high"]
-    end = "more runs would not change the number" if sure else "more runs might change the number"
-    return f"{words.capitalized(said[0])}, {said[1]}. Time allowed: {row['limit_s']} s; {end}."
+    would = "would not" if row["hosts_low"] == row["hosts_high"] else "might"
+    return (
+        f"{words.capitalized(parts[0])}, {parts[1]}. Time allowed: {row['limit_s']} s; "
+        f"more runs {would} change the number."
+    )
 
 
-def _subsets(switches: tuple[Switch, ...]) -> Iterator[frozenset[str]]:
-    """Yield the combinations of switches in which each has what it needs."""
+def _combinations() -> Iterator[frozenset[str]]:
+    """Yield the combinations of computed switches in which each has the switches that it needs."""
+    switches = [switch for switch in SWITCHES if switch.kind != "simulated"]
     for chosen in product((False, True), repeat=len(switches)):
-        on = frozenset(one.key for one, yes in zip(switches, chosen, strict=True) if yes)
-        if all(set(one.needs) <= on for one in switches if one.key in on):
+        on = frozenset(switch.key for switch, yes in zip(switches, chosen, strict=True) if yes)
+        if all(set(switch.needs) <= on for switch in switches if switch.key in on):
             yield on

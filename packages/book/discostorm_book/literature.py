@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from discostorm.data import read_data
+from discostorm.data import data_path, read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
@@ -17,78 +17,42 @@ from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 #: its timestamps.
 AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 
-#: What each staging of ``lab/published.csv`` is called on a page.
-STAGED = {
-    "ros-few": "few, simple discovery",
-    "ros-few-server": "few, Discovery Server",
-    "ros-few-udp": "few, simple discovery, UDP only",
-    "ros-server": "many, Discovery Server",
-    "ros-server-spaced": "many, Discovery Server, spaced",
-    "ros-simple": "many, simple discovery",
-    "ros-simple-spaced": "many, simple discovery, spaced",
-    "turtlebot-cyclone_dds": "TurtleBot and laptop",
-    "turtlebot-fast_dds": "TurtleBot and laptop",
-    "turtlebot-zenoh": "the same, one session each",
-    "turtlebot-zenoh-generalized": "the same, generalized",
-    "turtlebot-zenoh-generalized-warm": "the same, generalized, warm",
-    "turtlebot-zenoh-warm": "the same, warm",
-}
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
 
 @cache
+def _staged() -> pd.DataFrame:
+    return pd.read_csv(data_path("measured/staged.csv", "discostorm_book"))
+
+
 def staged() -> pd.DataFrame:
     """Return what the lab counted when it staged what others published.
 
-    Returns
-    -------
-    pandas.DataFrame
-        A row for each ``staging`` of ``lab/published.csv`` and each ``kind`` of message, and one of
-        the ``packets`` that its authors would have counted: ``product``, ``variant`` and
-        ``version``, the number of ``processes`` and of ``runs`` [1], the median ``count`` [1] with
-        ``least`` and ``most``, the same of ``bytes``, for packets with the headers that Wireshark
-        counts [B], and the median of ``last_s``, when the last endpoint was told of [s], NaN if
-        that was not seen.
+    A row for each ``staging`` and ``kind`` of message, and one of the ``packets`` that its authors
+    would have counted: ``product``, ``variant`` and ``version``, the number of ``processes`` and
+    of ``runs`` [1], the median ``count`` [1] with ``least`` and ``most``, the same of ``bytes``,
+    for packets with the headers that Wireshark counts [B], and the median of ``last_s``, when the
+    last endpoint was announced [s], NaN if that was not seen.
     """
-    table = pd.DataFrame(read_data("measured/published.csv", "discostorm_book"))
-    for name in ("processes", "count", "bytes", "last_s"):
-        table[name] = pd.to_numeric(table[name])
-    rows = []
-    for (staging, kind), runs in table.groupby(["staging", "kind"], sort=False):
-        row = {"staging": staging, "kind": kind, "runs": len(runs)}
-        row |= {name: runs[name].iloc[0] for name in ("product", "variant", "version", "processes")}
-        for name, end in (("count", ""), ("bytes", "_bytes")):
-            row[name] = float(runs[name].median())
-            row[f"least{end}"], row[f"most{end}"] = float(runs[name].min()), float(runs[name].max())
-        rows.append(row | {"last_s": float(runs["last_s"].median())})
-    return pd.DataFrame(rows).set_index(["staging", "kind"])
+    return _staged().drop(columns="title").set_index(["staging", "kind"])
 
 
 def published() -> pd.DataFrame:
-    """Return what others published of discovery traffic, beside the model and our measurements.
+    """Return each published number beside the paper, a measured model and our measurement.
 
-    Returns
-    -------
-    pandas.DataFrame
-        A row for each number of ``data/vendors/published.csv``, indexed by its ``id``, with all
-        its columns, and what the paper's table and that of a product ``as_built``, Fast DDS or
-        Zenoh peer, expect of the phases that were counted, in the window: messages [1], or bytes
-        with the headers that Wireshark counts [B], each message in a packet of its own; and what
-        was ``measured`` in the first of the stagings that the row names, the median of its runs,
-        with ``least`` and ``most``. NaN where no number was published, no table can say, or
-        nothing was staged.
-
-    References
-    ----------
-    Paper, Table II and equations (1) to (10); ``data/vendors/published.csv``.
+    A row for each number of ``data/vendors/published.csv``, by its ``id``, with its columns and
+    what the ``paper`` and the model ``as_built``, of Fast DDS or a Zenoh peer, expect of the
+    phases that were counted, in the window: messages [1], or bytes with the headers that
+    Wireshark counts [B], each message in a packet of its own. ``measured`` is the median of the
+    first staging that the row names, between ``least`` and ``most``. NaN where there is none.
     """
     lab, rows = staged(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
-        wire = "Zenoh" if row["product"].startswith("Zenoh") else "DDS"
-        of_paper, built = (ZENOH, "Zenoh peer") if wire == "Zenoh" else (DDS, "Fast DDS")
+        zenoh = row["product"].startswith("Zenoh")
+        paper, built = (ZENOH, "Zenoh peer") if zenoh else (DDS, "Fast DDS")
         counts = {
             "number": float(row["number"] or "nan"),
-            "paper": _as_counted(of_paper, row),
+            "paper": _as_counted(paper, row),
             "as_built": _as_counted(PROTOCOLS[built], row),
         }
         staging = row["staged"].partition(" ")[0]
@@ -101,20 +65,20 @@ def published() -> pd.DataFrame:
 
 
 def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
-    """Return what a table expects of the messages that somebody counted."""
+    """Return what a model expects of the messages that a publication counted."""
     if not row["fleet"]:
         return float("nan")
     # Endpoints may be a mean over the processes of a host, such as 98/3.
     counts = (map(Fraction, group.split("x")) for group in row["fleet"].split())
     groups = tuple(HostGroup(int(hosts), int(some), float(each)) for hosts, some, each in counts)
     fleet, window = Fleet(groups, matching=1.0), float(row["window_s"])
-    counted = row["counted"].split()
+    of_bytes, phases = row["quantity"] == "bytes", row["counted"].split()
     return sum(
         float(message.load(fleet))
         * float(np.asarray(message.schedule.sent(window)))
-        * (message.payload.nominal + AROUND[message.transport] if row["quantity"] == "bytes" else 1)
+        * (message.payload.nominal + AROUND[message.transport] if of_bytes else 1)
         for message in protocol.messages
-        if message.phase in counted
+        if message.phase in phases
     )
 
 
@@ -131,14 +95,12 @@ def rounded(value: float, digits: int = 3) -> str:
 
 def _with_range(row: Mapping[Any, Any], middle: str) -> str:
     least, most = (rounded(row[name]) for name in ("least", "most"))
-    around = "" if least == most else f" ({least}\N{EN DASH}{most})"
-    return f"{rounded(row[middle])}{around}"
+    return rounded(row[middle]) + ("" if least == most else f" ({least}\N{EN DASH}{most})")
 
 
 def compared() -> pd.DataFrame:
     """Return each published number beside paper, measured model and lab, as a page shows it."""
-    every = published()
-    rows = every[every["number"].notna()].to_dict("records")
+    rows = published().query("number.notna()").to_dict("records")
     return pd.DataFrame(
         {
             "what": f"{row['who']}, {row['published'][:4]}: "
@@ -155,11 +117,10 @@ def compared() -> pd.DataFrame:
 
 def stagings() -> pd.DataFrame:
     """Return what the lab counted of each staging, as a page shows it."""
-    every = staged().reset_index()
-    rows = every[every["kind"] == "packets"].to_dict("records")
+    rows = _staged().query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
         {
-            "staged": STAGED[row["staging"]],
+            "staged": row["title"],
             "software": _SOFTWARE[row["product"]],
             "processes": row["processes"],
             "packets (min\N{EN DASH}max)": _with_range(row, "count"),

@@ -13,30 +13,29 @@ from matplotlib.text import Annotation, Text
 from discostorm.figures.style import style
 
 #: Inches: at this width letters of 9 points are 10 px high on a screen of 360 px.
-NARROW = 4.45
-#: Inches of a figure that are not panels: title, labels of the axis, legend.
+PHONE_WIDTH = 4.45
+#: Inches of a figure around its panels: title, labels of the axis, legend.
 _AROUND = 1.1
-#: Share of the width beyond which names of rows are broken, fewest and most letters of their lines,
-#: and inches of a line of small letters and of what parts two names.
+#: Share of the width beyond which names of rows are broken, fewest and most letters of a line, and
+#: inches of a line of small letters and between two names.
 _NAMES, _LETTERS, _LINE, _GAP = 0.3, (15, 26), 0.145, 0.07
-#: Share of a panel beyond which a legend is no longer in it but below the figure.
+#: Share of a panel beyond which a legend moves below the figure.
 _LEGEND = 0.52
-#: Inches that long words in a panel keep off the edge.
+#: Inches between long words in a panel and the edge.
 _EDGE = 0.05
 #: Most lines of a title.
 _LINES = 4
 
 
-def narrowed(figure: Figure) -> Figure:
-    """Make a figure that was drawn for a page as narrow as a phone, and return it.
+def for_phone(figure: Figure) -> Figure:
+    """Make a figure as narrow as a phone, in place, and return it.
 
-    Panels that stood beside each other come one below the other, unless they are a grid that
-    shares both axes. Titles, names of rows and legends are broken where they are too long. What is
-    drawn in the panels stays as it is.
+    Panels beside each other come one below the other, unless they are a grid that shares both axes.
+    Long titles, names of rows and legends are broken. The drawing in the panels stays as it is.
     """
     width, height = figure.get_size_inches()
     with style():
-        figure.set_size_inches(min(width, NARROW), height + _stack(figure, height))
+        figure.set_size_inches(min(width, PHONE_WIDTH), height + _stack(figure, height))
         figure.draw_without_rendering()
         for text in (text for axis in figure.axes for text in axis.texts):
             # Long words in a panel would take its room.
@@ -76,10 +75,8 @@ def _fold(figure: Figure, legend: Legend) -> None:
     boxes = [text.get_window_extent() for text in legend.get_texts()]
     columns, axis = len({round(box.x0) for box in boxes}), legend.axes
     inside = axis is not None and legend not in figure.legends
-    box, room = (
-        legend.get_window_extent(),
-        axis.bbox.width if inside and axis else figure.bbox.width,
-    )
+    box = legend.get_window_extent()
+    room = axis.bbox.width if inside and axis else figure.bbox.width
     if box.width <= (_LEGEND if inside else 1) * room:
         return
     # The widest entry, with its mark.
@@ -103,8 +100,8 @@ def _name_rows(figure: Figure, axis: Axes) -> None:
     width, height = figure.get_size_inches()
     if not axis.axison or widest <= _NAMES * width:
         return
-    fewest, most = _LETTERS
-    letters = min(max(fewest, 4 + math.ceil(max(map(len, texts)) / 2)), most)
+    shortest, longest = _LETTERS
+    letters = min(max(shortest, 4 + math.ceil(max(map(len, texts)) / 2)), longest)
     broken = [wrap(text, letters) for text in texts]
     rows = sorted(zip(axis.get_yticks(), map(len, broken), strict=True))
     axis.set_yticks(axis.get_yticks(), ["\n".join(lines) for lines in broken])
@@ -123,11 +120,10 @@ def _name_rows(figure: Figure, axis: Axes) -> None:
 
 def _wrap(figure: Figure) -> None:
     """Break titles and names of axes that run off the figure."""
-    texts = [*figure.texts]  # its title
-    for axis in figure.axes:
-        own = [text for text in axis.get_children() if isinstance(text, Text)]
-        texts += [text for text in own if text not in axis.texts]  # titles
-        texts.append(axis.xaxis.label)
+    texts = [*figure.texts, *(axis.xaxis.label for axis in figure.axes)]
+    for axis in figure.axes:  # their titles
+        children = [text for text in axis.get_children() if isinstance(text, Text)]
+        texts += [text for text in children if text not in axis.texts]
     for lines in range(2, _LINES + 1):
         too_long = [
             text for text in texts

@@ -1,4 +1,4 @@
-"""What the chapter notebooks share: looks, sentences, numbered equations, tables, data."""
+"""What the chapter notebooks share: style, numbered equations, tables, data to download."""
 
 import os
 import re
@@ -15,7 +15,7 @@ import pandas as pd
 import sympy as sp
 from IPython.core.getipython import get_ipython
 from IPython.core.pylabtools import print_figure
-from IPython.display import SVG, Markdown, display
+from IPython.display import SVG, Markdown
 from matplotlib.figure import Figure
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
@@ -23,20 +23,16 @@ from discostorm import figures, words
 from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
-from discostorm_book import mobile
 from discostorm_book.ledger import claims
+from discostorm_book.mobile import for_phone
 from discostorm_planner import Plan, Remedy
 
-#: Under what a notebook keeps each figure once more, beside it: for phones, where pages show it,
-#: see ``book/_ext/pictures.py``.
-NARROW = "narrow"
+#: The key under which a notebook keeps each figure for phones; see ``book/_ext/pictures.py``.
+PHONE_KEY = "narrow"
 
 
 def setup() -> None:
-    """Make figures come out in the looks of the book, as vectors, the same every time.
-
-    Each of them also for a phone.
-    """
+    """Draw figures in the book's style as SVG, the same every time, and each for a phone, too."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
     plt.style.use(figures.SHEETS)
@@ -46,9 +42,9 @@ def setup() -> None:
 
 
 def _both(figure: Figure) -> tuple[str, dict[str, str]]:
-    """Return a figure as SVG, and what is kept beside it."""
+    """Return a figure as SVG, and as metadata the figure for phones."""
     wide = print_figure(figure, "svg", bbox_inches=None)
-    return wide, {NARROW: print_figure(mobile.narrowed(figure), "svg", bbox_inches=None)}
+    return wide, {PHONE_KEY: print_figure(for_phone(figure), "svg", bbox_inches=None)}
 
 
 def latex(expression: sp.Expr) -> str:
@@ -69,49 +65,19 @@ def latex(expression: sp.Expr) -> str:
 
 
 def of_all_hosts(of_one_host: sp.Expr) -> sp.Sum:
-    """Return what all hosts send if each of them sends that.
-
-    Examples
-    --------
-    >>> from discostorm.notation import N_P
-    >>> of_all_hosts(N_P).doit()
-    N_H*N_P
-    """
+    """Return the sum over all hosts, each of which sends the same."""
     return sp.Sum(of_one_host, (sp.Symbol("i", integer=True), 1, N_H))
 
 
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
-    """Show an equation that the book numbers and can refer to by its label.
-
-    Parameters
-    ----------
-    label : str
-        What a page refers to it by: ``{eq}`label` ``.
-    left : str or sympy.Expr
-        Left side, as LaTeX or an expression.
-    *steps : sympy.Expr or str
-        What it equals, one line each.
-    """
-    lines = [step if isinstance(step, str) else latex(step) for step in steps]
-    start = left if isinstance(left, str) else latex(left)
+    """Show an equation with a line a step, to which pages refer as ``{eq}`label` ``."""
+    start, *lines = (step if isinstance(step, str) else latex(step) for step in (left, *steps))
     body = " \\\\[4pt]\n".join(f"&= {line}" for line in lines)
     return Markdown(f"$$\n\\begin{{aligned}}\n{start} {body}\n\\end{{aligned}}\n$$ ({label})")
 
 
-def say(*sentences: str) -> None:
-    """Show sentences with computed numbers in the type of the page; several of them as a list."""
-    start = "- " if len(sentences) > 1 else ""
-    display(Markdown("\n".join(start + typeset(sentence) for sentence in sentences)))
-
-
-def answer(*paragraphs: str) -> Markdown:
-    """Show what a chapter answers to its question, set off from the text as the question is."""
-    first, *others = map(typeset, paragraphs)
-    return Markdown("\n>\n".join(f"> {text}" for text in (f"**The answer.** {first}", *others)))
-
-
 def badge(figure: str) -> Markdown:
-    """Show what the ledger says of a figure of the paper, such as "2"."""
+    """Show the ledger's verdict on a figure of the paper, such as "2"."""
     return Markdown(claims.figures()[figure].caption())
 
 
@@ -128,30 +94,33 @@ class Advice:
         return "\n\n".join(map(_block, self.plan.advice().split("\n\n")))
 
     def _repr_html_(self) -> str:
-        blocks = self.plan.advice().split("\n\n")
+        *blocks, end = self.plan.advice().split("\n\n")
+        remedies = self.plan.told()
         # The answer comes first; a host alone has none.
-        before = 3 if self.plan.fleet.hosts() > 1 else 2
-        *said, shares = (block.splitlines() for block in blocks[:before])
-        parts = [
-            *(f"<p>{_prose(' '.join(lines))}</p>" for lines in said),
-            f"<p>{_prose(' '.join(line.removeprefix('- ').strip() for line in shares))}</p>",
-        ]
-        for title, remedies in self.plan.told().items():
-            cards = "".join(map(_card, remedies))
-            parts.append(f'<p class="plan-title">{_prose(title)}</p>')
-            parts.append(f'<div class="plan-cards">{cards}</div>')
-        for block in blocks[before + len(self.plan.told()) : -1]:
-            title, *rows = block.splitlines()
-            parts.append(f'<p class="plan-title">{_prose(title)}</p>')
+        count = 3 if self.plan.fleet.hosts() > 1 else 2
+        parts = [_paragraph(re.sub("^- ", "", block, flags=re.M)) for block in blocks[:count]]
+        for title, cards in remedies.items():
+            parts.append(_paragraph(title, "plan-title"))
+            parts.append(f'<div class="plan-cards">{"".join(map(_card, cards))}</div>')
+        for block in blocks[count + len(remedies) :]:
+            title, rows = block.split("\n", 1)
+            parts.append(_paragraph(title, "plan-title"))
             if _is_table(block):
-                table = escape("\n".join(rows))
-                parts.append(f'<div class="highlight"><pre tabindex="0">{table}</pre></div>')
+                parts.append(_code(rows))
             else:
-                items = re.split(r"^- ", "\n".join(rows), flags=re.MULTILINE)[1:]
-                told = (f"<li>{_prose(' '.join(item.split()))}</li>" for item in items)
-                parts.append(f"<ul>{''.join(told)}</ul>")
-        parts.append(f"<p>{_prose(' '.join(blocks[-1].split()))}</p>")
-        return "".join(parts)
+                items = re.split(r"^- ", rows, flags=re.MULTILINE)[1:]
+                listed = (f"<li>{_prose(' '.join(item.split()))}</li>" for item in items)
+                parts.append(f"<ul>{''.join(listed)}</ul>")
+        return "".join([*parts, _paragraph(end)])
+
+
+def _paragraph(text: str, style: str = "") -> str:
+    start = f'<p class="{style}">' if style else "<p>"
+    return f"{start}{_prose(' '.join(text.split()))}</p>"
+
+
+def _code(text: str) -> str:
+    return f'<div class="highlight"><pre tabindex="0">{escape(text)}</pre></div>'
 
 
 def _prose(text: str) -> str:
@@ -161,21 +130,20 @@ def _prose(text: str) -> str:
 
 
 def _card(remedy: Remedy) -> str:
-    """Return a remedy as HTML: what it brings, what it takes, and what to paste, folded."""
+    """Return a remedy as HTML: gain, trade-offs, and the configuration to copy, folded."""
     how = "would fit" if remedy.best_case else "fits"
     how = "may fit" if remedy.may_now_fit else how
     better = remedy.now_fits or remedy.may_now_fit
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
-    what = words.capitalized(remedy.what)
     gain = words.capitalized(words.sentences(remedy.brings(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
-        f'<div class="highlight"><pre tabindex="0">{escape(piece.text)}</pre></div></details>'
+        f"{_code(piece.text)}</details>"
         for piece in remedy.snippets
     )
     return (
-        f'<div class="plan-card"><p class="plan-what">{_prose(what)} {fits}</p>'
-        f"<p>{_prose(gain)}.</p>"
+        f'<div class="plan-card"><p class="plan-what">'
+        f"{_prose(words.capitalized(remedy.what))} {fits}</p><p>{_prose(gain)}.</p>"
         f'<p class="plan-mind">{_prose(remedy.caution())}</p>{pieces}</div>'
     )
 
@@ -203,22 +171,14 @@ def _block(text: str) -> str:
     return "\n".join([f"**{head}**", "", *others] if others else [head])
 
 
-_UNITS = {
-    "us": "µs",
-    "ms": "ms",
-    "s": "s",
-    "B": "B",
-    "bits": "bits",
-    "MHz": "MHz",
-    "GHz": "GHz",
-    "Mbit_s": "Mbit/s",
-}
-#: Names of the standard, which are not words.
+_UNITS = {name: name for name in ("ms", "s", "B", "bits", "MHz", "GHz")}
+_UNITS |= {"us": "µs", "Mbit_s": "Mbit/s"}
+#: Names of the standard, which are no words.
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
-#: What stays as it is: code and formulas.
-_AS_IT_IS = re.compile(r"(`[^`]*`|\$[^$]*\$)")
+#: Code and formulas, which stay as they are.
+_VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
 #: A hyphen that stands for a minus.
 _HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
 _NUMBER = re.compile(
@@ -228,7 +188,7 @@ _NUMBER = re.compile(
 
 
 def heading(name: str) -> str:
-    """Return what a column of data is called in a table: words, and the unit in brackets.
+    """Return the heading of a column of data: words, and the unit in brackets.
 
     Examples
     --------
@@ -247,7 +207,7 @@ def heading(name: str) -> str:
 
 
 def typeset(text: str) -> str:
-    """Return a text for people: a minus is no hyphen, and no line ends between number and unit.
+    """Return a text with minus signs, and without line ends between number and unit.
 
     Code and formulas stay as they are.
 
@@ -255,17 +215,15 @@ def typeset(text: str) -> str:
     --------
     >>> typeset("by -6% in 2020-2024; `x = -1`") == "by \N{MINUS SIGN}6% in 2020-2024; `x = -1`"
     True
-    >>> typeset("3 s") == "3\N{NO-BREAK SPACE}s"
-    True
     """
-    parts = enumerate(_AS_IT_IS.split(text))
+    parts = enumerate(_VERBATIM.split(text))
     return "".join(
-        part if place % 2 else words.unbroken(_HYPHEN.sub(_MINUS, part)) for place, part in parts
+        part if index % 2 else words.unbroken(_HYPHEN.sub(_MINUS, part)) for index, part in parts
     )
 
 
 def _cell(value: object) -> str:
-    """Return a value as a reader reads it: no True, no inf, no nan, no hyphen for a minus."""
+    """Return a value for people: no True, no inf, no nan, no hyphen for a minus."""
     if isinstance(value, bool | np.bool_):
         return "yes" if value else "no"
     text = f"{value:g}" if isinstance(value, float) else str(value)
@@ -279,23 +237,20 @@ def table(
     formats: Mapping[str, str] | None = None,
     names: Collection[str] = (),
 ) -> Markdown:
-    """Show a table; ``formats`` gives the format of a column's values, such as ``.3f``.
+    """Show a table, with formats of some columns, such as ``.3f``.
 
-    Columns of numbers, also of numbers in words such as ``95%``, are aligned on the right, but
-    not those of ``names``, which only look like numbers.
+    Columns of numbers, also with units such as ``95%``, are aligned on the right, except ``names``.
     """
     shown = frame.copy().astype(object)
     for column, spec in (formats or {}).items():
         shown[column] = [format(value, spec) for value in frame[column]]
-    index = frame.index.name is not None
-    if index:
+    if frame.index.name is not None:
         shown = shown.reset_index()
     shown = shown.map(_cell).rename(columns=heading)
-    numeric = [
-        name not in names and all(_NUMBER.fullmatch(str(value)) for value in shown[name])
+    alignment = [
+        "right" if name not in names and all(map(_NUMBER.fullmatch, shown[name])) else "left"
         for name in shown
     ]
-    alignment = ["right" if right else "left" for right in numeric]
     return Markdown(shown.to_markdown(index=False, colalign=alignment, disable_numparse=True))
 
 
@@ -306,50 +261,29 @@ class Download:
     name: str
     content: str
 
-    def _told(self) -> str:
+    def __repr__(self) -> str:
+        return f"{self._label()}, a link in the HTML edition."
+
+    def _label(self) -> str:
         shown = "table" if self.name.startswith("table-") else "figure"
         return f"Data of this {shown}: {self.name}"
 
-    def __repr__(self) -> str:
-        """Return what is shown where links are not."""
-        return f"{self._told()}, a link in the HTML edition."
-
     def _repr_html_(self) -> str:
         content = b64encode(self.content.encode()).decode()
-        return (
-            f'<a download="{self.name}" href="data:text/csv;charset=utf-8;base64,{content}">'
-            f"{self._told()}</a>"
-        )
+        address = f"data:text/csv;charset=utf-8;base64,{content}"
+        return f'<a download="{self.name}" href="{address}">{self._label()}</a>'
 
 
 def download(frame: pd.DataFrame, name: str) -> Download:
-    """Offer what a figure or table shows as a CSV file, on the page itself: no server is needed.
+    """Offer a table as a CSV file under a name such as ``fig-paper-2``, inside the page itself.
 
-    Numbers have ten digits, so that a last bit, which differs between processors, is not seen.
-
-    Parameters
-    ----------
-    frame : pandas.DataFrame
-        What the figure shows; its index is in the file if it has a name.
-    name : str
-        What the file is called, such as ``fig-paper-2``: lower-case letters, digits and hyphens.
-
-    Returns
-    -------
-    Download
-        What Jupyter and the book show as a link.
-
-    Raises
-    ------
-    ValueError
-        If the name has other characters, or the table is empty.
+    Numbers have ten digits, as the last bit differs between processors. The index is in the file
+    if it has a name. An empty table, or a name of other than lower-case letters, digits and
+    hyphens, is a ValueError.
 
     Examples
     --------
-    >>> link = download(pd.DataFrame({"hosts": [1, 2], "share": [1 / 3, 0.5]}), "fig-some")
-    >>> link
-    Data of this figure: fig-some.csv, a link in the HTML edition.
-    >>> print(link.content)
+    >>> print(download(pd.DataFrame({"hosts": [1, 2], "share": [1 / 3, 0.5]}), "fig-some").content)
     hosts,share
     1,0.3333333333
     2,0.5
@@ -367,39 +301,23 @@ def download(frame: pd.DataFrame, name: str) -> Download:
 
 
 def drawing(name: str) -> SVG:
-    """Show a drawing of the package, so that it is in the notebook wherever that goes."""
+    """Show a drawing of the package as a part of the notebook."""
     return SVG(data=data_path(f"{name}.svg", "discostorm_book").read_text(encoding="utf-8"))
 
 
 def messages(protocol: Protocol) -> Markdown:
     """Show a protocol's table of messages."""
-    return table(
-        pd.DataFrame(
-            {
-                "message": message.name,
-                "phase": message.phase,
-                "cast": message.cast,
-                "over": message.transport,
-                "how many": f"{message.per_unit:g} per {message.unit.name}",
-            }
-            for message in protocol.messages
-        )
-    )
+    rows = [
+        (m.name, m.phase, m.cast, m.transport, f"{m.per_unit:g} per {m.unit.name}")
+        for m in protocol.messages
+    ]
+    return table(pd.DataFrame(rows, columns=["message", "phase", "cast", "over", "how many"]))
 
 
 def shell(*commands: str, lines: int | None = None) -> Markdown:
-    """Run commands ``discostorm ...`` and show each with all that it prints.
+    """Run commands ``discostorm ...`` in this process, and show their output 79 letters wide.
 
-    They run in this process, at a fixed width, so that the output is the same everywhere.
-    Lines beyond this width are broken, as a terminal does. An exit code other than 0 is
-    shown as well.
-
-    Parameters
-    ----------
-    *commands : str
-        As typed into a shell, without pipes.
-    lines : int, optional
-        Show so many lines of the output, and say how many more there were.
+    Of each output so many lines are shown, all by default, and an exit code other than 0.
     """
     from click.testing import CliRunner
 
@@ -429,26 +347,17 @@ def shell(*commands: str, lines: int | None = None) -> Markdown:
 
 
 def payload_meaning(protocol: Protocol, message: Message) -> str:
-    """Return what the payload symbol of a message stands for."""
+    """Return the meaning of the payload symbol of a message."""
     return f"payload of {message.name}, a message of {protocol.name}"
 
 
 def notation(*protocols: Protocol) -> Markdown:
     """Show the notation, and after it the payload symbol of each message of the protocols."""
-    rows = [
-        (quantity.symbol, quantity.meaning, quantity.unit, quantity.source)
-        for quantity in NOTATION.values()
-    ]
+    rows = [(row.symbol, row.meaning, row.unit, row.source) for row in NOTATION.values()]
     rows += [
-        (
-            message.payload_symbol,
-            payload_meaning(protocol, message),
-            "B",
-            message.payload.source,
-        )
+        (m.payload_symbol, payload_meaning(protocol, m), "B", m.payload.source)
         for protocol in protocols
-        for message in protocol.messages
+        for m in protocol.messages
     ]
     frame = pd.DataFrame(rows, columns=["symbol", "meaning", "unit", "source"])
-    frame["symbol"] = [f"${latex(symbol)}$" for symbol in frame["symbol"]]
-    return table(frame)
+    return table(frame.assign(symbol=[f"${latex(symbol)}$" for symbol in frame["symbol"]]))

@@ -1,7 +1,7 @@
-"""What pages do in a browser: the data that their scripts read, and the questions that they ask.
+"""Data for the scripts of pages, and the questions that pages ask.
 
-A cell tagged ``remove-input`` and ``page-data`` shows what is made here. Nothing of it is seen
-without JavaScript, on paper, in the PDF or in Jupyter.
+Cells tagged ``remove-input`` and ``page-data`` carry them. Without JavaScript, on paper, in the PDF
+and in Jupyter they show nothing.
 """
 
 import json
@@ -26,33 +26,29 @@ from discostorm_book.facts import unfounded
 from discostorm_book.figures import convergence, meaning, message_charts
 from discostorm_book.notebook import payload_meaning
 
-#: Endpoints that all processes of a robot have together: the fewest and the most to choose [1].
+#: Endpoints that all processes of a robot have together: fewest and most to choose [1].
 LINE = (4, 100)
 #: Where the line begins: the paper's endpoints, in the most processes that Sec. IV-B names [1].
 LINE_PROCESSES = 8
 #: Where a reader's own starts begin: robots [1] and middleware.
 OWN = (10, "Fast DDS")
-#: Of the queue: endpoints of a process, fewest and most [1]; periods of announcements [s].
+#: Choices for the queue: endpoints of a process, fewest and most [1]; periods [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
-#: Of the blocks of airtime: fewest and most hosts, processes of each and endpoints of each [1].
+#: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
 BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
-#: How values of the radio are shown: the unit of the notation, and what it is multiplied by.
+#: Units of the notation as pages show them: a factor and the unit.
 _SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
+_CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
 
 
 def carried(name: str, data: Any, *files: str) -> HTML:
     """Put data on a page under a name, and load style sheets and scripts of ``book/_static``."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("</", r"<\/")
     parts = [f'<script type="application/json" id="{name}-data">{text}</script>']
-    for file in files:
-        address = f"../_static/{file}"
-        sheet = file.endswith(".css")
-        parts.append(
-            f'<link rel="stylesheet" href="{address}">'
-            if sheet
-            else f'<script src="{address}"></script>'
-        )
+    for address in (f"../_static/{file}" for file in files):
+        sheet = f'<link rel="stylesheet" href="{address}">'
+        parts.append(sheet if address.endswith(".css") else f'<script src="{address}"></script>')
     return HTML("\n".join(parts))
 
 
@@ -68,42 +64,22 @@ def guess(
 ) -> HTML:
     """Ask for a guess before a page's *In short* is read.
 
-    Parameters
-    ----------
-    question : str
-        What is asked; it says in words what it is about.
-    answer : float
-        What the package computes, in the unit: one of the facts of *In short*.
-    least, most, step : float
-        What the slider offers; the step has the digits that *In short* states.
-    unit : str
-        What stands behind the number, such as "s" or "times".
-    given : mapping of str to float, optional
-        Facts that the question states, in its order.
-
-    Raises
-    ------
-    ValueError
-        If the question states other numbers than those given, or the answer is out of reach.
-
-    Examples
-    --------
-    >>> asked = guess("How many?", 4.62, least=1, most=10, step=0.1, unit="times")
-    >>> print(asked.data.splitlines()[0][:96])
-    <script type="application/json" id="guess-data">{"question":"How many?","answer":4.6,"least":1,"
+    The question states numbers that are given as facts, in its order; the answer is a fact of *In
+    short*, in the unit that is shown after it. The step of the slider has the digits of that fact.
+    Other numbers in the question, or an answer out of the slider's reach, are a ValueError.
     """
     if problem := unfounded(question, given or {}):
         raise ValueError(f"the question and what is given disagree: {problem}")
     if not least < answer < most:
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
-    places = len(f"{step:g}".partition(".")[2])
+    digits = len(f"{step:g}".partition(".")[2])
     data = {
         "question": question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
-        "answer": round(float(answer), places),
+        "answer": round(float(answer), digits),
         "least": least,
         "most": most,
         "step": step,
-        "places": places,
+        "places": digits,
         "unit": unit,
     }
     return carried("guess", data, "chapters/pages.css", "guess.js")
@@ -111,11 +87,6 @@ def guess(
 
 def line_of_fig3() -> HTML:
     """Let the reader drag the line of Fig. 3: robots with so many endpoints in all."""
-    return carried("line", _line(), "chapters/pages.css", "chapters/chapter.js", "chapters/line.js")
-
-
-def _line() -> dict[str, Any]:
-    """Return where the panels of Fig. 3 are, and utilization as a polynomial for each protocol."""
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         known = protocol.values() | PAPER.values() | {N_H: figures.FIG3_HOSTS}
@@ -128,32 +99,27 @@ def _line() -> dict[str, Any]:
                 "terms": [[i, j, _short(factor)] for (i, j), factor in terms],
             }
         )
-    return {
-        **_places(figures.fig3()),
+    data = {
+        **_panels(figures.fig3()),
         "hosts": figures.FIG3_HOSTS,
         "protocols": protocols,
         "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
         "processes": [1, 10, LINE_PROCESSES],
     }
+    return carried("line", data, *_CHAPTER, "chapters/line.js")
 
 
 def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change endpoints and period of a startup, and see when its queue clears."""
-    data = _queue(protocol, hosts, processes, endpoints)
-    return carried("queue", data, "chapters/pages.css", "chapters/chapter.js", "chapters/queue.js")
-
-
-def _queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
-    """Return where the panel is, and when a startup sends how much airtime."""
     schedules = dict.fromkeys(message.schedule for message in protocol.messages)
     rounds = []
     for schedule in schedules:
-        once = [
+        once = tuple(
             replace(message, schedule=ONCE, answers=None)
             for message in protocol.messages
             if message.schedule == schedule
-        ]
-        table = Protocol(protocol.name, tuple(once))
+        )
+        table = Protocol(protocol.name, once)
         none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
         rounds.append(
             {
@@ -164,23 +130,22 @@ def _queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> di
             }
         )
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
-    steady = {
-        each: utilization(
-            meaning.announced_every(protocol, each), hosts, processes, endpoints, window=np.inf
-        )
-        for each in QUEUE_PERIODS
-    }
     swarm = {"processes": processes, "endpoints": endpoints}
-    return {
-        **_places(meaning.queue(protocol, hosts, swarm)),
+    tables = {each: meaning.announced_every(protocol, each) for each in QUEUE_PERIODS}
+    data = {
+        **_panels(meaning.queue(protocol, hosts, swarm)),
         "color": figures.property_of(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
-        "periods": [[each, _short(share)] for each, share in steady.items()],
+        "periods": [
+            [each, _short(utilization(table, hosts, processes, endpoints, window=np.inf))]
+            for each, table in tables.items()
+        ],
         "period": period,
         "endpoints": [*QUEUE_ENDPOINTS, endpoints],
     }
+    return carried("queue", data, *_CHAPTER, "chapters/queue.js")
 
 
 def scrub() -> HTML:
@@ -193,59 +158,39 @@ def scrub() -> HTML:
 
 def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
-    files = ("pages.css", "live.css", "chapter.js", "own.js")
-    chapters = (f"chapters/{name}" for name in files)
-    return carried("own", _own(rows, names), "live/live.js", *chapters)
-
-
-def _own(rows: pd.DataFrame, names: Sequence[str]) -> dict[str, Any]:
-    """Return where the panels are, what is simulated, and what the stored runs found."""
-    (processes,), (endpoints,) = set(rows["processes"]), set(rows["endpoints"])
-    (frames,), (seconds,) = set(rows["queue_frames"]), set(rows["queue_s"])
-    (until,), (runs,) = set(rows["until_s"]), set(rows["runs"])
+    columns = ["processes", "endpoints", "queue_frames", "queue_s", "until_s", "runs"]
+    (common,) = rows[columns].drop_duplicates().astype(object).to_dict("records")
     hosts, name = OWN
-    stored = rows.set_index(["protocol", "hosts"]).sort_index()
-    columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
-    return {
-        **_places(convergence.quartiles(rows, names)),
+    # For each number of robots the quartiles [s], None for never, and how many runs converged.
+    shown = ["hosts", *(f"convergence_time_s{end}" for end in ("_q25", "", "_q75")), "converged"]
+    stored = rows.sort_values("hosts").astype(object).replace({np.inf: None})
+    data = {
+        **_panels(convergence.quartiles(rows, names)),
         "begin": [names.index(name), hosts],
         "never": convergence.NEVER,
-        "runs": runs,
-        "processes": processes,
-        "endpoints": endpoints,
+        "runs": common["runs"],
+        "processes": common["processes"],
+        "endpoints": common["endpoints"],
         "setting": {
             "radio": sweeps.channel().name,
-            "queue": [frames, seconds],
-            "until": until,
+            "queue": [common["queue_frames"], common["queue_s"]],
+            "until": common["until_s"],
         },
         "middleware": [
             {
                 "name": name,
                 "color": figures.property_of(PROTOCOLS[name]),
-                # Of each number of robots the quartiles [s], and how many converged.
-                "stored": [
-                    [
-                        hosts,
-                        *(x if np.isfinite(x) else None for x in row[columns].tolist()),
-                        int(row["converged"]),
-                    ]
-                    for hosts, row in stored.loc[name].iterrows()
-                ],
+                "stored": stored.loc[stored["protocol"] == name, shown].to_numpy().tolist(),
             }
             for name in names
         ],
     }
+    files = ("pages.css", "live.css", "chapter.js", "own.js")
+    return carried("own", data, "live/live.js", *(f"chapters/{file}" for file in files))
 
 
 def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
-    sheets = ("chapters/pages.css", "chapters/blocks.css")
-    scripts = ("chapters/chapter.js", "chapters/blocks.js")
-    return carried("blocks", _blocks(hosts, processes, endpoints), *sheets, *scripts)
-
-
-def _blocks(hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
-    """Return what each message costs, how many there are as factors, and what symbols mean."""
     start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
     frames = message_charts.airtime_data().set_index(["message", "direction"])
     values: dict[sp.Symbol, float] = {}
@@ -286,15 +231,17 @@ def _blocks(hosts: int, processes: int, endpoints: int) -> dict[str, Any]:
             )
         color = figures.property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
-    return {
+    data = {
         "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
         "symbols": symbols,
         "protocols": protocols,
     }
+    sheets, scripts = ("pages.css", "blocks.css"), ("chapter.js", "blocks.js")
+    return carried("blocks", data, *(f"chapters/{file}" for file in (*sheets, *scripts)))
 
 
 def _factors(load: sp.Expr) -> list[list[Any]]:
-    """Return the factors of a number of messages: a symbol, what is taken off it, and a power."""
+    """Return the factors of a number of messages: a symbol, its subtrahend, and a power."""
     factors = []
     for factor in sp.Mul.make_args(sp.factor(load)):
         base, power = factor.as_base_exp()
@@ -317,9 +264,8 @@ def failures() -> HTML:
         }
         for name, (title, victim, routers) in failure_runs.ARRANGEMENTS.items()
     ]
-    sheets = ("chapters/pages.css", "chapters/failures.css")
-    scripts = ("chapters/chapter.js", "chapters/failures.js")
-    return carried("failures", data, *sheets, *scripts)
+    files = ("pages.css", "failures.css", "chapter.js", "failures.js")
+    return carried("failures", data, *(f"chapters/{file}" for file in files))
 
 
 def _short(value: Any) -> float:
@@ -327,15 +273,12 @@ def _short(value: Any) -> float:
     return float(f"{float(value):.12g}")
 
 
-def _places(figure: Figure) -> dict[str, Any]:
-    """Return the size of a figure [px], and where its panels are with the values at their ends.
-
-    Under ``narrow`` the same of the figure for phones, which it has become afterwards.
-    """
-    return {**_placed(figure), "narrow": _placed(mobile.narrowed(figure))}
+def _panels(figure: Figure) -> dict[str, Any]:
+    """Return the size of a figure [px], and where its panels are, also as it is for phones."""
+    return {**_measured(figure), "narrow": _measured(mobile.for_phone(figure))}
 
 
-def _placed(figure: Figure) -> dict[str, Any]:
+def _measured(figure: Figure) -> dict[str, Any]:
     with figures.style():
         figure.draw_without_rendering()
     panels = []

@@ -1,37 +1,11 @@
 """What DDS Security adds to a startup: swarms with it and without it, in the lab."""
 
-from functools import cache
-
-import numpy as np
 import pandas as pd
 
-from discostorm.data import read_data
-from discostorm_book.comparison import airtime_counted
-from discostorm_book.lab_counts import Point, points_of
+from discostorm.data import data_path
 
-#: Each product: what was run without security, beside it.
-PRODUCTS = {
-    "Fast DDS": ("fast_dds", "default"),
-    "Cyclone DDS": ("cyclone_dds_0.10", "spdp"),
-}
-#: What is protected: all that SROS2 protects by default, or discovery alone.
-ALL, DISCOVERY = "secure", "secure_discovery"
-HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
-
-
-def _median(point: Point, window: str, *kinds: str) -> float:
-    """Return the airtime of some kinds, of all if none is named, in the median of the runs [s]."""
-    runs = {key: counts for key, counts in point.runs.items() if not kinds or key[1] in kinds}
-    some = Point(point.name, point.use, point.fleet, runs, point.ready)
-    return float(np.median(airtime_counted(some, window, zenoh=False)))
-
-
-@cache
-def _points(product: str) -> tuple[tuple[Point, Point, Point], ...]:
-    """Return each swarm without security, with all of it, and for discovery alone."""
-    name, plain = PRODUCTS[product]
-    three = (points_of(name, variant, 1, "security_") for variant in (plain, ALL, DISCOVERY))
-    return tuple(zip(*three, strict=True))
+#: The products that ran with DDS Security.
+PRODUCTS = ("Fast DDS", "Cyclone DDS")
 
 
 def startups() -> pd.DataFrame:
@@ -42,26 +16,8 @@ def startups() -> pd.DataFrame:
     ``times_discovery`` compare these with the first [1]; ``handshake`` and ``keys`` are the parts
     of the secured startup that are either [1]; ``times_steady`` compares steady states [1].
     """
-    rows = []
-    for product in PRODUCTS:
-        for plain, secured, discovery in _points(product):
-            without, all_, some = (_median(one, "startup") for one in (plain, secured, discovery))
-            rows.append(
-                {
-                    "product": product,
-                    "swarm": plain.name[:-1],
-                    "matching": plain.name.endswith("m"),
-                    "without_s": without,
-                    "secured_s": all_,
-                    "discovery_s": some,
-                    "times": all_ / without,
-                    "times_discovery": some / without,
-                    "handshake": _median(secured, "startup", HANDSHAKE) / all_,
-                    "keys": _median(secured, "startup", KEYS) / all_,
-                    "times_steady": _median(secured, "steady") / _median(plain, "steady"),
-                }
-            )
-    return pd.DataFrame(rows)
+    path = data_path("measured/security.csv", "discostorm_book")
+    return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
 
 
 def strangers(product: str) -> pd.DataFrame:
@@ -70,13 +26,5 @@ def strangers(product: str) -> pd.DataFrame:
     Of its ``processes``, ``pairs`` are on different hosts, and the ``strangers`` never
     authenticated [1].
     """
-    found = pd.DataFrame(read_data("measured/security_runs.csv", "discostorm_book"))
-    found = found[(found["product"] == PRODUCTS[product][0]) & (found["strangers"] != "")]
-    hosts, each = found["hosts"].astype(int), found["processes"].astype(int)
-    return pd.DataFrame(
-        {
-            "processes": hosts * each,
-            "pairs": hosts * (hosts - 1) * each**2,
-            "strangers": found["strangers"].astype(int),
-        }
-    )
+    runs = pd.read_csv(data_path("measured/security_strangers.csv", "discostorm_book"))
+    return runs[runs["product"] == product].drop(columns="product")

@@ -1,4 +1,4 @@
-"""Stored sweeps for the chapters: what was simulated, and what ns-3 found beside it."""
+"""Stored sweeps for the chapters: simulated results, and those of ns-3."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,7 +17,7 @@ SWARM = (2, 10)
 
 
 def load(name: str, folder: str = "simulated") -> pd.DataFrame:
-    """Return a stored sweep, such as ``convergence``; what ns-3 found is in ``measured``."""
+    """Return a stored sweep, such as ``convergence``; those of ns-3 are in ``measured``."""
     # The planner reads this one, too.
     package = "discostorm_planner" if name == "staggered" else "discostorm_book"
     return pd.read_csv(data_path(f"{folder}/{name}.csv", package))
@@ -29,7 +29,7 @@ def channel(mpdus: int = 1) -> Wifi:
 
 
 def mixed(image_hz: float) -> Fleet:
-    """Return robots whose burst is beside user data, with that rate of their largest topic."""
+    """Return robots that also send user data, with that rate of their largest topic [Hz]."""
     fleet = Fleet.from_toml(data_path("fleets/mixed_data.toml"))
     (robots,) = fleet.groups
     data = tuple(replace(f, rate=image_hz) if f.topic == "image" else f for f in robots.data)
@@ -39,19 +39,13 @@ def mixed(image_hz: float) -> Fleet:
 def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
     """Return the airtime of each row's burst by the formula [s].
 
-    Parameters
-    ----------
-    rows : pandas.DataFrame
-        Columns protocol, hosts and mpdus.
-    channels : mapping, optional
-        Channel by the number of frames in an A-MPDU; default: `channel`.
+    Rows have a protocol, hosts and mpdus; by default, the channels by mpdus are those of `channel`.
     """
     channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
+    columns = zip(rows["protocol"], rows["hosts"], rows["mpdus"], strict=True)
     seconds = [
         utilization(PROTOCOLS[str(protocol)], int(hosts), *SWARM, channels[int(mpdus)])
-        for protocol, hosts, mpdus in zip(
-            rows["protocol"], rows["hosts"], rows["mpdus"], strict=True
-        )
+        for protocol, hosts, mpdus in columns
     ]
     return pd.Series(seconds, rows.index, dtype=float)
 
@@ -67,17 +61,15 @@ def drains() -> pd.DataFrame:
     cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
     ns3 = _frames(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
-    rows = rows.merge(
-        ns3[[*keys, "drain_time_s", "runs"]], on=keys, suffixes=("", "_ns3"), how="left"
-    )
-    rows = rows.rename(columns={"drain_time_s_ns3": "ns3_s"})
+    ns3 = ns3[[*keys, "drain_time_s", "runs"]].rename(columns={"drain_time_s": "ns3_s"})
+    rows = rows.merge(ns3, on=keys, suffixes=("", "_ns3"), how="left")
     rows["ratio"] = rows["drain_time_s"] / rows["formula_s"]
     rows["ratio_ns3"] = rows["ns3_s"] / rows["formula_s"]
     return rows
 
 
 def losses_beside_ns3() -> pd.DataFrame:
-    """Return what is lost with limited queues here and in ns-3, and the difference in points.
+    """Return deliveries lost with limited queues here and in ns-3, and the difference in points.
 
     The error of a difference of medians is from quartiles, as if the runs were normal.
     """
@@ -102,7 +94,7 @@ def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
 
 
 def capture_of_ns3() -> pd.DataFrame:
-    """Return what ns-3 loses where hosts stand on a disc, with the part of multicast."""
+    """Return the losses of ns-3 with hosts on a disc, with the share of multicast."""
     rows = _frames(load("ns3_capture", "measured"))
     many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
     rows["multicast_lost"] = rows["on_air"] / many / rows["runs"]
@@ -110,7 +102,7 @@ def capture_of_ns3() -> pd.DataFrame:
 
 
 def _frames(ns3: pd.DataFrame) -> pd.DataFrame:
-    """Return ns-3's rows with frames in an A-MPDU as the sweeps have them."""
+    """Return ns-3's rows with the mpdus of the sweeps."""
     return ns3.assign(mpdus=np.where(ns3["ampdu"] > 0, 64, 1))
 
 
@@ -120,16 +112,10 @@ def rounded_up(value: float, step: float) -> float:
 
 
 def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
-    """Return frames a second that arrive by Bianchi's chain of stations that always have some.
+    """Return the throughput of saturated stations by Bianchi's chain [frames/s].
 
-    Parameters
-    ----------
-    stations : sequence of int
-        How many, each by itself.
-    wifi : Wifi
-        The channel, with a radio.
-    success, collision : float
-        How long the channel is busy with one frame, and with frames that collide [s].
+    Each number of stations is by itself. A frame alone, and frames that collide, keep the channel
+    busy for these times [s]; the channel has a radio.
     """
     assert wifi.radio is not None
     slot, window = wifi.radio.slot, wifi.radio.cw_min + 1
@@ -157,12 +143,12 @@ def staggered(**wanted: object) -> pd.DataFrame:
 
 
 def sooner(row: pd.Series, other: pd.Series) -> bool:
-    """Return whether one converges sooner by more than the runs scatter."""
+    """Return whether the first converges sooner by more than the runs scatter."""
     return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
 
 
 def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
-    """Return how many times as long one takes, and the least and the most that it may be."""
+    """Return how many times as long one takes, with the min and max that the runs allow."""
     return (
         float(slow["convergence_time_s"] / fast["convergence_time_s"]),
         float(slow["convergence_time_s_low"] / fast["convergence_time_s_high"]),

@@ -21,7 +21,7 @@ from discostorm_simulation.result import CAUSES
 
 #: The seed of all starts: that of the chapter's sweeps.
 SEED = 2026
-#: What roles of messages are called.
+#: Names of the roles of messages.
 NAMES = {
     "announcement": "participant announcement",
     "data": "endpoint announcement",
@@ -54,12 +54,12 @@ class Start:
 
     @property
     def fleet(self) -> Fleet:
-        """Who is on the channel."""
+        """The robots on the channel."""
         return Fleet.swarm(self.hosts, self.processes, self.endpoints)
 
     @property
     def protocol(self) -> Protocol:
-        """What they send."""
+        """Their traffic."""
         return PROTOCOLS[self.table]
 
 
@@ -68,7 +68,7 @@ SMALL = Start("3 robots, unlimited queues", 3, 1, 2, None)
 FULL = Start("7 robots, queues of 500 frames", 7, *sweeps.SWARM, (500, 0.5))
 STARTS = (SMALL, FULL)
 
-#: What is known of a transmission: first as `Simulation.transmissions` has it.
+#: Columns of a transmission: first those of `Simulation.transmissions`.
 LOG = ("start", "end", "station", "kind", "frames", "outcome")
 #: Then the processes that its frame is from and for, which of the like messages between them it
 #: is, and when it came to the station [ticks].
@@ -78,45 +78,35 @@ COLUMNS = (*LOG, *FRAME, *CAUSES)
 
 
 def export() -> dict[str, Any]:
-    """Return what the page steps through: settings, columns, and what messages are called."""
+    """Return the page's data: settings of the starts, columns, and names of messages."""
     return {
         "columns": COLUMNS,
         "causes": {cause: LOSSES[cause] for cause in CAUSES},
-        "starts": [
-            {
-                "label": start.label,
-                "hosts": start.hosts,
-                "processes": start.processes,
-                # Of each robot, for each other one.
-                "announcements": start.processes**2 * start.endpoints,
-                "color": figures.property_of(start.protocol),
-                "messages": [
-                    {
-                        "name": NAMES[str(message.role)],
-                        "multicast": message.cast == "multicast",
-                        "endpoint": message.role == "data",
-                    }
-                    for message in start.protocol.messages
-                ],
-                "setting": {
-                    "table": start.table,
-                    "radio": sweeps.channel().name,
-                    "recovery": False,
-                    "fleet": {
-                        "groups": [
-                            {
-                                "hosts": start.hosts,
-                                "processes": start.processes,
-                                "endpoints": start.endpoints,
-                            }
-                        ]
-                    },
-                    "queue": start.queue,
-                    "seed": SEED,
-                },
-            }
-            for start in STARTS
-        ],
+        "starts": list(map(_exported, STARTS)),
+    }
+
+
+def _exported(start: Start) -> dict[str, Any]:
+    messages = [
+        {
+            "name": NAMES[str(message.role)],
+            "multicast": message.cast == "multicast",
+            "endpoint": message.role == "data",
+        }
+        for message in start.protocol.messages
+    ]
+    sizes = {name: getattr(start, name) for name in ("hosts", "processes", "endpoints")}
+    setting = {"table": start.table, "radio": sweeps.channel().name, "recovery": False}
+    setting |= {"fleet": {"groups": [sizes]}, "queue": start.queue, "seed": SEED}
+    return {
+        "label": start.label,
+        "hosts": start.hosts,
+        "processes": start.processes,
+        # Of each robot, for each other one.
+        "announcements": start.processes**2 * start.endpoints,
+        "color": figures.property_of(start.protocol),
+        "messages": messages,
+        "setting": setting,
     }
 
 
@@ -154,25 +144,26 @@ def rows(start: Start) -> NDArray[np.float64]:
 def table(start: Start) -> pd.DataFrame:
     """Return the transmissions of a start for people: one row each, in seconds."""
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
-    columns = [*COLUMNS, *(f"waiting_{name.replace(' ', '_')}" for name in names)]
-    found = pd.DataFrame(rows(start), columns=columns)
-    messages = [message.name for message in start.protocol.messages]
-    multicast = [message.cast == "multicast" for message in start.protocol.messages]
-    of_host = (found[["source", "destination"]] // start.processes).astype(int)
-    to_all = [multicast[int(kind)] for kind in found["kind"]]
+    waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
+    log = pd.DataFrame(rows(start), columns=[*COLUMNS, *waiting])
+    messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
+    hosts = (log[["source", "destination"]] // start.processes).astype(int)
+    receivers = zip(messages, hosts["destination"], strict=True)
+
+    def seconds(column: str) -> list[str]:
+        return [f"{tick * 1e-7:.7f}" for tick in log[column]]
+
     return pd.DataFrame(
         {
-            **{f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in found[end]] for end in LOG[:2]},
-            "station": [names[int(number)] for number in found["station"]],
-            "message": [messages[int(kind)] for kind in found["kind"]],
-            "frames": found["frames"].astype(int),
-            "outcome": ["success" if not failed else "collision" for failed in found["outcome"]],
-            "from": [names[host] for host in of_host["source"]],
-            "to": [
-                "all" if all_ else names[host]
-                for all_, host in zip(to_all, of_host["destination"], strict=True)
-            ],
-            "came_s": [f"{tick * 1e-7:.7f}" for tick in found["came"]],
-            **{name: found[name].astype(int) for name in columns[len(COLUMNS) :]},
+            "start_s": seconds("start"),
+            "end_s": seconds("end"),
+            "station": [names[int(number)] for number in log["station"]],
+            "message": [message.name for message in messages],
+            "frames": log["frames"].astype(int),
+            "outcome": np.where(log["outcome"] != 0, "collision", "success"),
+            "from": [names[host] for host in hosts["source"]],
+            "to": ["all" if m.cast == "multicast" else names[host] for m, host in receivers],
+            "came_s": seconds("came"),
+            **{name: log[name].astype(int) for name in waiting},
         }
     )

@@ -19,8 +19,8 @@ from discostorm.data import read_data
 from discostorm.messages import message
 from discostorm.notation import N_H, N_P
 from discostorm.uncertainty import saturation_bounds
-from discostorm_book.ledger import claim_tests, claims, criteria
-from discostorm_book.ledger.quantities import captured, evidence as found, frames, model
+from discostorm_book.ledger import claims, criteria
+from discostorm_book.ledger.quantities import captured, evidence, frames, model
 
 PAIRS = 7 * 6 * 2**2
 SEVEN = {name: paper.utilization(name, 7, 2, 10) for name in ("DDS", "Zenoh")}
@@ -75,8 +75,8 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (model.hosts_gained, (ds.DDS, 8, 40), 7 - 2),
     (model.kinds_over, ("UDP", ds.DDS, "SEDP"), 3),
     (model.kinds_over, ("TCP", ds.ZENOH, "all"), 2),
-    (found.default, ("Fast DDS", "initial_announcements"), 5),
-    (found.default, ("Zenoh", "keep_alives"), 4),
+    (evidence.default, ("Fast DDS", "initial_announcements"), 5),
+    (evidence.default, ("Zenoh", "keep_alives"), 4),
     (frames.timestamps_bytes, (), 10 + 2),
     (frames.overhead_of_named_intervals, ("multicast",), 34e-6 + 20e-6),
     (frames.overhead_of_named_intervals, ("unicast",), 34e-6 + 40e-6 + 16e-6 + 28e-6),
@@ -110,13 +110,13 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (frames.payload_spread, ("SPDP",), Fraction(400 - 300, 2 * 350)),
     (frames.multicast_cost, ("SPDP",), (8 * 414 / R_MULTI + O_MULTI) / (8 * 414 / R_UNI + O_UNI)),
     # Of SPDP, SEDP, Heartbeat and ACKNACK all but the Heartbeat.
-    (found.payloads_measured, (ds.DDS,), Fraction(3, 4)),
-    (found.start_saved, ("Zenoh router per host", 7), START_SAVED),
+    (evidence.payloads_measured, (ds.DDS,), Fraction(3, 4)),
+    (evidence.start_saved, ("Zenoh router per host", 7), START_SAVED),
     # All of five runs, and all of the orphans lost the others.
-    (found.runs_found, ("Fast DDS Discovery Server, two", "server cut off"), 1),
-    (found.runs_undisturbed, ("Fast DDS Discovery Server", "server cut off", "survivors"), 1),
+    (evidence.runs_found, ("Fast DDS Discovery Server, two", "server cut off"), 1),
+    (evidence.runs_undisturbed, ("Fast DDS Discovery Server", "server cut off", "survivors"), 1),
     (
-        found.runs_undisturbed,
+        evidence.runs_undisturbed,
         ("Zenoh router per host", "server killed", "orphans and survivors"),
         0,
     ),
@@ -133,7 +133,7 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     ),
     (model.control_share, (ds.ZENOH, 7, 2, 10), PAIRS * 2 * unicast(84) / TOTAL["Zenoh"]),
     (frames.lowest_basic_rate, (2.4,), 1e6),
-    (found.enumeration_ratio, (ds.ZENOH, 4, 2, 6), 1),
+    (evidence.enumeration_ratio, (ds.ZENOH, 4, 2, 6), 1),
     (frames.ht_rate, (8,), 2 * 65e6 / 10 / 0.9),
     (frames.ht_rate, (15,), 2 * 65e6 / 0.9),
     (frames.ht_rate_of_streams, (7, 1), 65e6 / 0.9),
@@ -153,9 +153,9 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     # Of 24 s, each 3 s and each 8 s.
     (captured.repeats, ("Fast DDS", "SPDP"), 8),
     (captured.repeats, ("Zenoh peer", "Scout"), 3),
-    (found.enumeration_agrees, (ds.ZENOH, 3, 2, 3), 1),
+    (evidence.enumeration_agrees, (ds.ZENOH, 3, 2, 3), 1),
     # SEDP messages of a host of two processes: to one other or to two, of one endpoint or three.
-    (found.enumerated_spread, (ds.DDS, "Heartbeat", 3, 2, 3), 2),
+    (evidence.enumerated_spread, (ds.DDS, "Heartbeat", 3, 2, 3), 2),
 ]
 
 
@@ -190,6 +190,10 @@ def by_key() -> dict[str, claims.Claim]:
     return {claim.key: claim for claim in claims.claims()}
 
 
+def criterion_of(key: str) -> criteria.Criterion:
+    return criteria.by_claim()[key]["test"]
+
+
 @pytest.fixture
 def fresh_values():
     """Compute quantities anew, and forget them afterwards."""
@@ -211,9 +215,9 @@ def test_verdicts_are_what_the_ledger_states() -> None:
 def test_every_test_is_of_a_claim_and_every_key_of_one() -> None:
     keys = [claim.key for claim in claims.claims()]
     assert len(set(keys)) == len(keys)
-    assert set(claim_tests.TESTS) <= set(keys)
-    assert set(claim_tests.WEAKER) <= set(claim_tests.TESTS)
-    assert set(claim_tests.NUMBERS) <= set(keys)
+    assert set(criteria.by_claim()) <= set(keys)
+    for key, by_role in criteria.by_claim().items():
+        assert "test" in by_role or "weaker" not in by_role, key
 
 
 @pytest.mark.parametrize("number", range(1, 11))
@@ -261,7 +265,7 @@ def test_what_is_called_measured_does_without_the_model(monkeypatch: pytest.Monk
     tests = [test for claim in claims.claims() for test in claim.tests]
     criteria._value.cache_clear()
     for name in ("message_costs", "utilization", "saturation_hosts"):
-        monkeypatch.setattr(found, name, refuse)
+        monkeypatch.setattr(evidence, name, refuse)
     told = {test.function.__name__ for test in tests if test.provenance == "measured"}
     assert {"runs_found", "sent_for_counted"} <= told
     for test in tests:
@@ -278,13 +282,13 @@ def test_claims_are_decided_by_what_their_sentences_say() -> None:
     every = by_key()
     # Chapter 22 has a burst that takes less than the model says.
     assert every["lower-bound"].outcome() == "fails"
-    assert found.burst_excess(ds.DDS, 2, 1) < 0
+    assert evidence.burst_excess(ds.DDS, 2, 1) < 0
     # Of collisions and back-offs, not of the time; the model has none.
-    assert every["bursts-are-worse"].test == criteria.Test(
-        found.collided, (ds.DDS, 7, 1), "is", "significant"
+    assert every["bursts-are-worse"].test == criteria.Criterion(
+        evidence.collided, (ds.DDS, 7, 1), "is", "significant"
     )
     # Of all that is exchanged reliably by each pair, not of its control messages alone.
-    assert every["surge-by-pairs"].test == criteria.Test(
+    assert every["surge-by-pairs"].test == criteria.Criterion(
         model.part_of_increase, (ds.DDS, "SEDP", 3, 8, 40), "is", "cause"
     )
     # Of the robot whose router died.
@@ -354,9 +358,10 @@ def test_a_changed_formula_changes_verdicts(monkeypatch):
     thrice = replace(
         ds.DDS, messages=tuple(replace(m, per_unit=3 * m.per_unit) for m in ds.DDS.messages)
     )
-    for key, test in claim_tests.TESTS.items():
-        given = tuple(thrice if each is ds.DDS else each for each in test.arguments)
-        monkeypatch.setitem(claim_tests.TESTS, key, replace(test, arguments=given))
+    for by_role in criteria.by_claim().values():
+        for role, test in by_role.items():
+            given = tuple(thrice if each is ds.DDS else each for each in test.arguments)
+            monkeypatch.setitem(by_role, role, replace(test, arguments=given))
     changed = {c.where for c in claims.claims() if c.test and not c.test.holds()}
     assert {"Eq. (1)", "Eq. (2)", "Eq. (3)", "Eq. (4)", "Eq. (5)", "Fig. 2"} <= changed
 
@@ -428,29 +433,29 @@ def test_every_row_says_in_which_paragraph_its_sentence_stands() -> None:
     numbers |= {"(11)": "IV-B", "(12)": "IV-B", "Table I": "II-B", "Table II": "IV-A"}
     numbers |= {f"Fig. {n}": "IV-C" for n in (2, 3, 4)}
     for claim in claims.claims():
-        found = []
+        sections = []
         for place in claim.place.split("; "):
             section, _, paragraph = place.removeprefix("Sec. ").partition(", ")
-            found.append(section)
+            sections.append(section)
             if paragraph != "item Host":
                 last = re.findall(r"\d+", paragraph)[-1]
                 assert 1 <= int(last) <= PARAGRAPHS[section], claim.key
         if claim.where.startswith(("Eq.", "Table", "Fig.")):
-            assert found == [numbers[claim.where.removeprefix("Eq. ")]], claim.key
+            assert sections == [numbers[claim.where.removeprefix("Eq. ")]], claim.key
             assert claim.found_at == f"{claim.where}; {claim.place}"
         else:
             said = [part.removeprefix("Sec. ") for part in claim.where.split(", ")]
-            assert found == said, claim.key
+            assert sections == said, claim.key
             assert claim.found_at == claim.place
 
 
-def test_a_soft_word_has_one_threshold_throughout() -> None:
+def test_a_vague_term_has_one_threshold_throughout() -> None:
     for claim in claims.claims():
         if not claim.test:
             continue
         read = {test.word for test in claim.tests if test.word}
         # Who says the word uses its threshold, and who uses it says the word.
-        for word in criteria.soft_words().values():
+        for word in criteria.vague_terms().values():
             said = re.search(word.forms, claim.statement) is not None
             assert said is (claim.test.word == word), (claim.statement, word.word)
         assert bool(read) == bool(claim.reading)
@@ -469,9 +474,9 @@ def test_there_is_no_threshold_but_those_of_the_words() -> None:
     assert free == {0, 1}
 
 
-def test_every_soft_word_is_used() -> None:
+def test_every_vague_term_is_used() -> None:
     used = {test.word for claim in claims.claims() for test in claim.tests}
-    assert used - {None} == set(criteria.soft_words().values())
+    assert used - {None} == set(criteria.vague_terms().values())
 
 
 def test_remarks_are_filled_in() -> None:
@@ -487,14 +492,14 @@ def test_remarks_are_filled_in() -> None:
     ("test", "message"),
     [
         ((frames.header, ("UDP",), "is", "huge"), "word must be one of approx.*; got 'huge'"),
-        ((found.default, ("OpenDDS", "lease"), "=", 1), "product must be .*; got 'OpenDDS'"),
+        ((evidence.default, ("OpenDDS", "lease"), "=", 1), "product must be .*; got 'OpenDDS'"),
         ((model.share, (ds.DDS, "SEDP_mesage", 7, 2, 10), "<", 1), "name must be .*_mesage'"),
         ((model.load, (ds.DDS, "Hello"), "=", 0), "name must be .* for DDS; got 'Hello'"),
     ],
 )
 def test_a_wrong_test_is_refused(test, message):
     with pytest.raises(ValueError, match=message):
-        criteria.Test(*test).holds()
+        criteria.Criterion(*test).holds()
 
 
 @pytest.mark.parametrize(
@@ -554,7 +559,7 @@ def test_a_wrong_test_is_refused(test, message):
     ],
 )
 def test_a_test_as_a_line_and_in_words(key: str, line: str, words: str) -> None:
-    test = claim_tests.TESTS[key]
+    test = criterion_of(key)
     assert test.text == line
     assert words in test.in_words()
 
@@ -569,9 +574,9 @@ def test_a_test_as_a_line_and_in_words(key: str, line: str, words: str) -> None:
     ],
 )
 def test_what_the_paper_says(key: str, paper: str, word: str | None) -> None:
-    test = claim_tests.TESTS[key]
+    test = criterion_of(key)
     assert test.paper == paper
-    assert test.word == (criteria.soft_words()[word] if word else None)
+    assert test.word == (criteria.vague_terms()[word] if word else None)
 
 
 def test_every_quantity_has_words_and_says_how_it_is_known() -> None:
@@ -609,10 +614,10 @@ def test_numbers_are_shown_to_four_digits_and_expressions_as_they_are() -> None:
     ],
 )
 def test_relations(said: tuple[Any, ...], holds: bool) -> None:
-    assert criteria.Test(frames.header, ("UDP",), *said).holds() is holds
+    assert criteria.Criterion(frames.header, ("UDP",), *said).holds() is holds
 
 
 def test_expressions_are_compared_for_all_values() -> None:
     asked = model.load, (ds.DDS, "SPDP"), "="
-    assert criteria.Test(*asked, N_P * N_H).holds()
-    assert not criteria.Test(*asked, N_P * N_H + 1).holds()
+    assert criteria.Criterion(*asked, N_P * N_H).holds()
+    assert not criteria.Criterion(*asked, N_P * N_H + 1).holds()

@@ -1,4 +1,4 @@
-"""Numbers at many places of a long array of bytes at once."""
+"""Numbers at many offsets of a long array of bytes at once, and tables as columns by name."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -7,56 +7,46 @@ import numpy as np
 from numpy.typing import NDArray
 
 Bytes = NDArray[np.uint8]
-Places = NDArray[np.int64]
+Offsets = NDArray[np.int64]
 Array = NDArray[Any]
 #: A table: columns of the same length by name.
 Columns = dict[str, Array]
 
-#: Zeros behind the last byte of a `Buffer`: as much may be read there without a look at the end.
+#: Zeros behind the last byte of a buffer: headers may be read there without a look at the end.
 PAD = 64
 
 
-def buffer(size: int) -> Bytes:
-    """Return an array of zeros for that many bytes, and the padding behind them."""
-    return np.zeros(size + PAD, np.uint8)
+def as_memory(data: Bytes) -> memoryview:
+    """Return the bytes for code that takes them one by one."""
+    return memoryview(data)
 
 
-def view(data: Bytes) -> memoryview:
-    """Return the bytes for what takes them one by one."""
-    return memoryview(data)  # type: ignore[arg-type]
-
-
-def number(data: Bytes, at: Places, dtype: str) -> Array:
-    """Return the numbers of that dtype, such as ``">u2"``, which start at the given places."""
+def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
+    """Return the number of a dtype such as ``">u2"`` that starts at each offset."""
     width = np.dtype(dtype).itemsize
-    # Element i of this view starts at byte i; nothing is copied but what is asked for.
-    numbers: Array = np.ndarray((len(data) - width + 1,), dtype, data, 0, (1,))
-    found: Array = numbers[at]
-    return found
+    # Element i of this array starts at byte i; only the requested elements are copied.
+    overlapping: Array = np.ndarray((len(data) - width + 1,), dtype, data, 0, (1,))
+    return overlapping[at]  # type: ignore[no-any-return]
 
 
-def numbers(data: Bytes, at: Places, dtype: str, count: int) -> Array:
-    """Return so many numbers in a row from each place on, a row of them a place."""
+def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
+    """Return `count` consecutive numbers from each offset on, as one row per offset."""
     width = count * np.dtype(dtype).itemsize
-    # To fetch them together takes as long as to fetch one.
-    rows: Array = np.ndarray((len(data) - width + 1,), f"V{width}", data, 0, (1,))[at]
-    return rows.view(dtype).reshape(-1, count)
+    return numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
 
 
-def take(table: Columns, chosen: Any) -> Columns:
-    """Return the chosen rows of a table."""
-    return {name: column[chosen] for name, column in table.items()}
+def take(table: Columns, rows: Any) -> Columns:
+    """Return rows of a table."""
+    return {name: column[rows] for name, column in table.items()}
 
 
 def stack(tables: list[Columns]) -> Columns:
-    """Return the rows of all tables, one after the other; there is at least one table."""
-    if len(tables) == 1:
-        return tables[0]
+    """Return the rows of all tables, at least one, in the columns of the first."""
     return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 
 
-def codes(*keys: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return a number for each different combination of keys, and where each is found first."""
+def factorize(*keys: Array) -> tuple[Offsets, Offsets]:
+    """Return a code for each distinct combination of keys, and the first row of each code."""
     import pandas as pd
 
     # Pandas wants the machine's own byte order.
@@ -66,13 +56,13 @@ def codes(*keys: Array) -> tuple[NDArray[np.int64], Array]:
         other, values = pd.factorize(key)
         code = pd.factorize(code * (len(values) + 1) + other)[0].astype(np.int64)
     first = np.full(int(code.max()) + 1 if len(code) else 0, -1, np.int64)
-    # The last that is written stays, so from the end.
+    # The last value that is written stays, so write from the end.
     first[code[::-1]] = np.arange(len(code) - 1, -1, -1)
     return code, first
 
 
-def times_before(code: Array) -> Array:
-    """Return how many times each number stands before its place."""
+def cumcount(code: Array) -> Offsets:
+    """Return how many equal elements precede each element."""
     order = np.argsort(code, kind="stable")
     begins = np.flatnonzero(np.diff(code[order], prepend=-1))
     before = np.empty(len(code), np.int64)
@@ -81,19 +71,18 @@ def times_before(code: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Numbers:
-    """A number for each of several byte strings, such as addresses, from 0 on."""
+class IdTable:
+    """A number from 0 on for each distinct byte string, such as an address."""
 
-    known: dict[bytes, int] = field(default_factory=dict)
+    ids: dict[bytes, int] = field(default_factory=dict)
 
-    def of(self, data: Bytes, at: Places, octets: int) -> NDArray[np.int32]:
-        """Return the numbers of the strings of so many bytes, a multiple of 4, at the places."""
-        keys = [number(data, at + place, "=u8") for place in range(0, octets - 7, 8)]
-        if octets % 8:
-            keys.append(number(data, at + octets - 4, "=u4"))
-        code, first = codes(*keys)
-        found = [
-            self.known.setdefault(data[place : place + octets].tobytes(), len(self.known))
-            for place in at[first].tolist()
-        ]
-        return np.array(found, np.int32)[code]
+    def id_of(self, key: bytes) -> int:
+        """Return the number of one byte string."""
+        return self.ids.setdefault(key, len(self.ids))
+
+    def ids_of(self, data: Bytes, at: Offsets, octets: int) -> NDArray[np.int32]:
+        """Return the numbers of the byte strings, a multiple of 4 long, at the offsets."""
+        keys = [numbers(data, at + offset, "=u4") for offset in range(0, octets, 4)]
+        code, first = factorize(*keys)
+        ids = [self.id_of(data[begin : begin + octets].tobytes()) for begin in at[first].tolist()]
+        return np.array(ids, np.int32)[code]

@@ -16,7 +16,7 @@ from discostorm.messages import (
     Message,
     Protocol,
 )
-from discostorm_capture import rtps, zenoh
+from discostorm_capture import rtps, zenoh_messages
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -105,7 +105,7 @@ def _with_publishers(shown: Shown, protocol: Protocol, rows: pd.DataFrame) -> Sh
 def spoken(protocol: Protocol) -> str | None:
     """Return which protocol on the wire has the messages of a table."""
     names = {message.kind for message in protocol.messages}
-    wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh.KINDS))
+    wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh_messages.KINDS))
     found = [wire for wire, kinds in wires if names & set(kinds)]
     return found[0] if len(found) == 1 else None
 

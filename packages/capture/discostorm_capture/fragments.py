@@ -1,171 +1,130 @@
-"""From fragments to IP packets."""
+"""From fragments of IP to datagrams."""
 
-from collections import Counter
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from discostorm_capture._bytes import (
-    Array,
-    Bytes,
-    Columns,
-    buffer,
-    codes,
-    take,
-    times_before,
-    view,
-)
+from discostorm_capture._bytes import PAD, Array, Bytes, Columns, as_memory, stack, take
 
 MISSING = "IP datagrams of which fragments are missing"
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
-_LIFETIME = 60_000_000_000
-#: So often it is tried to put together what overlaps and has holes.
-_MOST_FAILURES = 16
+LIFETIME = 60_000_000_000
+#: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
+_MAX_PENDING = 16
+_MAX_LENGTH = 0xFFFF
 
 
-def put_together(
-    pieces: Columns, data: Bytes, time: Array, notes: Counter[str]
+@dataclass
+class _Datagram:
+    """A datagram in reassembly: start, rows by offset, length (0 if unknown), bytes so far."""
+
+    since: int
+    rows: dict[int, int] = field(default_factory=dict)
+    total: int = 0
+    received: int = 0
+
+
+def reassemble(
+    data: Bytes, packets: Columns, time: Array, notes: Counter[str]
 ) -> tuple[Bytes, Columns]:
-    """Return what fragments make.
+    """Return IP packets with datagrams in place of their fragments, and the bytes that hold both.
 
-    Parameters
-    ----------
-    pieces : dict
-        The fragments, as `parse` returns them; none is cut.
-    data : numpy.ndarray
-        Where they are.
-    time : numpy.ndarray
-        Of each frame [ns].
-    notes : Counter
-        What could not be read is counted here.
-
-    Returns
-    -------
-    tuple
-        The bytes of the packets, and their table. A packet has the frame that completed it,
-        and ``parts``, the number of its frames.
+    A datagram has the frame that completed it, and ``parts``, the number of its frames. The first
+    fragment of a datagram that the capture truncates stays, to be read as far as it goes.
     """
-    pieces = take(pieces, pieces["offset"] + pieces["wire"] <= 0xFFFF)
-    group, _ = codes(*(pieces[key] for key in ("source", "target", "protocol", "id", "view")))
-    order = np.argsort(group, kind="stable")
-    pieces, group = take(pieces, order), group[order]
-    chosen, runs = _runs(pieces, group, data, time[pieces["frame"]], notes)
-    pieces = take(pieces, chosen)
-    # Each run of pieces makes one datagram, laid out one after the other.
-    first = np.flatnonzero(np.diff(runs, prepend=-1))
-    count = np.diff(first, append=len(runs))
-    last = first + count - 1
-    total = np.maximum.reduceat(pieces["offset"] + pieces["wire"], first) if len(first) else first
-    start = np.cumsum(total) - total
-    pool = buffer(int(total.sum()))
-    at = np.repeat(start, count) + pieces["offset"]
-    size = pieces["end"] - pieces["at"]
-    source, target = view(data), view(pool)
-    for to, from_, many in zip(at.tolist(), pieces["at"].tolist(), size.tolist(), strict=True):
-        target[to : to + many] = source[from_ : from_ + many]
-    frame = np.maximum.reduceat(pieces["frame"], first) if len(first) else pieces["frame"]
-    made = take(pieces, last) | {
-        "at": start,
-        "end": start + total,
-        "wire": total,
-        "frame": frame,
-        "parts": count.astype(np.int32),
-    }
-    return pool, made
+    is_fragment = (packets["offset"] > 0) | packets["more"]
+    if not is_fragment.any():
+        return data, packets
+    truncated = packets["end"] - packets["at"] < packets["wire"]
+    valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_LENGTH)
+    fragments = take(packets, is_fragment & ~truncated & valid)
+    rest = take(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
+    made = _reassembled(data, fragments, time, notes)
+    # The bytes of datagrams follow those of the file.
+    content = as_memory(data)
+    end, parts = len(data), [content]
+    begin, offsets, lengths = [], fragments["offset"].tolist(), fragments["wire"].tolist()
+    starts, ends = fragments["at"].tolist(), fragments["end"].tolist()
+    for datagram in made:
+        buffer = bytearray(datagram.total)
+        for row in datagram.rows.values():
+            buffer[offsets[row] : offsets[row] + lengths[row]] = content[starts[row] : ends[row]]
+        begin.append(end)
+        parts.append(memoryview(buffer))
+        end += len(buffer)
+    last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
+    at = np.array(begin, np.int64)
+    wire = np.array([one.total for one in made], np.int64)
+    whole = take(fragments, last) | {"at": at, "end": at + wire, "wire": wire}
+    whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
+    both = stack([rest, whole])
+    both = take(both, np.argsort(both["frame"], kind="stable"))
+    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8), both
 
 
-def _runs(
-    pieces: Columns, group: Array, data: Bytes, time: Array, notes: Counter[str]
-) -> tuple[Array, Array]:
-    """Return which pieces make whole datagrams, in order, and of each the datagram's number."""
-    late = (np.diff(group, prepend=-1) != 0) | (np.diff(time, prepend=time[:1]) > _LIFETIME)
-    run, easy = _in_order(pieces, late)
-    chosen, runs = np.flatnonzero(easy), run[easy]
-    # Those out of order, sent twice or with holes, one by one. What repeats a piece belongs to
-    # the next datagram of the kind, so that a packet seen twice counts twice as any other does.
-    part = np.cumsum(late)
-    code, first = codes(part, pieces["offset"], pieces["wire"])
-    left, layer = np.flatnonzero(~easy), np.zeros(len(group), np.int64)
-    layer[left] = times_before(code[left])
-    left = left[np.lexsort((left, layer[left], part[left]))]
-    together: list[list[int]] = []
-    now, since = (-1, 0), 0
-    for which in left.tolist():
-        kind, when = (int(group[which]), int(layer[which])), int(time[which])
-        if kind != now or when - since > _LIFETIME:
-            together.append([])
-            now, since = kind, when
-        together[-1].append(which)
-    hard: list[int] = []
-    hard_runs: list[int] = []
-    rests = []
-    for some in together:
-        made, rest = _out_of_order(pieces, some)
-        rests.append(rest)
-        for members in made:
-            hard += members
-            # Any number that no other datagram has.
-            hard_runs += [len(group) + members[0]] * len(members)
-    chosen = np.append(chosen, np.array(hard, np.int64))
-    # What only repeats pieces that were used, or that are missing anyway, is no datagram.
-    used = first.copy()
-    used[code[chosen]] = chosen
+def _reassembled(
+    data: Bytes, fragments: Columns, time: Array, notes: Counter[str]
+) -> list[_Datagram]:
+    """Return the complete datagrams that fragments make, in one pass over them."""
+    pending: dict[tuple[int, ...], list[_Datagram]] = defaultdict(list)
+    complete, incomplete = [], []
+    keys = ("source", "target", "protocol", "id", "view")
+    columns = (fragments[name].tolist() for name in (*keys, "offset", "wire", "more"))
+    times, lengths = time[fragments["frame"]].tolist(), fragments["wire"].tolist()
+    for row, (*key, offset, length, more) in enumerate(zip(*columns, strict=True)):
+        waiting = pending[tuple(key)]
+        while waiting and (times[row] - waiting[0].since > LIFETIME or len(waiting) > _MAX_PENDING):
+            incomplete.append(waiting.pop(0))
+        # A fragment that was sent twice belongs to the next datagram with the same id: a packet
+        # that the capture shows twice counts twice, as any other does.
+        datagram = next((one for one in waiting if offset not in one.rows), None)
+        if datagram is None:
+            waiting.append(datagram := _Datagram(times[row]))
+        datagram.rows[offset] = row
+        datagram.received += length
+        if not more:
+            datagram.total = offset + length
+        # Linux drops datagrams whose fragments overlap, too (RFC 5722).
+        if datagram.received == datagram.total and _is_contiguous(datagram, lengths):
+            waiting.remove(datagram)
+            complete.append(datagram)
+    incomplete += [datagram for waiting in pending.values() for datagram in waiting]
+    _note_missing(data, fragments, complete, incomplete, notes)
+    return complete
 
-    def repeats(which: int, other: int) -> bool:
-        one, two = (data[pieces["at"][at] : pieces["end"][at]] for at in (which, other))
-        return which != other and np.array_equal(one, two)
 
-    lost = 0
-    for rest in rests:
-        kinds = code[rest].tolist()
-        lost += not all(
-            repeats(which, used[kind]) or repeats(which, first[kind])
-            for which, kind in zip(rest, kinds, strict=True)
+def _is_contiguous(datagram: _Datagram, lengths: list[int]) -> bool:
+    """Return whether each fragment begins where the one before it ends."""
+    end = 0
+    for offset, row in sorted(datagram.rows.items()):
+        if offset != end:
+            return False
+        end += lengths[row]
+    return True
+
+
+def _note_missing(
+    data: Bytes,
+    fragments: Columns,
+    complete: list[_Datagram],
+    incomplete: list[_Datagram],
+    notes: Counter[str],
+) -> None:
+    """Count incomplete datagrams, but for repetitions of fragments that were used or counted."""
+
+    def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
+        return frozenset(
+            (
+                *(int(fragments[name][row]) for name in ("source", "target", "id", "offset")),
+                data[fragments["at"][row] : fragments["end"][row]].tobytes(),
+            )
+            for row in datagram.rows.values()
         )
-    if lost:
-        notes[MISSING] += lost
-    return chosen, np.append(runs, np.array(hard_runs, np.int64))
 
-
-def _in_order(pieces: Columns, late: Array) -> tuple[Array, Array]:
-    """Return of each piece the number of its run, and whether that is a whole datagram in order.
-
-    A run starts at the first piece of a datagram, and where ``late`` says so.
-    """
-    offset, more = pieces["offset"], pieces["more"]
-    start = late | (offset == 0)
-    follows = np.ones(len(offset), bool)
-    follows[1:] = offset[1:] == (offset + pieces["wire"])[:-1]
-    last = np.append(start[1:], True)
-    good = np.where(start, offset == 0, follows) & (more != last)
-    run = np.cumsum(start) - 1
-    return run, np.logical_and.reduceat(good, np.flatnonzero(start))[run]
-
-
-def _out_of_order(pieces: Columns, rows: list[int]) -> tuple[list[list[int]], list[int]]:
-    """Return the pieces of each datagram that some of one kind make, and what is left."""
-    made: list[list[int]] = []
-    waiting: dict[int, tuple[int, int]] = {}  # offset: (end, row)
-    total, held, failed = 0, 0, 0
-    for row in rows:
-        offset = int(pieces["offset"][row])
-        end = offset + int(pieces["wire"][row])
-        old = waiting.get(offset, (offset, 0))[0]
-        if old < end:
-            held += end - old
-            waiting[offset] = end, row
-        if not pieces["more"][row]:
-            total = end
-        if not total or held < total or failed > _MOST_FAILURES:
-            continue
-        covered, members = 0, []
-        for at, (behind, member) in sorted(waiting.items()):
-            if at > covered or covered >= total:
-                break
-            members.append(member)
-            covered = max(covered, behind)
-        if covered < total:
-            failed += 1  # overlaps, and a hole
-            continue
-        made.append(members)
-        waiting, total, held = {}, 0, 0
-    return made, [row for _, row in waiting.values()]
+    if not incomplete:
+        return
+    used = set().union(*map(contents, complete))
+    missing = {part for part in map(contents, incomplete) if not part <= used}
+    if missing:
+        notes[MISSING] += len(missing)

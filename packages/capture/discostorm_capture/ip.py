@@ -1,115 +1,129 @@
-"""From IP packets to UDP datagrams and TCP segments; fragments are put together."""
+"""From IP packets to UDP datagrams and TCP segments."""
 
 from collections import Counter
 from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm_capture._bytes import Array, Bytes, Columns, Numbers, number, numbers, stack, take
+from discostorm_capture._bytes import (
+    Array,
+    Bytes,
+    Columns,
+    IdTable,
+    number_rows,
+    numbers,
+    stack,
+    take,
+)
 
-TCP, UDP, FRAGMENT = 6, 17, 44
+ICMP, TCP, UDP, FRAGMENT = 1, 6, 17, 44
 #: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
 TUNNELS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
 #: IPsec's Encapsulating Security Payload, and the port of WireGuard.
 ENCRYPTED, WIREGUARD_PORT = 50, 51820
-#: IPv6 extension headers: hop by hop, routing, destination, mobility; each tells its length.
+#: IPv6 extension headers that tell their length: hop by hop, routing, destination, mobility.
 _EXTENSIONS = (0, 43, 60, 135)
 _AUTHENTICATION = 51
-_MOST_EXTENSIONS = 8
+_MAX_EXTENSIONS = 8
 
 
-def names(addresses: Numbers) -> list[str]:
+def address_names(addresses: IdTable) -> list[str]:
     """Return addresses as text, in the order of their numbers."""
-    return [str(ip_address(address)) for address in addresses.known]
+    return [str(ip_address(address)) for address in addresses.ids]
 
 
-def multicast(addresses: Numbers) -> Array:
-    """Return of each address whether it is one of multicast or broadcast."""
-    return np.array(
-        [
-            key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
-            for key in addresses.known
-        ],
-        bool,
-    )
+def is_multicast(addresses: IdTable) -> Array:
+    """Return whether each address is one of multicast or broadcast."""
+    groups = [
+        key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
+        for key in addresses.ids
+    ]
+    return np.array(groups, bool)
 
 
-def parse(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
-    """Return what IP packets carry.
+def is_loopback(addresses: IdTable) -> Array:
+    """Return whether each address is one of a host's own loopback."""
+    own = [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.ids]
+    return np.array(own, bool)
 
-    Takes what `link.ip_packets` returns. Adds ``source``, ``target`` (numbers of
-    addresses), ``protocol``, ``id``, ``offset`` of a fragment [B], ``more`` and ``wire``, the
-    bytes that were sent; ``at`` and ``end`` are those of the content then.
+
+def parse(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
+    """Return the content of IP packets.
+
+    Takes IP packets of `link.network_packets`. Adds ``source`` and ``target``, numbers of
+    addresses; ``protocol``; ``id``; ``offset`` of a fragment [B], and whether ``more`` follow;
+    ``wire``, the bytes that were sent; and ``parts``, the number of frames. ``at`` and ``end``
+    are those of the content then.
     """
-    version = data[found["at"]] >> 4
+    version = data[packets["at"]] >> 4
     if count := int(np.count_nonzero((version != 4) & (version != 6))):
         notes["packets that are said to be IP, and are not"] += count
-    parts = [
-        part
-        for number_, read in ((4, _version_4), (6, _version_6))
-        if (mine := version == number_).any()
-        for part in [read(data, take(found, mine), addresses, notes)]
+    tables = [
+        _version_4(data, take(packets, version == 4), addresses, notes),
+        _version_6(data, take(packets, version == 6), addresses),
     ]
-    return stack(parts) if parts else _version_4(data, take(found, slice(0)), addresses, notes)
+    both = stack(tables)
+    both = take(both, np.argsort(both["frame"], kind="stable"))
+    return both | {"parts": np.ones(len(both["at"]), np.int32)}
 
 
-def _version_4(data: Bytes, found: Columns, addresses: Numbers, notes: Counter[str]) -> Columns:
-    at = found["at"]
-    first, total, id_, flags, protocol = numbers(data, at, ">u2", 5).T.astype(np.int64, order="C")
+def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
+    """Return the content of packets of IPv4 (RFC 791)."""
+    at = packets["at"]
+    first, total, *_ = number_rows(data, at, ">u2", 2).T.astype(np.int64)
     header = (first >> 8 & 15) * 4
     # The card was to cut it into packets and to fill in the length.
-    total = np.where(total == 0, found["end"] - at, total)
+    total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
-    if count := int(np.count_nonzero(~good & (at + 20 <= found["end"]))):
+    if count := int(np.count_nonzero(~good & (at + 20 <= packets["end"]))):
         notes["IP packets with a broken header"] += count
-    good &= at + header <= found["end"]
-    if not good.all():
-        found, at, header, total = take(found, good), at[good], header[good], total[good]
-        id_, flags, protocol = id_[good], flags[good], protocol[good]
-    return found | {
-        "source": addresses.of(data, at + 12, 4),
-        "target": addresses.of(data, at + 16, 4),
-        "protocol": (protocol & 0xFF).astype(np.uint8),
-        "id": id_,
+    good &= at + header <= packets["end"]
+    packets, at, header, total = take(packets, good), at[good], header[good], total[good]
+    flags = numbers(data, at + 6, ">u2").astype(np.int64)
+    return packets | {
+        "source": addresses.ids_of(data, at + 12, 4),
+        "target": addresses.ids_of(data, at + 16, 4),
+        "protocol": data[at + 9],
+        "id": numbers(data, at + 4, ">u2").astype(np.int64),
         "offset": (flags & 0x1FFF) * 8,
         "more": flags & 0x2000 > 0,
         "wire": total - header,
         "at": at + header,
-        "end": np.minimum(found["end"], at + total),
+        "end": np.minimum(packets["end"], at + total),
     }
 
 
-def _version_6(data: Bytes, found: Columns, addresses: Numbers, _notes: Counter[str]) -> Columns:
-    found = take(found, found["end"] - found["at"] >= 40)
-    start = found["at"]
-    length = number(data, start + 4, ">u2").astype(np.int64)
-    length = np.where(length == 0, found["end"] - start - 40, length)
-    end = np.minimum(found["end"], start + 40 + length)
-    following = data[start + 6].astype(np.int64)
-    at = start + 40
-    id_, offset = np.zeros(len(at), np.int64), np.zeros(len(at), np.int64)
-    more, fragment = np.zeros(len(at), bool), np.zeros(len(at), bool)
-    for _ in range(_MOST_EXTENSIONS):
-        # What follows the header of a fragment is a piece of something.
-        inside = (at + 8 <= end) & ~fragment
-        cut = inside & (following == FRAGMENT)
+def _version_6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+    """Return the content of packets of IPv6 behind their extension headers (RFC 8200)."""
+    packets = take(packets, packets["end"] - packets["at"] >= 40)
+    start = packets["at"]
+    length = numbers(data, start + 4, ">u2").astype(np.int64)
+    length = np.where(length == 0, packets["end"] - start - 40, length)
+    end = np.minimum(packets["end"], start + 40 + length)
+    following, at = data[start + 6].astype(np.int64), start + 40
+    id_, offset = np.zeros((2, len(at)), np.int64)
+    more, is_fragment = np.zeros((2, len(at)), bool)
+    for _ in range(_MAX_EXTENSIONS):
+        # A part of a datagram follows the header of a fragment.
+        inside = (at + 8 <= end) & ~is_fragment
+        fragment = inside & (following == FRAGMENT)
         signed = inside & (following == _AUTHENTICATION)
-        step = inside & np.isin(following, _EXTENSIONS) | cut | signed
+        step = inside & np.isin(following, _EXTENSIONS) | fragment | signed
         if not step.any():
             break
         here = np.where(step, at, 0)
-        flags = number(data, here + 2, ">u2").astype(np.int64)
-        offset = np.where(cut, flags & 0xFFF8, offset)
-        more |= cut & (flags & 1 > 0)
-        id_ = np.where(cut, number(data, here + 4, ">u4"), id_)
-        fragment |= cut
+        flags = numbers(data, here + 2, ">u2").astype(np.int64)
+        offset = np.where(fragment, flags & 0xFFF8, offset)
+        more |= fragment & (flags & 1 > 0)
+        id_ = np.where(fragment, numbers(data, here + 4, ">u4"), id_)
+        is_fragment |= fragment
         length_field = data[here + 1].astype(np.int64)
         size = np.where(signed, 4 * (length_field + 2), 8 * (length_field + 1))
         following = np.where(step, data[here], following)
-        at = at + np.where(cut, 8, size * step)
-    return found | {
-        "source": addresses.of(data, start + 8, 16),
-        "target": addresses.of(data, start + 24, 16),
+        at = at + np.where(fragment, 8, size * step)
+    return packets | {
+        "source": addresses.ids_of(data, start + 8, 16),
+        "target": addresses.ids_of(data, start + 24, 16),
         "protocol": following.astype(np.uint8),
         "id": id_,
         "offset": offset,
@@ -120,51 +134,36 @@ def _version_6(data: Bytes, found: Columns, addresses: Numbers, _notes: Counter[
     }
 
 
-def loopback(addresses: Numbers) -> Array:
-    """Return of each address whether it is of a host's own loopback."""
-    return np.array(
-        [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.known],
-        bool,
-    )
-
-
-def is_piece(found: Columns) -> Array:
-    """Return which of the packets that `parse` found are fragments."""
-    return (found["offset"] > 0) | found["more"]
-
-
-def datagrams(data: Bytes, found: Columns) -> Columns:
-    """Return the UDP datagrams: ``at``, ``size`` and ``wire`` bytes of what they hold, ports."""
-    found = take(found, (found["protocol"] == UDP) & (found["end"] - found["at"] >= 8))
-    at = found["at"]
-    from_port, to_port, length, check = numbers(data, at, ">u2", 4).T.astype(np.int64, order="C")
-    wire = np.where((length >= 8) & (length <= found["wire"]), length, found["wire"]) - 8
-    return found | {
+def datagrams(data: Bytes, packets: Columns) -> Columns:
+    """Return UDP datagrams: their content's ``at``, ``size`` and ``wire`` bytes, and ports."""
+    packets = take(packets, (packets["protocol"] == UDP) & (packets["end"] - packets["at"] >= 8))
+    at = packets["at"]
+    from_port, to_port, length, check = number_rows(data, at, ">u2", 4).T.astype(np.int32)
+    wire = np.where((length >= 8) & (length <= packets["wire"]), length, packets["wire"]) - 8
+    return packets | {
         "at": at + 8,
-        "size": np.minimum(found["end"] - at - 8, wire),
+        "size": np.minimum(packets["end"] - at - 8, wire),
         "wire": wire,
-        "from_port": from_port.astype(np.int32),
-        "to_port": to_port.astype(np.int32),
+        "from_port": from_port,
+        "to_port": to_port,
         "check": check,
     }
 
 
-def segments(data: Bytes, found: Columns) -> Columns:
-    """Return the TCP segments, as `datagrams`, with ``sequence``, ``acknowledged``, ``flags``."""
-    found = take(found, (found["protocol"] == TCP) & (found["end"] - found["at"] >= 20))
-    at = found["at"]
-    header = (data[at + 12].astype(np.int64) >> 4) * 4
-    good = (header >= 20) & (header <= found["wire"])
-    if not good.all():
-        found, at, header = take(found, good), at[good], header[good]
-    return found | {
+def segments(data: Bytes, packets: Columns) -> Columns:
+    """Return TCP segments: the columns of `datagrams`, ``sequence`` and ``flags``."""
+    packets = take(packets, (packets["protocol"] == TCP) & (packets["end"] - packets["at"] >= 20))
+    header = (data[packets["at"] + 12].astype(np.int64) >> 4) * 4
+    good = (header >= 20) & (header <= packets["wire"])
+    packets, header = take(packets, good), header[good]
+    at = packets["at"]
+    return packets | {
         "at": at + header,
-        "size": np.maximum(found["end"] - at - header, 0),
-        "wire": found["wire"] - header,
-        "from_port": number(data, at, ">u2").astype(np.int32),
-        "to_port": number(data, at + 2, ">u2").astype(np.int32),
-        "check": number(data, at + 16, ">u2"),
-        "sequence": number(data, at + 4, ">u4"),
-        "acknowledged": number(data, at + 8, ">u4"),
+        "size": np.maximum(packets["end"] - at - header, 0),
+        "wire": packets["wire"] - header,
+        "from_port": numbers(data, at, ">u2").astype(np.int32),
+        "to_port": numbers(data, at + 2, ">u2").astype(np.int32),
+        "check": numbers(data, at + 16, ">u2").astype(np.int32),
+        "sequence": numbers(data, at + 4, ">u4").astype(np.int64),
         "flags": data[at + 13],
     }

@@ -1,239 +1,196 @@
-"""From packets as they were captured to IP packets: Ethernet, cooked, loopback, raw, 802.11."""
+"""From captured packets to packets of IP and ARP: Ethernet, cooked, loopback, raw, 802.11."""
 
+from array import array
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from struct import Struct
+from typing import NamedTuple
 
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._bytes import Array, Bytes, Columns, Places, number, stack, take
+from discostorm_capture._bytes import Columns, as_memory
+from discostorm_capture.pcap import Packets
 
-#: Which way a frame of a Wi-Fi network goes; 0 if it is none, or goes neither to nor from an
-#: access point.
+#: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.
 UP, DOWN = 1, 2
 
-IPV4, IPV6 = 0x0800, 0x86DD
-_TAGS = (0x8100, 0x88A8, 0x9100)
-#: PPPoE's sessions, with a header in front of PPP's type, which has numbers of its own; those from
-#: 0x8000 on are of PPP's control (RFC 2516, RFC 1661).
-_PPPOE, _PPPOE_HEADER = 0x8864, 6
-_PPP_IPV4, _PPP_IPV6, _PPP_CONTROL = 0x0021, 0x0057, 0x8000
-#: What no IP packet is in: ARP and RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests, and
-#: all below, which are lengths.
-_WITHOUT_IP = (0x0806, 0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
-_LEAST_TYPE = 0x600
-#: More tags than this, or words of radiotap flags, nobody sends.
-_MOST_TAGS, _MOST_WORDS = 4, 8
+IPV4, IPV6, ARP = 0x0800, 0x86DD, 0x0806
+_READ = (IPV4, IPV6, ARP)
+_VLAN, _MAX_VLAN_TAGS = (0x8100, 0x88A8, 0x9100), 4
+#: PPPoE's sessions, and PPP's types (RFC 2516, RFC 1661); those from 0x8000 on are its control.
+_PPPOE, _PPP_TYPES, _PPP_CONTROL = 0x8864, {0x0021: IPV4, 0x0057: IPV6}, 0x8000
+#: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests. Below
+#: the smallest EtherType are lengths.
+_WITHOUT_IP = (0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
+_MIN_ETHERTYPE = 0x600
+#: The family of IP in loopback headers; systems differ in IPv6's.
+_FAMILIES = {2, 10, 24, 28, 30}
+_MAX_PRESENT_WORDS = 8
+
+_u16, _u32 = Struct(">H").unpack_from, Struct(">I").unpack_from
+_le16, _le32 = Struct("<H").unpack_from, Struct("<I").unpack_from
 
 
-def ip_packets(data: Bytes, packets: Columns, link: int, notes: Counter[str]) -> Columns:
-    """Return the IP packets in packets of one link type.
+class Payload(NamedTuple):
+    """What a frame carries: its type, first byte and end, and where the capture shows it."""
 
-    Parameters
-    ----------
-    data : numpy.ndarray
-        Where they are.
-    packets : dict
-        ``at``, ``size`` and ``length`` of each, ``frame`` and ``interface``.
-    link : int
-        Their link type.
-    notes : Counter
-        What could not be read is counted here.
+    ethertype: int
+    at: int
+    end: int
+    #: A number for the interface, and on it for the direction of the frame.
+    view: int
+    way: int = 0
+    #: Whether the frame says that it is sent again.
+    retry: int = 0
 
-    Returns
-    -------
-    dict
-        Of each ``at``, its first byte, and ``end``, behind its last byte in the file; its
-        ``frame``, ``way``, ``view``, a number for the place it was seen at, and ``retry``,
-        whether the frame says that it is sent again.
+
+Notes = Counter[str]
+Reader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
+
+
+def network_packets(packets: Packets, notes: Notes) -> Columns:
+    """Return the packets of IP and ARP in captured packets.
+
+    Each has its ``frame``, the row of the captured packet, and the columns of `Payload`. What
+    could not be read is counted in the notes.
     """
-    reader = READERS.get(LINKS.get(link, ""))
-    if reader is None:
-        notes[f"packets of link type {link}, which is not read"] += len(packets["at"])
-        packets, reader = take(packets, slice(0)), _raw
-    found = {
-        "frame": packets["frame"],
-        "at": packets["at"],
-        "end": packets["at"] + packets["size"],
-        "way": np.zeros(len(packets["at"]), np.uint8),
-        "view": packets["interface"].astype(np.int64),
-        "retry": np.zeros(len(packets["at"]), bool),
-    }
-    return reader(data, found, notes)
+    data, rows = as_memory(packets.data), array("q")
+    readers = [READERS.get(LINKS.get(link, "")) for link in packets.links]
+    columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
+    for frame, (begin, size, interface) in enumerate(zip(*columns, strict=True)):
+        read = readers[interface]
+        if read is None:
+            link = packets.links[interface]
+            notes[f"packets of link type {link}, which is not read"] += 1
+            continue
+        for payload in read(data, begin, begin + size, interface, notes):
+            ethertype, at, end, *seen = payload
+            if ethertype not in _READ:
+                ethertype, at = _without_tags(data, ethertype, at, end)
+            if ethertype not in _READ:
+                if ethertype >= _MIN_ETHERTYPE and ethertype not in _WITHOUT_IP:
+                    notes[f"frames of EtherType 0x{ethertype:04x}, which is not read"] += 1
+            elif at < end:
+                rows.extend((frame, ethertype, at, end, *seen))
+    names = ("frame", *Payload._fields)
+    table = np.array(rows, np.int64).reshape(-1, len(names)).T.copy()
+    return dict(zip(names, table, strict=True))
 
 
-def _longer(found: Columns, least: int) -> Columns:
-    """Return those that have at least so many bytes."""
-    enough = found["end"] - found["at"] >= least
-    return found if enough.all() else take(found, enough)
-
-
-def _ip_only(data: Bytes, found: Columns, kind: Array, at: Places, notes: Counter[str]) -> Columns:
-    """Return those whose type is IP, after VLAN tags and PPPoE; the type stands before `at`."""
-    for _ in range(_MOST_TAGS):
-        tagged = np.isin(kind, _TAGS) & (at + 4 <= found["end"])
-        if not tagged.any():
+def _without_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
+    """Return the type and offset behind VLAN tags and PPPoE."""
+    for _ in range(_MAX_VLAN_TAGS):
+        if ethertype not in _VLAN or at + 4 > end:
             break
-        kind = np.where(tagged, number(data, at * tagged + 2, ">u2"), kind)
-        at = at + 4 * tagged
-    session = (kind == _PPPOE) & (at + _PPPOE_HEADER + 2 <= found["end"])
-    if session.any():
-        inner = number(data, at * session + _PPPOE_HEADER, ">u2")
-        types = (_PPP_IPV4, IPV4), (_PPP_IPV6, IPV6)
-        for ppp, type_ in types:
-            kind = np.where(session & (inner == ppp), type_, kind)
-        kind = np.where(session & (inner >= _PPP_CONTROL), 0, kind)
-        at = at + (_PPPOE_HEADER + 2) * session
-    is_ip = (kind == IPV4) | (kind == IPV6)
-    other = kind[~is_ip & (kind >= _LEAST_TYPE) & ~np.isin(kind, _WITHOUT_IP)]
-    for type_, count in zip(*np.unique(other, return_counts=True), strict=True):
-        notes[f"frames of EtherType 0x{type_:04x}, which is not read"] += int(count)
-    return take(found | {"at": at}, is_ip & (at < found["end"]))
+        ethertype, at = _u16(data, at + 2)[0], at + 4
+    if ethertype == _PPPOE and at + 8 <= end:
+        (protocol,) = _u16(data, at + 6)
+        ethertype, at = (
+            _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype),
+            at + 8,
+        )
+    return ethertype, at
 
 
-def _ethernet(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 14)
-    at = found["at"]
-    kind = number(data, at + 12, ">u2")
-    # Up to 1500 it is a length, and what follows is LLC.
-    at = at + 14
-    short = np.flatnonzero(kind <= 1500)
-    llc = short[_snap(data, at[short])]
-    kind[llc] = number(data, at[llc] + 6, ">u2")
-    at[llc] += 8
-    return _ip_only(data, found, kind, at, notes)
+def _snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
+    """Return the type and offset behind LLC if it says that SNAP follows; else 0."""
+    if end - at >= 8 and _u32(data, at)[0] == 0xAAAA0300 and not _u16(data, at + 4)[0]:
+        return _u16(data, at + 6)[0], at + 8
+    return 0, at
 
 
-def _snap(data: Bytes, at: Places) -> Array:
-    """Return where LLC says that SNAP follows, with a type of Ethernet."""
-    found: Array = (number(data, at, ">u4") == 0xAAAA0300) & (number(data, at + 4, ">u2") == 0)
-    return found
+def _ethernet(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+    if end - at >= 14:
+        ethertype, inner = _u16(data, at + 12)[0], at + 14
+        if ethertype <= 1500:  # a length
+            ethertype, inner = _snap(data, inner, end)
+        yield Payload(ethertype, inner, end, view)
 
 
-def _cooked(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 16)
-    at = found["at"]
-    # Sent or received: one packet may be seen as both.
-    view = (found["view"] << 8) | (number(data, at, ">u2") & 0xFF)
-    return _ip_only(data, found | {"view": view}, number(data, at + 14, ">u2"), at + 16, notes)
+def _cooked(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+    if end - at >= 16:
+        # Sent or received: the "any" interface may show a packet as both.
+        view = view << 8 | _u16(data, at)[0] & 0xFF
+        yield Payload(_u16(data, at + 14)[0], at + 16, end, view)
 
 
-def _cooked_2(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 20)
-    at = found["at"]
-    index = number(data, at + 4, ">u4").astype(np.int64)
-    view = (found["view"] << 40) | (index << 8) | data[at + 10]
-    return _ip_only(data, found | {"view": view}, number(data, at, ">u2"), at + 20, notes)
+def _cooked_2(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+    if end - at >= 20:
+        view = (view << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
+        yield Payload(_u16(data, at)[0], at + 20, end, view)
 
 
-def _loopback(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 4)
-    # The family is in the byte order of the machine that captured, so its IPv6 differs, too.
-    family = number(data, found["at"], ">u4")
-    family = np.where(family > 0xFFFF, family.byteswap(), family)
-    is_ip = np.isin(family, (2, 10, 24, 28, 30))
-    if count := int(np.count_nonzero(~is_ip)):
-        notes["packets of loopback that are not IP"] += count
-    return take(found | {"at": found["at"] + 4}, is_ip)
+def _loopback(data: memoryview, at: int, end: int, view: int, notes: Notes) -> Iterator[Payload]:
+    if end - at >= 4:
+        # The family is in the byte order of the machine that captured.
+        if {_u32(data, at)[0], _le32(data, at)[0]} & _FAMILIES:
+            yield Payload(IPV4, at + 4, end, view)
+        else:
+            notes["packets of loopback that are not IP"] += 1
 
 
-def _raw(_data: Bytes, found: Columns, _notes: Counter[str]) -> Columns:
-    return _longer(found, 1)
+def _raw(_data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+    yield Payload(IPV4, at, end, view)
 
 
-def _radiotap(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 8)
-    at = found["at"]
-    length = number(data, at + 2, "<u2").astype(np.int64)
-    # The flags stand behind a time stamp, if there is one, at a multiple of eight.
-    words = np.ones(len(at), np.int64)
-    for _ in range(_MOST_WORDS):
-        last = at + 4 * words
-        more = (number(data, last, "<u4") >> 31 == 1) & (4 + 4 * words < length)
-        if not more.any():
-            break
-        words = words + more
-    present = number(data, at + 4, "<u4")
-    place = 4 + 4 * words
-    place = np.where(present & 1, (place + 7 & ~7) + 8, place)
-    flags = np.where((present & 2 > 0) & (place < length), data[at + place.clip(0, 64)], 0)
-    found = found | {"at": at + length, "end": found["end"] - 4 * (flags & 0x10 > 0)}
-    if broken := int(np.count_nonzero(flags & 0x40)):
-        notes["Wi-Fi frames with a wrong check sequence, left out"] += broken
-    good = (flags & 0x40 == 0) & (data[at] == 0) & (length >= 8)
-    return _wifi(data, take(found, good), notes, padded=(flags & 0x20 > 0)[good])
+def _radiotap(data: memoryview, at: int, end: int, view: int, notes: Notes) -> Iterator[Payload]:
+    if end - at < 8:
+        return
+    (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
+    while (
+        words <= _MAX_PRESENT_WORDS
+        and 4 + 4 * words < length
+        and _le32(data, at + 4 * words)[0] >> 31
+    ):
+        words += 1
+    # The flags follow a time stamp, if there is one, at a multiple of eight.
+    offset = 4 + 4 * words
+    offset = (offset + 7 & ~7) + 8 if present & 1 else offset
+    flags = data[at + offset] if present & 2 and offset < length else 0
+    if flags & 0x40:
+        notes["Wi-Fi frames with a wrong check sequence, left out"] += 1
+    elif data[at] == 0 and length >= 8:
+        end -= 4 if flags & 0x10 else 0
+        yield from _wifi(data, at + length, end, view, notes, padded=flags & 0x20 > 0)
 
 
-def _wifi_plain(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    return _wifi(data, found, notes, np.zeros(len(found["at"]), bool))
-
-
-def _wifi(data: Bytes, found: Columns, notes: Counter[str], padded: Array) -> Columns:
-    enough = found["end"] - found["at"] >= 24
-    found, padded = take(found, enough), padded[enough]
-    at = found["at"]
-    first, second = data[at], data[at + 1]
+def _wifi(
+    data: memoryview, at: int, end: int, view: int, notes: Notes, padded: bool = False
+) -> Iterator[Payload]:
     # Data, of the subtypes that carry some.
-    is_data = (first & 0x4F) == 0x08
-    protected = is_data & (second & 0x40 > 0)
-    if count := int(np.count_nonzero(protected)):
-        notes["encrypted Wi-Fi frames"] += count
-    pieces = is_data & ((second & 0x04 > 0) | (data[at + 22] & 0x0F > 0))
-    if count := int(np.count_nonzero(pieces & ~protected)):
-        notes["fragments of Wi-Fi frames"] += count
-    readable = is_data & ~protected & ~pieces
-    found, padded = take(found, readable), padded[readable]
-    at, first, second = found["at"], first[readable], second[readable]
-    to, from_ = second & 1 > 0, second & 2 > 0
-    qos = first & 0x80 > 0
-    control_at = at + 24 + 6 * (to & from_)
-    header = 24 + 6 * (to & from_) + 2 * qos + 4 * (qos & (second & 0x80 > 0))
-    header = np.where(padded, header + 3 & ~3, header)
-    inside = control_at < found["end"]
-    bundle = qos & inside & (data[np.where(inside, control_at, 0)] & 0x80 > 0)
-    found = found | {
-        "at": at + header,
-        "way": np.where(to & ~from_, UP, np.where(from_ & ~to, DOWN, 0)).astype(np.uint8),
-        "view": (found["view"] << 2) | to | from_ * 2,
-        "retry": second & 0x08 > 0,
-    }
-    return stack(
-        [
-            _llc(data, take(found, ~bundle), notes),
-            _llc(data, _subframes(data, take(found, bundle)), notes),
-        ]
-    )
+    if end - at < 24 or data[at] & 0x4F != 0x08:
+        return
+    first, second = data[at], data[at + 1]
+    if second & 0x40:
+        notes["encrypted Wi-Fi frames"] += 1
+        return
+    if second & 0x04 or data[at + 22] & 0x0F:
+        notes["fragments of Wi-Fi frames"] += 1
+        return
+    distribution, has_qos = second & 3, first & 0x80 > 0  # To DS, From DS
+    control = at + 24 + 6 * (distribution == 3)
+    header = control - at + 2 * has_qos + 4 * (has_qos and second & 0x80 > 0)
+    inner = at + (header + 3 & ~3 if padded else header)
+    seen = view << 2 | distribution, {1: UP, 2: DOWN}.get(distribution, 0), second >> 3 & 1
+    if not (has_qos and control < end and data[control] & 0x80):
+        yield Payload(*_snap(data, inner, end), end, *seen)
+        return
+    while inner + 14 <= end:  # an A-MSDU: each part behind its own addresses and length
+        length = 14 + _u16(data, inner + 12)[0]
+        part_end = min(inner + length, end)
+        yield Payload(*_snap(data, inner + 14, part_end), part_end, *seen)
+        inner += length + 3 & ~3
 
 
-def _subframes(data: Bytes, found: Columns) -> Columns:
-    """Return what A-MSDUs hold, each behind its own addresses and length."""
-    parts = [take(found, slice(0))]
-    at = found["at"]
-    while len(found["at"]):
-        inside = at + 14 <= found["end"]
-        found, at = take(found, inside), at[inside]
-        length = number(data, at + 12, ">u2").astype(np.int64)
-        end = np.minimum(at + 14 + length, found["end"])
-        parts.append(found | {"at": at + 14, "end": end})
-        at = at + (14 + length + 3 & ~3)
-    return stack(parts)
-
-
-def _llc(data: Bytes, found: Columns, notes: Counter[str]) -> Columns:
-    found = _longer(found, 8)
-    found = take(found, _snap(data, found["at"]))
-    return _ip_only(data, found, number(data, found["at"] + 6, ">u2"), found["at"] + 8, notes)
-
-
-Reader = Callable[[Bytes, Columns, Counter[str]], Columns]
-#: What reads a link type, by what the data file calls it.
+#: What reads a link type, by its name in the data file.
 READERS: dict[str, Reader] = {
     "Ethernet": _ethernet,
     "Linux cooked": _cooked,
     "Linux cooked v2": _cooked_2,
     "loopback": _loopback,
     "raw IP": _raw,
-    "IEEE 802.11": _wifi_plain,
+    "IEEE 802.11": _wifi,
     "IEEE 802.11 with radiotap": _radiotap,
 }
 LINKS = {

@@ -1,54 +1,41 @@
-"""From a file to a capture: its messages, processes and notes."""
+"""From a file to a capture: packets, datagrams and streams, messages, tables."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
-from functools import lru_cache
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
-from discostorm_capture import files, ip, network_events, rtps, zenoh
-from discostorm_capture._bytes import Array, Columns, codes, stack
-from discostorm_capture.dissector import PROTOCOLS, RTPS, ZENOH, Gathered, KnownProcess
+from discostorm_capture import (
+    files,
+    fragments,
+    ip,
+    network_events,
+    rtps,
+    rtps_processes,
+    tcp,
+    transport,
+    zenoh,
+    zenoh_messages,
+)
+from discostorm_capture._bytes import Array, Columns, stack, take
 from discostorm_capture.result import Capture
-from discostorm_capture.zenoh_reader import TCP_KINDS, read_zenoh
+from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, categories
+from discostorm_capture.transport import Transport
 
 if TYPE_CHECKING:
     import pandas as pd
 
 NANOSECOND = 1e-9
-#: Packets read at a time, so that what is computed on the way stays small.
-_AT_A_TIME = 1 << 15
-#: What is seen twice is seen within this time [ns]: on several interfaces, or up and down.
-_TWICE = 1_000_000_000
-AGAIN = "packets seen again, on another interface or way, or mirrored; they are not compared"
-#: A clock that goes back by more than the first was set, or on by the second may have been [ns].
-_BACK, _ON = 1_000_000_000, 30_000_000_000
-WAYS = ("", "up", "down")
-#: The columns of messages and their types.
-_TYPES: dict[str, Any] = {
-    "frame": np.int32,
-    "protocol": np.uint8,
-    "kind": np.uint16,
-    "submessage": np.uint8,
-    "entity": np.uint8,
-    "size": np.int32,
-    "reader": np.uint32,
-    "writer": np.uint32,
-    "number": np.int32,
-    "missing": np.int16,
-    "bytes": np.int32,
-    "process": np.int32,
-    "peer": np.int32,
-    "source": np.int32,
-    "target": np.int32,
-    "way": np.uint8,
-    "udp": bool,
-    "ends": bool,
-    "frames": np.float32,
-}
+#: A clock was set back if time goes back by more than the first, and may have been set forward if
+#: time goes on by more than the second [ns].
+_CLOCK_STEP_BACK, _CLOCK_STEP_FORWARD = 1_000_000_000, 30_000_000_000
+_WAYS = ("", "up", "down")
+#: Notes on what a file lacks of what was sent.
+_CAPTURE_GAPS = (fragments.MISSING, tcp.GAPS)
 
 
 def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
@@ -73,7 +60,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         If the file cannot be opened.
     CaptureError
         If it is no capture, is broken or ends inside of a packet; the message names the
-        file and the place. It is a ValueError.
+        file and the byte. It is a ValueError.
     TypeError
         If `path` is neither a path nor a file opened in binary mode.
 
@@ -87,269 +74,208 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
     np.float64(240.0)
     """
-    packets = files.read(path)
-    found = Gathered(packets)
-    rows = _rows(found, len(packets.table["at"]))
-    processes = _processes(found, rows)
-    # Clocks are set back, and files are merged.
+    packets, notes = files.read(path), Counter[str]()
     time = packets.table["time"]
-    begin = int(time.min()) if len(time) else 0
-    since = (time - begin) * NANOSECOND
-    jumps, first, last = _jumps(time), *map(float, since[[0, -1]] if len(since) else (0.0, 0.0))
-    addresses = ip.names(found.addresses)
-    messages = _message_table(rows, since, found, addresses, [one.name for one in processes])
+    carried = transport.carried(packets, notes)
+    duplicates = transport.duplicate_frames(carried, time, notes)
+    streams = tcp.streams(take(carried.segments, ~duplicates[carried.segments["frame"]]))
+    dissections, events = _dissected(carried, streams, notes)
+    messages, processes = _combined(dissections)
+    messages["copy"] = duplicates[messages["frame"]]
+    # Clocks are set back, and files are merged.
+    start = int(time.min()) if len(time) else 0
+    since = (time - start) * NANOSECOND
+    first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
+    steps = _clock_steps(time)
+    truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
+    gaps = [f"{count} {note}" for note, count in notes.items() if note in _CAPTURE_GAPS]
+    if truncated:
+        gaps.insert(0, f"{truncated} packets were cut when they were captured (snaplen)")
+    table = _message_table(messages, since, carried, [process.name for process in processes])
     return Capture(
         path=packets.name,
         packets=len(time),
-        start=begin * NANOSECOND,
+        start=start * NANOSECOND,
         duration=float(since.max()) if len(time) else 0.0,
-        notes=_notes(found, processes, messages),
-        _messages=messages,
-        _processes=_process_table(processes, since, addresses),
-        _asides=_aside_table(found, since, addresses),
-        _jumps=jumps,
+        notes=_notes(truncated, len(time), notes, processes, table),
+        _messages=table,
+        _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
+        _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
+        _truncated=truncated,
+        _clock_steps=steps,
         _first=first,
-        _last=last - first - sum(step for _, step in jumps),
-        _others=_others(found, rows, len(time)),
-        _lost=tuple(found.lost()),
-        _cut=found.cut,
+        _last=last - first - sum(step for _, step in steps),
+        _packets_without_messages=_packets_without_messages(carried, messages),
+        _capture_gaps=tuple(gaps),
     )
 
 
-def _rows(found: Gathered, size: int) -> Columns:
-    """Return the messages in so many packets, in the order of the frames that completed them."""
-    for begin in range(0, size, _AT_A_TIME):
-        found.packets_of(begin, min(begin + _AT_A_TIME, size))
-    found.fragments()
-    found.note_domains()
-    copies = _copies(found, size)
-    read_zenoh(found, copies)
-    # What is complete is taken away, so that nothing is held twice for long.
-    parts, found.rows = [{}, *found.rows], []
-    rows = stack([_complete(parts.pop(0)) for _ in range(len(parts))])
-    rows["copy"] = copies[rows["frame"]]
-    order = np.argsort(rows["frame"], kind="stable")
-    for name in list(rows):
-        rows[name] = rows[name][order]
-    return rows
+def _dissected(
+    carried: Transport, streams: tcp.Streams, notes: Counter[str]
+) -> tuple[list[Dissection], Columns]:
+    """Return the messages and processes of each protocol, and the events of the network."""
+    data, datagrams, segments = carried.data, carried.datagrams, carried.segments
+    is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
+    transport.note_encrypted(data, take(datagrams, ~is_rtps), notes)
+    scouts, others = zenoh.split_scouting(carried, take(datagrams, ~is_rtps))
+    over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
+    if count := int(np.count_nonzero(over_tcp)):
+        notes["TCP segments with RTPS over TCP"] += count
+    dissections = [
+        rtps_processes.dissect(carried, take(datagrams, is_rtps), notes),
+        zenoh.dissect(carried, scouts, others, streams, notes),
+    ]
+    exchanges = network_events.exchanges(others), network_events.connections(streams)
+    return dissections, stack([carried.events, *exchanges])
 
 
-def _complete(part: Columns) -> Columns:
-    """Return all columns of messages; what a part lacks is 0, of processes -1."""
-    size = len(part["frame"]) if part else 0
-    return {
-        name: part[name].astype(kind, copy=False)
-        if name in part
-        else np.full(size, -1 if name in ("process", "peer") else 0, kind)
-        for name, kind in _TYPES.items()
+def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
+    """Return all messages in the order of frames, and all processes as they appeared.
+
+    Messages number processes in that order, and have -1 for those that are only spoken to.
+    """
+    processes = sorted(
+        (process.first_frame, number, index, process)
+        for number, part in enumerate(dissections)
+        for index, process in part.processes.items()
+    )
+    tables = []
+    for number, part in enumerate(dissections):
+        size = 1 + max(int(part.messages[name].max(initial=-1)) for name in ("process", "peer"))
+        positions = np.full(size + 1, -1, np.int32)  # the last one is of -1
+        for position, (_, of, index, _) in enumerate(processes):
+            if of == number and index < size:
+                positions[index] = position
+        ends = {name: positions[part.messages[name]] for name in ("process", "peer")}
+        tables.append(part.messages | ends)
+    messages = stack(tables)
+    order = np.argsort(messages["frame"], kind="stable")
+    return take(messages, order), [process for *_, process in processes]
+
+
+def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
+    """Return where the clock of a capture seems to have been set: frame and step [s]."""
+    step = np.diff(time)
+    frames = np.flatnonzero((step < -_CLOCK_STEP_BACK) | (step > _CLOCK_STEP_FORWARD))
+    return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
+
+
+def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
+    """Return how many packets of each kind there are without a message [1]."""
+    frames = messages["frames"].astype(np.float64)
+    udp = round(float(frames[messages["udp"]].sum()))
+    tcp_ = round(float(frames[~messages["udp"]].sum()))
+    return carried.packets | {
+        "UDP": carried.packets["UDP"] - udp,
+        "TCP": carried.packets["TCP"] - tcp_,
     }
 
 
-def _copies(found: Gathered, size: int) -> Array:
-    """Return of each frame whether it shows what another one showed before.
-
-    That is so on another interface or way, and where a mirror port or a merged file has it twice:
-    who numbers packets does not use a number again that soon (RFC 6864, 4.1).
-    """
-    copies = np.zeros(size, bool)
-    if not found.sights:
-        return copies
-    sights = stack(found.sights)
-    found.sights = []
-    keys = ("source", "target", "from_port", "to_port", "id", "wire", "check", "tail")
-    code, _ = codes(*(sights[key] for key in keys))
-    many = np.flatnonzero(np.bincount(code)[code] > 1)
-    order = many[np.lexsort((sights["frame"][many], code[many]))]
-    group, view, frame = code[order], sights["view"][order], sights["frame"][order]
-    time = found.packets.table["time"][frame]
-    told = (sights["id"][order] > 0) & (sights["check"][order] > 0)
-    again = (sights["retry"] > 0)[order] | told
-    now, since, place = -1, 0, 0
-    for which, when, where, numbered, number_ in zip(
-        group.tolist(), time.tolist(), view.tolist(), again.tolist(), frame.tolist(), strict=True
-    ):
-        same = which == now and when - since <= _TWICE and (where != place or numbered)
-        if same:
-            copies[number_] = True
-        else:
-            now, since, place = which, when, where
-    if count := int(np.count_nonzero(copies)):
-        found.notes[AGAIN] += count
-    return copies
-
-
-def _processes(found: Gathered, rows: Columns) -> list[KnownProcess]:
-    """Return the processes in the order in which they appeared; rows get their places there."""
-    prefixes = list(found.prefixes.known)
-    for which, process in found.processes.items():
-        if process.protocol == RTPS:
-            process.name = prefixes[which].hex()
-            if process.serves:
-                process.product += " Discovery Server"
-    nobody = found.prefixes.known.get(bytes(12), -1)
-    found.processes.pop(nobody, None)
-    order = sorted(found.processes, key=lambda which: (found.processes[which].since, which))
-    # Numbers of RTPS are from 0 on, those of Zenoh from -2 down.
-    least = min([*order, -1])
-    most = max([*order, len(prefixes) - 1, -1])
-    place = np.full(most - least + 1, -1, np.int32)
-    for index, which in enumerate(order):
-        place[which - least] = index
-    processes = [found.processes[which] for which in order]
-    # Somebody who is only spoken to is not known otherwise.
-    for name in ("process", "peer"):
-        rows[name] = place[rows[name] - least]
-    return processes
-
-
 def _message_table(
-    rows: Columns, since: Array, found: Gathered, addresses: list[str], processes: list[str]
+    messages: Columns, since: Array, carried: Transport, processes: list[str]
 ) -> pd.DataFrame:
     """Return the messages as `Capture.messages` describes them; ``since`` is when frames came."""
     import pandas as pd
 
-    multicast = ip.multicast(found.addresses)
-    protocol = rows["protocol"]
-    kinds = rtps.kind_names(), zenoh.KINDS, TCP_KINDS
-    submessages = rtps.submessage_names(), zenoh.NAMES, TCP_KINDS
-    entity = np.where(protocol == RTPS, rows["entity"], len(rtps.ENTITY_NAMES))
+    addresses = ip.address_names(carried.addresses)
+    protocol = messages["protocol"]
+    kinds = rtps.kind_names(), zenoh_messages.KINDS, zenoh.TCP_KINDS
+    submessages = rtps.submessage_names(), zenoh_messages.NAMES, zenoh.TCP_KINDS
+    entity = np.where(protocol == RTPS, messages["entity"], len(rtps.ENTITY_NAMES))
+    named = {
+        "time": since[messages["frame"]],
+        "frame": messages["frame"].astype(np.int64) + 1,
+        "protocol": categories(protocol, PROTOCOLS),
+        "kind": _by_protocol(protocol, messages["kind"], kinds),
+        "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
+        "bytes": messages["bytes"],
+        "sender": categories(messages["source"], addresses),
+        "receiver": categories(messages["target"], addresses),
+        "way": categories(messages["way"], _WAYS),
+        "process": categories(messages["process"], [*processes, ""]),
+        "peer": categories(messages["peer"], [*processes, ""]),
+        "submessage": _by_protocol(protocol, messages["submessage"], submessages),
+        "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
+    }
+    same = ("reader", "writer", "number", "missing", "size", "ends", "copy")
+    transports = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(
-        {
-            "time": since[rows["frame"]],
-            "frame": rows["frame"].astype(np.int64) + 1,
-            "protocol": _words(protocol, PROTOCOLS),
-            "kind": _words_of_three(protocol, rows["kind"], kinds),
-            "multicast": multicast[rows["target"]] if len(multicast) else rows["copy"],
-            "bytes": rows["bytes"],
-            "sender": _words(rows["source"], addresses),
-            "receiver": _words(rows["target"], addresses),
-            "way": _words(rows["way"], WAYS),
-            "process": _words(rows["process"], [*processes, ""]),
-            "peer": _words(rows["peer"], [*processes, ""]),
-            "submessage": _words_of_three(protocol, rows["submessage"], submessages),
-            "entity": _words(entity, [*rtps.ENTITY_NAMES, ""]),
-            "reader": rows["reader"],
-            "writer": rows["writer"],
-            "number": rows["number"],
-            "missing": rows["missing"],
-            "size": rows["size"],
-            "ends": rows["ends"],
-            "copy": rows["copy"],
-            "transport": _words(rows["udp"].astype(np.int64), ("TCP", "UDP")),
-            "frames": rows["frames"],
-        }
+        named
+        | {name: messages[name] for name in same}
+        | {"transport": transports, "frames": messages["frames"]}
     )
 
 
-def _jumps(time: Array) -> tuple[tuple[int, float], ...]:
-    """Return where the time of packets is set back, or on by so much that a clock may have been."""
-    step = np.diff(time)
-    frames = np.flatnonzero((step < -_BACK) | (step > _ON))
-    return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
-
-
-def _others(found: Gathered, rows: Columns, packets: int) -> dict[str, int]:
-    """Return how many packets there are without a message."""
-    all_, udp = (float(part.sum()) for part in (rows["frames"], rows["frames"][rows["udp"]]))
-    told = {"UDP": udp, "TCP": all_ - udp}
-    arp = int(sum((rows["kind"] <= network_events.LAST_OF_ARP).sum() for rows in found.asides))
-    some = {name: found.mix[name] - round(told[name]) for name in ("UDP", "TCP")}
-    return {"ARP": arp, **some, "other": packets - arp - found.mix["UDP"] - found.mix["TCP"]}
-
-
-def _aside_table(found: Gathered, since: Array, addresses: list[str]) -> pd.DataFrame:
-    """Return what is no discovery, and tells why it fails, by time."""
-    import pandas as pd
-
-    rows = stack(found.asides or [network_events.none()])
-    return pd.DataFrame(
-        {
-            "time": since[rows["frame"]],
-            "frame": rows["frame"] + 1,
-            "kind": _words(rows["kind"].astype(np.int64), network_events.KINDS),
-            "sender": _words(rows["source"], addresses),
-            "receiver": _words(rows["target"], addresses),
-            "port": rows["port"],
-        }
-    )
-
-
-def _words_of_three(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
+def _by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return names by their numbers, which each protocol counts from 0 on."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return _words(first[protocol] + numbers, [name for some in names for name in some])
+    return categories(first[protocol] + numbers, [name for part in names for name in part])
 
 
-def _words(numbers: Array, names: Sequence[str]) -> Any:
-    """Return names by their numbers, -1 for the last one; only those used are kept."""
+def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
+    """Return the events of the network as `Capture` describes them."""
     import pandas as pd
 
-    dtype, number_of = _distinct(tuple(names))
-    return pd.Categorical.from_codes(number_of[numbers], dtype=dtype).remove_unused_categories()
+    return pd.DataFrame(
+        {
+            "time": since[events["frame"]],
+            "frame": events["frame"] + 1,
+            "kind": categories(events["kind"], network_events.KINDS),
+            "sender": categories(events["source"], addresses),
+            "receiver": categories(events["target"], addresses),
+            "port": events["port"],
+        }
+    )
 
 
-@lru_cache(maxsize=16)
-def _distinct(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
-    """Return each name once, and which of these each is: a name may have several numbers."""
-    import pandas as pd
-
-    known = {name: index for index, name in enumerate(dict.fromkeys(names))}
-    number_of = np.array([known[name] for name in names], np.int32)
-    return pd.CategoricalDtype([*known]), number_of
-
-
-def _process_table(
-    processes: list[KnownProcess], since: Array, addresses: list[str]
-) -> pd.DataFrame:
+def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:
     """Return the processes as `Capture.processes` describes them."""
     import pandas as pd
 
+    names = [*addresses, ""]
+    times = [since[p.first_frame] if p.first_frame >= 0 else np.nan for p in processes]
+    announced = [" ".join(names[a] for a in p.announced_addresses) for p in processes]
     return pd.DataFrame(
         {
-            "protocol": [PROTOCOLS[one.protocol] for one in processes],
-            "product": [one.product for one in processes],
-            "host": [addresses[one.host] if one.host >= 0 else "" for one in processes],
-            "endpoints": [_endpoints(one) for one in processes],
-            "time": [float(since[one.since]) if one.since >= 0 else np.nan for one in processes],
-            "server": np.array([one.serves for one in processes], bool),
-            "domain": np.array([one.domain for one in processes], np.int64),
-            "announces": [
-                " ".join(addresses[told] for told in one.told if told >= 0) for one in processes
-            ],
+            "protocol": [PROTOCOLS[process.protocol] for process in processes],
+            "product": [process.product for process in processes],
+            "host": [names[process.host] for process in processes],
+            "endpoints": [process.endpoints for process in processes],
+            "time": times,
+            "server": np.array([process.server for process in processes], bool),
+            "domain": np.array([process.domain for process in processes], np.int64),
+            "announces": announced,
         },
-        index=pd.Index([one.name for one in processes], name="process", dtype=object),
+        index=pd.Index([process.name for process in processes], name="process", dtype=object),
     )
 
 
-def _endpoints(process: KnownProcess) -> int:
-    """Return how many endpoints a process announced, without those of discovery itself."""
-    if process.protocol == ZENOH:
-        return process.tokens or len(process.endpoints)
-    return sum(1 for id_ in process.endpoints if not id_ & 0xC0)
-
-
 def _notes(
-    found: Gathered, processes: list[KnownProcess], messages: pd.DataFrame
+    truncated: int,
+    packets: int,
+    counts: Counter[str],
+    processes: list[Process],
+    messages: pd.DataFrame,
 ) -> tuple[str, ...]:
+    """Return what could not be read or counted, in sentences."""
     notes = []
-    packets = found.packets.table
-    if cut := int(np.count_nonzero(packets["size"] < packets["length"])):
+    if truncated:
         notes.append(
-            f"{cut} of {len(packets['size'])} packets were cut when they were captured (snaplen): "
+            f"{truncated} of {packets} packets were cut when they were captured (snaplen): "
             "what they held is missing, counts are lower bounds"
         )
-    notes += [f"{count} {what}" for what, count in found.notes.items()]
+    notes += [f"{count} {note}" for note, count in counts.items()]
     if encrypted := int((messages["kind"] == "Encrypted").sum()):
         notes.append(
             f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
             "discovery, though user data may be among them"
         )
-    if silent := sum(1 for one in processes if not one.announced and not one.serves):
+    if silent := sum(not process.announced and not process.server for process in processes):
         notes.append(
             f"{silent} of {len(processes)} processes of which no announcement was "
             "captured: their endpoints are not known"
         )
-    if any(p.protocol == ZENOH and p.endpoints and not p.tokens for p in processes):
+    if any(process.endpoints and not process.publishers for process in processes):
         notes.append(
             "Zenoh does not announce publishers: its endpoints are subscribers and queryables alone"
         )

@@ -15,7 +15,6 @@ from discostorm._numeric import evaluate
 from discostorm.fleet import COUNTS, Fleet, HostGroup
 from discostorm.messages import HOPS, Hop, Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
-from discostorm_capture import dissector
 from discostorm_capture.compare import (
     Shown,
     as_if_wired,
@@ -27,6 +26,7 @@ from discostorm_capture.compare import (
     window as counted,
 )
 from discostorm_capture.pcap import CaptureError
+from discostorm_capture.tables import PROTOCOLS
 from discostorm_capture.totals import sums
 
 if TYPE_CHECKING:
@@ -54,19 +54,19 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes : pandas.DataFrame
         What `messages` and `processes` return copies of.
-    _asides : pandas.DataFrame
+    _network_events : pandas.DataFrame
         What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
         connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
-    _cut : int
+    _truncated : int
         How many packets were cut when they were captured [1].
-    _jumps : tuple of tuple
+    _clock_steps : tuple of tuple
         Where the clock that stamped the packets jumped: the frame, and by how much [s].
     _first, _last : float
         When the first packet in the file came, since the earliest one, and how much later the last
         one came, without jumps of the clock [s].
-    _others : dict of str to int
+    _packets_without_messages : dict of str to int
         How many packets there are of "ARP", "TCP", "UDP" and "other" that hold no message [1].
-    _lost : tuple of str
+    _capture_gaps : tuple of str
         What the capture says that it lacks.
     """
 
@@ -77,13 +77,13 @@ class Capture:
     notes: tuple[str, ...]
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
-    _asides: pd.DataFrame = field(compare=False)
-    _cut: int = field(compare=False)
-    _jumps: tuple[tuple[int, float], ...] = ()
+    _network_events: pd.DataFrame = field(compare=False)
+    _truncated: int = field(compare=False)
+    _clock_steps: tuple[tuple[int, float], ...] = ()
     _first: float = 0.0
     _last: float = 0.0
-    _others: dict[str, int] = field(default_factory=dict, compare=False)
-    _lost: tuple[str, ...] = ()
+    _packets_without_messages: dict[str, int] = field(default_factory=dict, compare=False)
+    _capture_gaps: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return (
@@ -166,7 +166,7 @@ class Capture:
         """
         on_wires, serving = self._wired(wired), set(self.serving())
         if protocol is not None:
-            _checks.choice("protocol", protocol, dissector.PROTOCOLS[:2])
+            _checks.choice("protocol", protocol, PROTOCOLS[:2])
         found = self._processes
         if protocol is not None:
             found = found[found["protocol"] == protocol]
@@ -366,11 +366,18 @@ class Capture:
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
-        rows, asides, processes = rows[~(rows["copy"] | here | loop)], self._asides, self._processes
+        rows, asides, processes = (
+            rows[~(rows["copy"] | here | loop)],
+            self._network_events,
+            self._processes,
+        )
         rows, asides = (
             table.assign(
                 time=without_jumps(
-                    table["time"].to_numpy(), table["frame"].to_numpy(), self._jumps, self._first
+                    table["time"].to_numpy(),
+                    table["frame"].to_numpy(),
+                    self._clock_steps,
+                    self._first,
                 )
             )
             for table in (rows, asides)
@@ -378,16 +385,16 @@ class Capture:
         serving = frozenset(self.serving())
         return diagnose(
             Seen(
-                rows=rows.sort_values("time", kind="stable") if self._jumps else rows,
+                rows=rows.sort_values("time", kind="stable") if self._clock_steps else rows,
                 processes=processes[processes["host"] != ""],
                 asides=asides,
                 duration=self._last,
                 view=view_of(rows, serving),
                 serving=serving,
-                others=self._others,
-                jumps=self._jumps,
-                lost=self._lost,
-                cut=self._cut / max(self.packets, 1),
+                others=self._packets_without_messages,
+                jumps=self._clock_steps,
+                lost=self._capture_gaps,
+                cut=self._truncated / max(self.packets, 1),
             )
         )
 

@@ -1,52 +1,60 @@
-"""RTPS: every submessage of every datagram, told apart by its entities."""
+"""RTPS: every submessage of every datagram, by its entities, and what participants announce.
+
+Clauses are those of DDSI-RTPS 2.5 unless another document is named.
+"""
 
 import re
 from collections import Counter
 from functools import cache
+from typing import Literal
 
 import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture._bytes import (
-    PAD as ZEROS,
+    PAD as PADDING,
     Array,
     Bytes,
     Columns,
-    Numbers,
-    Places,
-    codes,
-    number,
+    IdTable,
+    Offsets,
+    factorize,
+    numbers,
     take,
 )
+from discostorm_capture.tables import RTPS, message_table
 
-#: The first four bytes of a message; the second is of Connext.
-_MAGIC = (0x52545053, 0x52545058)
-_OVER_TCP = 0x52544350
+#: The first four bytes of a message; the second is of Connext. Fast DDS has a header before it
+#: over TCP.
+_MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
 _HEADER = 20
-#: SPDP's port for multicast in domain 0, and how far those of two domains are apart.
-_PORT, _PORTS = 7400, 250
-PAD, INFO_TS, INFO_SRC, INFO_DST, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x15
-#: Parameters: where unicast discovery goes to, GUIDs, properties, the end.
-_UNICAST, _PARTICIPANT_GUID, _ENDPOINT_GUID, _KEY_HASH, _SENTINEL = 0x32, 0x50, 0x5A, 0x70, 1
-_PROPERTIES = 0x59
-#: Added to a parameter: the first one of several, not the last.
+PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
+#: SPDP's multicast port is PB + DG * domain (9.6.1.1).
+PORT_BASE, DOMAIN_GAIN = 7400, 250
+#: Ids of parameters (9.6.3).
+PID_SENTINEL, PID_METATRAFFIC_UNICAST_LOCATOR, PID_PARTICIPANT_GUID = 0x01, 0x32, 0x50
+PID_PROPERTY_LIST, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x59, 0x5A, 0x70
+#: Added to a parameter's id: the first one of several, not the last.
 _FIRST = 0x10000
-#: How a participant of Fast DDS says in its properties that it is a Discovery Server
+_MAX_PARAMETERS = 512
+LOCATOR_KIND_UDPV4 = 1
+#: Encodings of parameter lists (10.2).
+PL_CDR_BE, PL_CDR_LE = 2, 3
+#: A participant of Fast DDS says in its properties that it is a Discovery Server
 #: (parameter_property_participant_type; two strings of CDR).
-_SERVER = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
+_SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
 #: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
-#: The kind of a locator of UDP over IPv4.
-_UDP_4 = 1
-#: What DDS Security puts before a submessage or a message that it signs or encrypts, and what is
-#: encrypted (DDS Security 1.1, 9.5.2.1): the kinds of transformation, and the key that both ends
-#: derive from their handshake, by which they then tell each other all other keys.
-_PREFIXES, _BODY, _SIGNED, _ENCRYPTED, _SHARED_KEY = (0x31, 0x33), 0x30, (1, 3), (2, 4), 0
-#: The encrypted length of an INFO_DST, the longest of what is no message of its own.
-_INFO = 20
-_TELLS_KEYS = 0xFF0202C3
-_MOST_PARAMETERS = 512
+#: Submessages before one, or a message, that is signed or encrypted, and what is encrypted; kinds
+#: of transformation; the key that both ends derive from their handshake (DDS Security 1.1,
+#: 9.5.2.1).
+SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
+_SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
+#: With that key both ends tell each other all other keys.
+PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
+#: Encrypted length of an INFO_DST, the longest submessage that is no message.
+_MAX_INFO = 20
 
 SUBMESSAGES = {
     int(row["id"], 16): row
@@ -61,37 +69,33 @@ VENDORS = {
 }
 
 
-def _places(column: str) -> Array:
-    """Return, by the id of a submessage, where something stands in it; 0 if nowhere."""
-    places = np.zeros(256, np.int64)
-    for kind, row in SUBMESSAGES.items():
-        places[kind] = int(row[column] or 0)
-    return places
+def _offsets(column: str) -> Array:
+    """Return the offset of a field in each kind of submessage; 0 where it has none."""
+    return np.array([int(SUBMESSAGES.get(kind, {}).get(column) or 0) for kind in range(256)])
 
 
-_READER_AT, _WRITER_AT = _places("reader_at"), _places("writer_at")
-#: Where the lower half of a sequence number stands: of a sample, the last one of a Heartbeat, the
-#: first one that an ACKNACK lacks; and how many bits follow it there.
-_NUMBER_AT = _places("number_at")
-_HAS_NUMBER = _NUMBER_AT > 0
-_BITS, _MOST_BITS, ACKNACK = 4, 256, 0x06
-#: What is a message of its own; the others say how to read what follows them, or fill up.
+_READER_AT, _WRITER_AT = _offsets("reader_at"), _offsets("writer_at")
+#: The lower half of a sequence number: of a sample, the last one of a Heartbeat, the first one
+#: that an ACKNACK lacks; there the number of bits and these follow.
+_NUMBER_AT = _offsets("number_at")
+_MAX_BITS = 256
+#: Submessages that are messages; the others say how to read the following ones, or fill up.
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
-#: What those without a known entity are called, by the upper two bits of its last byte.
-_OTHER = ("User", "Vendor", "Vendor", "Builtin")
-_UNKNOWN = "Unknown"
-GROUPS = tuple(dict.fromkeys([row["group"] for row in ENTITIES.values()] + [*_OTHER, _UNKNOWN]))
+#: Groups of entities that are not in the data file, by the upper two bits of their last byte.
+_OTHER_GROUPS = ("User", "Vendor", "Vendor", "Builtin")
+GROUPS = tuple(
+    dict.fromkeys([*(row["group"] for row in ENTITIES.values()), *_OTHER_GROUPS, "Unknown"])
+)
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
 @cache
 def kind_names() -> tuple[str, ...]:
-    """Return what messages are called, by 256 times the number of the group and submessage."""
+    """Return the kinds of messages, by 256 times the number of the group and the submessage."""
     names = []
     for group in GROUPS:
         for kind in range(256):
-            row = SUBMESSAGES.get(kind, {})
-            suffix = row.get("message") or f"0x{kind:02x}"
+            suffix = SUBMESSAGES.get(kind, {}).get("message") or f"0x{kind:02x}"
             if suffix == "Encrypted":
                 names.append(suffix + " key exchange" * (group == "Key exchange"))
             elif suffix == "data":
@@ -106,316 +110,282 @@ def submessage_names() -> list[str]:
     return [SUBMESSAGES.get(kind, {}).get("name", f"0x{kind:02x}") for kind in range(256)]
 
 
-def starts(data: Bytes, at: Places) -> Array:
-    """Return which datagrams are RTPS messages."""
-    found: Array = np.isin(number(data, at, ">u4"), _MAGIC)
-    return found
+def is_rtps(data: Bytes, at: Offsets) -> Array:
+    """Return whether each datagram is an RTPS message."""
+    return np.isin(numbers(data, at, ">u4"), _MAGIC)
 
 
-def over_tcp(data: Bytes, at: Places) -> Array:
-    """Return which TCP segments start with a message, in Fast DDS behind a header of its own."""
-    found: Array = np.isin(number(data, at, ">u4"), (_OVER_TCP, *_MAGIC))
-    return found
+def is_over_tcp(data: Bytes, at: Offsets) -> Array:
+    """Return whether each TCP segment starts with an RTPS message."""
+    return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def domains(process: Array, kind: Array, to_port: Array) -> set[tuple[int, int]]:
-    """Return whose messages by multicast are for which domain: SPDP's ports tell (9.6.1)."""
-    spdp = kind >> 8 == GROUPS.index("SPDP")
-    process, (domain, rest) = process[spdp], np.divmod(to_port[spdp] - _PORT, _PORTS)
-    known = (rest == 0) & (domain >= 0)
-    process, domain = process[known], domain[known]
-    _, first = codes(process, domain)
-    return set(zip(process[first].tolist(), domain[first].tolist(), strict=True))
+def domains_from_ports(kind: Array, port: Array) -> Array:
+    """Return the domain of each multicast message of SPDP by its port; -1 for others."""
+    domain, rest = np.divmod(port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
+    known = (kind >> 8 == GROUPS.index("SPDP")) & (rest == 0) & (domain >= 0)
+    return np.where(known, domain, -1)
 
 
 def messages(
-    data: Bytes, found: Columns, processes: Numbers, notes: Counter[str]
+    data: Bytes, datagrams: Columns, processes: IdTable, notes: Counter[str]
 ) -> tuple[Columns, Columns]:
-    """Return the messages in RTPS datagrams, and what those of SPDP and SEDP announce.
+    """Return the messages in RTPS datagrams, and the announcements among them.
 
     Parameters
     ----------
     data : numpy.ndarray
         Where the datagrams are.
-    found : dict
-        As `ip.datagrams` returns it, of those that `starts` chose.
-    processes : Numbers
-        The numbers of GUID prefixes; those found are added.
+    datagrams : dict
+        As `ip.datagrams` returns them, those that `is_rtps` chose.
+    processes : IdTable
+        The numbers of GUID prefixes.
     notes : Counter
         What could not be read is counted here.
 
     Returns
     -------
     tuple
-        The messages: ``datagram``, its row in `found`; ``kind``, see `kind_names`; the
-        ``submessage``, its ``size``, ``reader`` and ``writer``; its ``number``, and how many are
-        ``missing``, see `Capture.messages`; ``bytes``, its own and those
-        around it; ``process`` and ``peer``; ``entity`` and ``ends``. The announcements: see
-        `_announced`.
+        The messages, with the row of each one's ``datagram`` added to their columns. The
+        announcements: see `_announcements`.
     """
-    good = (data[found["at"] + 4] == 2) & (found["size"] >= _HEADER)
+    good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
     if count := int(np.count_nonzero(~good)):
         notes["RTPS messages that are cut, or not of version 2"] += count
-    rows = np.flatnonzero(good)
-    found = take(found, good)
-    at = found["at"]
-    wire_end = at + found["wire"]
-    which, place, after = _walk(data, at + _HEADER, at + found["size"], wire_end)
-    after = np.minimum(after, wire_end[which])
-    kind = data[place]
-    source, target = _prefixes(data, at, which, place, kind)
-    no_message, keys = _secured(data, place, kind)
-    chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~no_message)
-    keys = keys[chosen]
-    which, place, after, kind = which[chosen], place[chosen], after[chosen], kind[chosen]
-    source, target = source[chosen], target[chosen]
-    # The bytes of a datagram are those of its messages: each has what stands before it, too.
-    new = np.diff(which, prepend=-1) != 0
-    begin = np.where(new, at[which], np.roll(after, 1))
-    stop = np.where(np.roll(new, -1), wire_end[which], after)
-    little = data[place + 1] & 1 > 0
-    length = number(data, place + 2, "<u2")
-    last = (at + found["size"])[which]
-    reader, writer = (
-        # Of a message that was cut they may be missing.
-        np.where((where[kind] > 0) & (place + where[kind] + 4 <= last), value, 0)
-        for where in (_READER_AT, _WRITER_AT)
-        for value in [number(data, np.minimum(place + where[kind], last), ">u4")]
-    )
-    writer = np.where(keys, np.uint32(_TELLS_KEYS), writer)
+    original, datagrams = np.flatnonzero(good), take(datagrams, good)
+    start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
+    end = start + datagrams["size"]
+    datagram, at, after = _submessages(data, start + _HEADER, end, wire_end)
+    kind = data[at]
+    source, target = _prefixes(data, start, datagram, at, kind)
+    is_hidden, has_keys = _secured(data, at, kind)
+    chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~is_hidden)
+    datagram, at, after, kind = datagram[chosen], at[chosen], after[chosen], kind[chosen]
+    # The bytes of a datagram are those of its messages: each has what precedes it, too.
+    new = np.diff(datagram, prepend=-1) != 0
+    begin = np.where(new, start[datagram], np.roll(after, 1))
+    stop = np.where(np.roll(new, -1), wire_end[datagram], after)
+    little = data[at + 1] & 1 > 0
+    last = end[datagram]
+    reader, writer = (_entity(data, at, last, where[kind]) for where in (_READER_AT, _WRITER_AT))
+    writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _groups(reader, writer)
-    sequence = _sequence(data, place + _NUMBER_AT[kind], last, kind, little)
-    found_messages = {
-        "datagram": rows[which],
-        "kind": group * 256 + kind,
-        "submessage": kind,
-        "size": np.where(little, length, length.byteswap()).astype(np.int32),
-        "reader": reader,
-        "writer": writer,
-        "number": sequence,
-        "missing": _missing(data, place, last, kind, little),
-        "bytes": (stop - begin).astype(np.int32),
-        "process": processes.of(data, source, 12),
-        "peer": processes.of(data, target, 12),
-        "entity": entity,
+    share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
+    table = message_table(
+        RTPS,
+        datagrams,
+        datagram,
+        kind=group * 256 + kind,
+        submessage=kind,
+        size=_number(data, at + 2, "u2", little),
+        reader=reader,
+        writer=writer,
+        number=_sequence_number(data, at + _NUMBER_AT[kind], last, kind, little),
+        missing=_nacked(data, at, last, kind, little),
+        bytes=stop - begin,
+        process=processes.ids_of(data, source[chosen], 12),
+        peer=processes.ids_of(data, target[chosen], 12),
+        entity=entity,
         # Only a key: it is disposed of or unregistered.
-        "ends": (kind == DATA) & (data[place + 1] & 8 > 0),
-    }
-    announcing = np.isin(writer, ANNOUNCING) & (kind == DATA) & ~found_messages["ends"]
-    stop = np.minimum(stop, last)
-    announced = _announced(
-        data,
-        take(found_messages, announcing),
-        place[announcing],
-        stop[announcing],
-        little[announcing],
+        ends=(kind == DATA) & (data[at + 1] & 8 > 0),
+        udp=np.ones(len(at), bool),
+        frames=datagrams["parts"][datagram] * share,
     )
-    return found_messages, announced
+    table["datagram"] = original[datagram]
+    announcing = np.flatnonzero(np.isin(writer, ANNOUNCING) & (kind == DATA) & ~table["ends"])
+    # A message repeats what it announces.
+    high, low = (_number(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20))
+    _, first = factorize(table["process"][announcing], writer[announcing], high, low)
+    rows = announcing[first]
+    stop = np.minimum(stop, last)[rows]
+    announcements = _announcements(data, take(table, rows), at[rows], stop, little[rows])
+    return table, announcements
 
 
-def _secured(data: Bytes, place: Places, kind: Array) -> tuple[Array, Array]:
-    """Return which submessages are prefixes of no message, and of which encrypted keys follow.
-
-    What is signed alone follows as it is; an INFO submessage is no message, encrypted or not.
-    """
-    prefix = np.isin(kind, _PREFIXES)
-    how = data[np.where(prefix, place + 7, 0)]
-    signed = prefix & np.isin(how, _SIGNED)
-    after = np.roll(place, -1)
-    length = number(data, after + 2, "<u2")
-    length = np.where(data[after + 1] & 1, length, length.byteswap())
-    hidden = prefix & np.isin(how, _ENCRYPTED) & (np.roll(kind, -1) == _BODY)
-    key = number(data, np.where(prefix, place + 8, 0), ">u4")
-    keys = hidden & (kind == _PREFIXES[0]) & (key == _SHARED_KEY)
-    return signed | (hidden & (length <= _INFO)), keys
-
-
-def _sequence(data: Bytes, at: Places, last: Places, kind: Array, little: Array) -> Array:
-    """Return the lower half of the sequence number of each message, 0 if it has none."""
-    # Behind the last message there is padding.
-    value: Array = number(data, at, "<u4")
-    if not little.all():
-        value = np.where(little, value, value.byteswap())
-    value &= 0x7FFFFFFF
-    value[(at + 4 > last) | ~_HAS_NUMBER[kind]] = 0
-    return value.view(np.int32)
-
-
-def _missing(data: Bytes, place: Places, last: Places, kind: Array, little: Array) -> Array:
-    """Return how many samples each ACKNACK says that it lacks."""
-    missing = np.zeros(len(kind), np.int16)
-    rows = np.flatnonzero(kind == ACKNACK)
-    rows = rows[place[rows] + _NUMBER_AT[ACKNACK] + _BITS + 4 <= last[rows]]
-    at = place[rows] + _NUMBER_AT[ACKNACK] + _BITS
-    bits = _number(data, at, "u4", little[rows])
-    asking = np.flatnonzero((bits > 0) & (bits <= _MOST_BITS))
-    rows, at, bits = rows[asking], at[asking], bits[asking].astype(np.int64)
-    for word in range(_MOST_BITS // 32):
-        here = np.flatnonzero((bits > 32 * word) & (at + 8 + 4 * word <= last[rows]))
-        if not len(here):
-            break
-        value = _number(data, at[here] + 4 + 4 * word, "u4", little[rows[here]])
-        kept = np.minimum(bits[here] - 32 * word, 32)
-        value = value.astype(np.uint64) >> (32 - kept).astype(np.uint64)
-        missing[rows[here]] += np.bitwise_count(value).astype(np.int16)
-    return missing
-
-
-def _walk(data: Bytes, at: Places, end: Places, wire_end: Places) -> tuple[Array, Places, Places]:
-    """Return all submessages: which datagram each is in, where it starts and ends."""
-    which = np.arange(len(at))
-    steps: list[tuple[Array, Places, Places]] = [(which[:0], at[:0], at[:0])]
+def _submessages(
+    data: Bytes, at: Offsets, end: Offsets, wire_end: Offsets
+) -> tuple[Array, Offsets, Offsets]:
+    """Return each submessage's datagram, first byte and end."""
+    datagram = np.arange(len(at))
+    steps: list[tuple[Array, Offsets, Offsets]] = [(datagram[:0], at[:0], at[:0])]
     while len(at):
         inside = at + 4 <= end
-        if not inside.all():
-            which, at, end, wire_end = which[inside], at[inside], end[inside], wire_end[inside]
+        datagram, at, end, wire_end = datagram[inside], at[inside], end[inside], wire_end[inside]
         kind = data[at]
-        length = number(data, at + 2, "<u2")
-        length = np.where(data[at + 1] & 1, length, length.byteswap()).astype(np.int64)
-        # Of the last one the length may be left out.
+        length = _number(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
+        # The last one may leave out its length.
         rest = (length == 0) & (kind != PAD) & (kind != INFO_TS)
         after = np.where(rest, wire_end, at + 4 + length)
-        steps.append((which, at, after))
+        steps.append((datagram, at, np.minimum(after, wire_end)))
         at = after
-    which, at, after = (np.concatenate(parts) for parts in zip(*steps, strict=True))
-    order = np.argsort(which, kind="stable")
-    return which[order], at[order], after[order]
+    datagram, at, after = (np.concatenate(parts) for parts in zip(*steps, strict=True))
+    order = np.argsort(datagram, kind="stable")
+    return datagram[order], at[order], after[order]
 
 
 def _prefixes(
-    data: Bytes, at: Places, which: Array, place: Places, kind: Array
-) -> tuple[Places, Places]:
-    """Return where the GUID prefixes of sender and receiver of each submessage stand."""
-    index = np.arange(len(which))
-    first = np.searchsorted(which, which)
-    source = at[which] + 8
-    target = np.full(len(which), len(data) - ZEROS)  # zeros: everybody
-    for found, at_prefix in ((INFO_SRC, 12), (INFO_DST, 4)):
-        told = np.maximum.accumulate(np.where(kind == found, index, -1)) if len(index) else index
-        valid = (told >= first) & (place[told] + at_prefix + 12 <= len(data))
-        prefix = place[told] + at_prefix
-        if found == INFO_SRC:
-            source = np.where(valid, prefix, source)
-        else:
-            target = np.where(valid, prefix, target)
-    return source, target
+    data: Bytes, start: Offsets, datagram: Array, at: Offsets, kind: Array
+) -> tuple[Offsets, Offsets]:
+    """Return where the GUID prefixes of each submessage's sender and receiver are."""
+    index, first = np.arange(len(datagram)), np.searchsorted(datagram, datagram)
+    prefixes = []
+    # By default the sender is that of the header, and zeros, in the padding, are all receivers.
+    everybody = np.full(len(datagram), len(data) - PADDING)
+    for info, offset, default in ((INFO_SRC, 12, start[datagram] + 8), (INFO_DST, 4, everybody)):
+        last = np.maximum.accumulate(np.where(kind == info, index, -1))
+        prefix = at[last] + offset
+        valid = (last >= first) & (prefix + 12 <= len(data))
+        prefixes.append(np.where(valid, prefix, default))
+    return prefixes[0], prefixes[1]
+
+
+def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
+    """Return which submessages precede no message, and which precede encrypted keys.
+
+    A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
+    """
+    prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
+    transformation = data[np.where(prefix, at + 7, 0)]
+    after = np.roll(at, -1)
+    length = _number(data, after + 2, "u2", data[after + 1] & 1 > 0)
+    encrypts = prefix & np.isin(transformation, _ENCRYPTED) & (np.roll(kind, -1) == SEC_BODY)
+    key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
+    signs = prefix & np.isin(transformation, _SIGNED)
+    return (
+        signs | (encrypts & (length <= _MAX_INFO)),
+        encrypts & (kind == SEC_PREFIX) & (key == _SHARED_KEY),
+    )
+
+
+def _entity(data: Bytes, at: Offsets, last: Offsets, offset: Array) -> Array:
+    """Return the entity id at an offset, 0 if there is none, or if it is truncated."""
+    value = numbers(data, np.minimum(at + offset, last), ">u4")
+    return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
+
+
+def _sequence_number(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
+    """Return the lower half of each message's sequence number, 0 if it has none."""
+    there = (at + 4 <= last) & (_NUMBER_AT[kind] > 0)
+    return np.where(there, _number(data, at, "u4", little) & 0x7FFFFFFF, 0)
+
+
+def _nacked(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
+    """Return how many samples each ACKNACK lacks: the bits of its SequenceNumberSet (9.4.2.6)."""
+    nacked = np.zeros(len(kind), np.int16)
+    bits_at = at + _NUMBER_AT[ACKNACK] + 4
+    for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():
+        order: Literal["little", "big"] = "little" if little[row] else "big"
+        words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_BITS // 8, last[row])].tobytes()
+        count = int.from_bytes(words[:4], order)
+        if 0 < count <= _MAX_BITS:
+            whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
+            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
+            nacked[row] = bits[:count].count("1")
+    return nacked
 
 
 _KNOWN = np.array(sorted(ENTITIES), np.uint32)
 _KNOWN_GROUP = np.array([GROUPS.index(ENTITIES[int(key)]["group"]) for key in _KNOWN])
 _KNOWN_NAME = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _KNOWN])
-_OTHER_GROUP = np.array([GROUPS.index(name) for name in _OTHER])
+_OTHER_GROUP = np.array([GROUPS.index(name) for name in _OTHER_GROUPS])
 #: The writers of SPDP and SEDP, as they are and for signed messages.
 ANNOUNCING = np.array(
     [key for key, row in ENTITIES.items() if row["group"] in ("SPDP", "SEDP")], np.uint32
 )
+_SPDP_WRITERS = [key for key, row in ENTITIES.items() if row["group"] == "SPDP"]
 
 
 def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
-    """Return the group of each message, and what its entities are about."""
-    # The writer tells; where it is not given, the reader.
+    """Return each message's group, and what its entities are about."""
     entity = np.where(writer == 0, reader, writer).astype(np.uint32)
-    place = np.searchsorted(_KNOWN, entity).clip(0, len(_KNOWN) - 1)
-    known = _KNOWN[place] == entity
+    index = np.searchsorted(_KNOWN, entity).clip(0, len(_KNOWN) - 1)
+    is_known = _KNOWN[index] == entity
     source = (entity & 0xC0) >> 6
-    group = np.where(known, _KNOWN_GROUP[place], _OTHER_GROUP[source])
-    group[entity == 0] = GROUPS.index(_UNKNOWN)
-    other = np.where(
-        (source == 0) & (entity != 0), ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other")
-    )
-    return group, np.where(known, _KNOWN_NAME[place], other).astype(np.uint8)
+    group = np.where(is_known, _KNOWN_GROUP[index], _OTHER_GROUP[source])
+    group[entity == 0] = GROUPS.index("Unknown")
+    is_user = (source == 0) & (entity != 0)
+    other = np.where(is_user, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
+    return group, np.where(is_known, _KNOWN_NAME[index], other)
 
 
-def _announced(data: Bytes, found: Columns, place: Places, end: Places, little: Array) -> Columns:
-    """Return what messages of SPDP and SEDP announce, each once.
+def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
+    """Return the announcements in messages of SPDP and SEDP; offsets are 0 if something is missing.
 
-    Of each ``guid``, the place of its sixteen bytes; ``spdp``, whether it is a participant;
-    ``address``, the place of its last IPv4 address for unicast discovery, ``first_address``, that
-    of its first, and ``properties``, that of
-    its properties, and their ``size``, 0 if it says none; the
-    ``sender``, a process, and its ``datagram``.
+    Each has ``guid``, the offset of its sixteen bytes; ``is_participant``; ``first_address`` and
+    ``last_address``, the offsets of its IPv4 addresses for unicast discovery; ``is_server``, of a
+    Discovery Server of Fast DDS; the ``sender``, a process, and its ``frame``.
     """
-    high = _number(data, place + 16, "u4", little)
-    low = _number(data, place + 20, "u4", little)
-    _, first = codes(found["process"], found["writer"], high, low)
-    found = take(found, first)
-    place, end, little = place[first], end[first], little[first]
-    qos = _number(data, place + 6, "u2", little)
-    at = place + 8 + qos.astype(np.int64)
-    inline = data[place + 1] & 2 > 0
-    in_qos, after = _parameters(data, at, np.where(inline, end, at), little, (_KEY_HASH,))
-    at = np.where(inline, after, at)
-    inside = at + 4 <= end
-    encoding = np.where(inside, number(data, np.where(inside, at, 0), ">u2"), 0)
-    inside &= (encoding == 2) | (encoding == 3)
-    wanted = (_PARTICIPANT_GUID, _ENDPOINT_GUID, _UNICAST, _FIRST + _UNICAST, _PROPERTIES)
-    told, _ = _parameters(data, at + 4, np.where(inside, end, at), encoding == 3, wanted)
-    spdp = np.isin(found["writer"], [k for k, row in ENTITIES.items() if row["group"] == "SPDP"])
-    guid = np.where(spdp, told[_PARTICIPANT_GUID], told[_ENDPOINT_GUID])
-    guid = np.where(guid > 0, guid, in_qos[_KEY_HASH])
-    locators = [
-        np.where((at > 0) & (_number(data, at, "u4", encoding == 3) == _UDP_4), at + 20, 0)
-        for at in (told[_UNICAST], told[_FIRST + _UNICAST])
-    ]
-    properties = told[_PROPERTIES]
-    size = _number(data, np.maximum(properties - 2, 0), "u2", encoding == 3).astype(np.int64)
-    return {
+    list_at = at + 8 + _number(data, at + 6, "u2", little).astype(np.int64)
+    inline = data[at + 1] & 2 > 0
+    in_qos, after = _parameters(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
+    list_at = np.where(inline, after, list_at)
+    encoding = numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
+    little = encoding == PL_CDR_LE
+    list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
+    locators = (PID_METATRAFFIC_UNICAST_LOCATOR + _FIRST, PID_METATRAFFIC_UNICAST_LOCATOR)
+    wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_PROPERTY_LIST, *locators)
+    values, _ = _parameters(data, list_at + 4, list_end, little, wanted)
+    is_participant = np.isin(sent["writer"], _SPDP_WRITERS)
+    guid = np.where(is_participant, values[PID_PARTICIPANT_GUID], values[PID_ENDPOINT_GUID])
+    guid = np.where(guid > 0, guid, in_qos[PID_KEY_HASH])
+    first, last = (
+        np.where((at > 0) & (_number(data, at, "u4", little) == LOCATOR_KIND_UDPV4), at + 20, 0)
+        for at in (values[pid] for pid in locators)
+    )
+    properties = values[PID_PROPERTY_LIST]
+    size = _number(data, np.maximum(properties - 2, 0), "u2", little).astype(np.int64)
+    size = np.where(is_participant & (properties > 0), np.minimum(size, end - properties), 0)
+    announcements = {
         "guid": guid,
-        "spdp": spdp,
-        "properties": properties,
-        "size": np.where(spdp & (properties > 0), np.minimum(size, end - properties), 0),
-        "address": locators[0],
-        "first_address": locators[1],
-        "sender": found["process"],
-        "datagram": found["datagram"],
+        "is_participant": is_participant,
+        "first_address": first,
+        "last_address": last,
+        "is_server": _is_discovery_server(data, guid, properties, size),
+        "sender": sent["process"],
+        "frame": sent["frame"],
     }
+    return take(announcements, guid > 0)
 
 
-def serves(data: Bytes, announced: Columns) -> Array:
-    """Return which announcements are of a Discovery Server of Fast DDS."""
-    columns = (announced[key].tolist() for key in ("guid", "properties", "size"))
-    found = [
+def _is_discovery_server(data: Bytes, guid: Offsets, properties: Offsets, size: Array) -> Array:
+    """Return whether each announcement is one of a Discovery Server of Fast DDS."""
+    columns = (column.tolist() for column in (guid, properties, size))
+    servers = [
         bool(
-            _SERVER_PREFIX.match(data[guid : guid + 12].tobytes())
-            or (size and _SERVER.search(data[at : at + size].tobytes()))
+            _SERVER_PREFIX.match(data[prefix : prefix + 12].tobytes())
+            or _SERVER_PROPERTY.search(data[at : at + length].tobytes())
         )
-        for guid, at, size in zip(*columns, strict=True)
+        for prefix, at, length in zip(*columns, strict=True)
     ]
-    return np.array(found, bool)
+    return np.array(servers, bool)
 
 
 def _parameters(
-    data: Bytes, at: Places, end: Places, little: Array, wanted: tuple[int, ...]
-) -> tuple[dict[int, Places], Places]:
-    """Return where the values of parameters of lists stand, 0 if nowhere, and the lists' ends."""
-    found = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
-    after = at.copy()
-    which = np.arange(len(at))
-    for _ in range(_MOST_PARAMETERS):
+    data: Bytes, at: Offsets, end: Offsets, little: Array, wanted: tuple[int, ...]
+) -> tuple[dict[int, Offsets], Offsets]:
+    """Return where values of parameters are, 0 if nowhere, and where the lists of them end."""
+    values = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
+    after, row = at.copy(), np.arange(len(at))
+    for _ in range(_MAX_PARAMETERS):
         inside = at + 4 <= end
-        if not inside.all():
-            which, at, end, little = which[inside], at[inside], end[inside], little[inside]
+        row, at, end, little = row[inside], at[inside], end[inside], little[inside]
         if not len(at):
             break
-        kind, length = (
-            _number(data, at + place, "u2", little).astype(np.int64) for place in (0, 2)
-        )
-        for parameter, places in found.items():
+        kind, length = (_number(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
+        for parameter, offsets in values.items():
             # All values that are wanted have 16 bytes or more.
-            mine = (kind == parameter & 0xFFFF) & (length >= 16) & (at + 20 <= end)
+            mask = (kind == parameter & 0xFFFF) & (length >= 16) & (at + 20 <= end)
             if parameter >= _FIRST:
-                mine &= places[which] == 0
-            places[which[mine]] = at[mine] + 4
-        last = kind == _SENTINEL
-        after[which] = at + 4 + np.where(last, 0, length)
-        which, at, end, little = (
-            which[~last],
-            at[~last] + 4 + length[~last],
-            end[~last],
-            little[~last],
-        )
-    return found, after
+                mask &= offsets[row] == 0
+            offsets[row[mask]] = at[mask] + 4
+        at = at + 4 + np.where(kind == PID_SENTINEL, 0, length)
+        after[row] = at
+        go_on = kind != PID_SENTINEL
+        row, at, end, little = row[go_on], at[go_on], end[go_on], little[go_on]
+    return values, after
 
 
-def _number(data: Bytes, at: Places, dtype: str, little: Array) -> Array:
-    return np.where(little, number(data, at, "<" + dtype), number(data, at, ">" + dtype))
+def _number(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
+    """Return numbers, each of its own byte order."""
+    value = numbers(data, at, "<" + dtype)
+    return value if little.all() else np.where(little, value, value.byteswap())

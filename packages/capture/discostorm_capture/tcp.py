@@ -1,4 +1,4 @@
-"""TCP streams put together: what was sent again, reordered, overlaps or is lost."""
+"""TCP streams reassembled: segments may be retransmitted, reordered, overlapping or missing."""
 
 from array import array
 from collections.abc import Iterator
@@ -12,34 +12,33 @@ from discostorm_capture._bytes import (
     Array,
     Bytes,
     Columns,
-    codes,
-    stack,
+    as_memory,
+    cumcount,
+    factorize,
     take,
-    times_before,
-    view,
 )
 
-FIN, SYN, RST = 1, 2, 4
+FIN, SYN, RST, ACK = 1, 2, 4, 16
 #: What a capture may lack, as notes call it.
 GAPS = "gaps in TCP streams of Zenoh, of what was not captured"
 
 
 @dataclass(frozen=True)
 class Streams:
-    """The segments of a capture by stream, each direction of a connection being one.
+    """The segments of a capture by stream: one direction of a connection.
 
     Parameters
     ----------
     table : dict
-        The segments, those of a stream together, in the order of the capture. Added to what
-        `ip.segments` says are ``place``, where the content stands in the stream [B], and
-        ``stream``, its number.
+        The segments, those of a stream together, in the order of the capture: the columns of
+        `ip.segments`; ``position``, where the content begins in the stream [B]; and ``stream``,
+        its number.
     first : numpy.ndarray
-        Of each stream, its first row.
+        The first row of each stream.
     reverse : numpy.ndarray
-        Of each stream, the number of the other direction; its own if there is none.
+        The number of each stream's other direction; its own if there is none.
     complete : numpy.ndarray
-        Of each stream, whether its start was captured: ``place`` 0 is its first byte.
+        Whether each stream's start was captured: position 0 is its first byte.
     """
 
     table: Columns
@@ -48,52 +47,51 @@ class Streams:
     complete: Array
 
 
-def streams(parts: list[Columns]) -> Streams:
-    """Return the segments of all parts by stream."""
-    segments = stack(parts)
-    ends = [segments[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")]
-    there = (ends[0] << 32 | ends[2], ends[1] << 32 | ends[3])
-    code, _ = codes(*there)
+def streams(segments: Columns) -> Streams:
+    """Return segments by stream."""
+    source, target, from_port, to_port = (
+        segments[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")
+    )
+    sender, receiver = source << 32 | from_port, target << 32 | to_port
+    code, _ = factorize(sender, receiver)
     order = np.argsort(code, kind="stable")
     table, code = take(segments, order), code[order]
-    del segments
-    sequence = table["sequence"]
-    syn = table["flags"] & SYN > 0
-    new = np.diff(code, prepend=-1) != 0
-    # Ports are used again: a SYN with another number starts a stream of its own.
-    index = np.arange(len(code))
-    last_syn = np.maximum.accumulate(np.where(syn, index, -1)) if len(code) else index
-    before = np.append(-1, last_syn[:-1])[: len(code)]
-    start = np.flatnonzero(new)
-    begin = start[np.cumsum(new) - 1] if len(start) else index
-    again = syn & (before >= begin) & (sequence != sequence[before])
-    # A SYN after the end of what was captured before it, too.
-    again |= syn & (before < begin) & ~new
-    new |= again
-    stream = np.cumsum(new) - 1
-    first = np.flatnonzero(new)
-    step: Array = np.diff(sequence.astype(np.int64), prepend=sequence[:1].astype(np.int64))
-    place = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
+    first, complete = _starts(table, code)
+    stream = np.cumsum(first) - 1
+    first = np.flatnonzero(first)
+    step = np.diff(table["sequence"], prepend=table["sequence"][:1])
+    position = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
     # The SYN itself takes a number.
-    place = place + syn
-    complete = syn[first] if len(first) else np.zeros(0, bool)
-    place = place - (place[first] if len(first) else place)[stream]
-    table = table | {"place": place, "stream": stream.astype(np.int32)}
-    # The other direction: the same connection, the same one of those that follow each other.
-    forward = [key[order][first] for key in there]
-    low, high = np.minimum(*forward), np.maximum(*forward)
-    pair, _ = codes(low, high)
-    side = forward[0] == low
-    turn = times_before(pair * 2 + side)
-    by_pair: dict[tuple[int, int, bool], int] = {
-        key: number
-        for number, key in enumerate(zip(pair.tolist(), turn.tolist(), side.tolist(), strict=True))
-    }
-    reverse = np.array(
-        [by_pair.get((one, time, not way), number) for (one, time, way), number in by_pair.items()],
-        np.int64,
-    )
-    return Streams(table, first, reverse, complete)
+    position += table["flags"] & SYN > 0
+    table |= {"position": position - position[first][stream], "stream": stream}
+    reverse = _reverse(sender[order][first], receiver[order][first])
+    return Streams(table, first, reverse, complete[first])
+
+
+def _starts(table: Columns, code: Array) -> tuple[Array, Array]:
+    """Return which segments start a stream, and which are a SYN.
+
+    Ports are used again: a SYN with another number, or after segments without a SYN, starts a
+    stream of its own.
+    """
+    syn, sequence = table["flags"] & SYN > 0, table["sequence"]
+    new = np.diff(code, prepend=-1) != 0
+    index = np.arange(len(code))
+    begin = np.maximum.accumulate(np.where(new, index, 0))
+    last_syn = np.maximum.accumulate(np.where(syn, index, -1))
+    before = np.concatenate([[-1], last_syn])[: len(code)]
+    return new | (syn & ((before < begin) | (sequence != sequence[before]))), syn
+
+
+def _reverse(sender: Array, receiver: Array) -> Array:
+    """Return the number of each stream's other direction: both count reuses of their ports."""
+    pair, _ = factorize(np.minimum(sender, receiver), np.maximum(sender, receiver))
+    forward = sender <= receiver
+    use = cumcount(pair * 2 + forward)
+    keys = list(zip(pair.tolist(), use.tolist(), forward.tolist(), strict=True))
+    number_of = {key: number for number, key in enumerate(keys)}
+    reverse = [number_of.get((*key, not way), own) for own, (*key, way) in enumerate(keys)]
+    return np.array(reverse, np.int64)
 
 
 @dataclass(frozen=True)
@@ -104,102 +102,96 @@ class Content:
     ----------
     data : numpy.ndarray
         The bytes, stream after stream, each without its gaps.
-    pieces : dict
-        ``at``, where a piece of a segment stands in it, in order; ``segment``, its row in
-        `Streams.table`; ``done``, the row of the one that completed it.
+    parts : dict
+        Parts of segments in their order: ``at``, where a part begins in the bytes; ``size``;
+        ``segment``, its row in `Streams.table`; ``done``, the row of the segment that completed
+        the stream up to there.
     runs : list of tuple
-        What has no gap, in order: where it starts and ends, its stream, and whether it is the
-        start of the stream.
-    old : numpy.ndarray
+        What has no gap, in order: its begin and end, its stream, and whether it is the start of
+        that stream.
+    retransmitted : numpy.ndarray
         The rows of segments that carry only what was sent before.
     """
 
     data: Bytes
-    pieces: Columns
+    parts: Columns
     runs: list[tuple[int, int, int, bool]]
-    old: Array
+    retransmitted: Array
 
 
 def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     """Return what the chosen streams carry."""
     table = streams_.table
-    wanted = np.zeros(len(streams_.first), bool)
-    wanted[chosen] = True
-    rows = np.flatnonzero(wanted[table["stream"]] & (table["wire"] > 0))
-    stream, place, wire, size = (table[key][rows] for key in ("stream", "place", "wire", "size"))
+    rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))
+    stream = table["stream"][rows]
     numbers, firsts = np.unique(stream, return_index=True)
-    lasts = np.append(firsts[1:], len(rows))
-    skips, sizes, segments, done = (array("q") for _ in range(4))
-    old: list[int] = []
+    lasts = np.append(firsts, len(rows))[1:]
+    parts = array("q")
+    chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total = 0
+    total, source = 0, as_memory(data)
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
-        mine = slice(first, last)
-        row, places = rows[mine].tolist(), place[mine].tolist()
-        begin, from_start = total, bool(streams_.complete[number]) and min(places) == 0
-        for which, skip, many, by in _ordered(places, wire[mine].tolist(), size[mine].tolist()):
-            if many > 0:
-                skips.append(skip)
-                sizes.append(many)
-                segments.append(row[which])
-                done.append(row[by])
-                total += many
-            elif many == 0:
-                old.append(row[which])
+        row = rows[first:last]
+        position, wire, size, at = (
+            table[name][row].tolist() for name in ("position", "wire", "size", "at")
+        )
+        begin, from_start = total, bool(streams_.complete[number]) and min(position) == 0
+        for index, skip, length, done in _ordered(position, wire, size):
+            if length > 0:
+                parts.extend((total, length, row[index], row[done]))
+                chunks.append(source[at[index] + skip : at[index] + skip + length])
+                total += length
+            elif length == 0:
+                retransmitted.append(int(row[index]))
             else:  # a gap
                 if total > begin:
                     runs.append((begin, total, number, from_start))
                 begin, from_start = total, False
         if total > begin:
             runs.append((begin, total, number, from_start))
-    length, segment = np.array(sizes, np.int64), np.array(segments, np.int64)
-    pieces = {
-        "at": np.cumsum(length) - length,
-        "size": length,
-        "segment": segment,
-        "done": np.array(done, np.int64),
-    }
-    at = table["at"][segment] + np.array(skips, np.int64)
-    source = view(data)
-    parts = [source[a : a + n] for a, n in zip(at.tolist(), sizes, strict=True)]
-    joined = b"".join([*parts, bytes(PAD)])
-    return Content(np.frombuffer(joined, np.uint8), pieces, runs, np.array(old, np.int64))
+    columns = np.array(parts, np.int64).reshape(-1, 4).T
+    return Content(
+        np.frombuffer(b"".join([*chunks, bytes(PAD)]), np.uint8),
+        dict(zip(("at", "size", "segment", "done"), columns, strict=True)),
+        runs,
+        np.array(retransmitted, np.int64),
+    )
 
 
 def _ordered(
-    place: list[int], wire: list[int], size: list[int]
+    position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield what of which segment is new, in the order of the stream: segment, skipped, bytes, by.
+    """Yield the new bytes of segments in the order of the stream: segment, skipped, length, done.
 
-    ``by`` is the segment with which everything up to there was there. No bytes: nothing of it
-    is new. Fewer than none: a gap.
+    ``done`` is the segment that completed the stream up to there. A length of 0: nothing in the
+    segment is new; below 0: a gap.
     """
-    expected = min(place[0], 0) if 0 in place else place[0]
+    expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 
-    def new(which: int, by: int) -> Iterator[tuple[int, int, int, int]]:
+    def new(index: int, done: int) -> Iterator[tuple[int, int, int, int]]:
         nonlocal expected
-        skip = max(expected - place[which], 0)
-        if skip >= wire[which]:
-            yield which, 0, 0, by
+        skip = max(expected - position[index], 0)
+        if skip >= wire[index]:
+            yield index, 0, 0, done
             return
-        if skip < size[which]:
-            yield which, skip, size[which] - skip, by
-        if size[which] < wire[which]:  # cut when it was captured
-            yield which, 0, -1, by
-        expected = place[which] + wire[which]
+        if skip < size[index]:
+            yield index, skip, size[index] - skip, done
+        if size[index] < wire[index]:  # truncated when it was captured
+            yield index, 0, -1, done
+        expected = position[index] + wire[index]
 
-    for which, here in enumerate(place):
-        if here > expected:
-            heappush(waiting, (here, which))
+    for index, begin in enumerate(position):
+        if begin > expected:
+            heappush(waiting, (begin, index))
             continue
-        yield from new(which, which)
+        yield from new(index, index)
         while waiting and waiting[0][0] <= expected:
-            yield from new(heappop(waiting)[1], which)
-    # What is left comes after something that was not captured.
+            yield from new(heappop(waiting)[1], index)
+    # The rest follows something that was not captured.
     while waiting:
-        here, which = heappop(waiting)
-        if here > expected:
-            yield which, 0, -1, which
-            expected = here
-        yield from new(which, which)
+        begin, index = heappop(waiting)
+        if begin > expected:
+            yield index, 0, -1, index
+            expected = begin
+        yield from new(index, index)

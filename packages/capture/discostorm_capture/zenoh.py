@@ -1,420 +1,376 @@
-"""Zenoh: how every message of scouting, transport and network is laid out."""
+"""The messages and processes of Zenoh, over UDP and TCP."""
 
-from collections.abc import Callable
+from collections import Counter
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from discostorm.data import read_data
-from discostorm_capture._bytes import Array, Bytes, Columns, Places
+from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp, zenoh_udp
+from discostorm_capture._bytes import PAD, Array, Bytes, Columns, IdTable, factorize, stack, take
+from discostorm_capture.tables import TCP, ZENOH, Dissection, Process, first_seen, message_table
+from discostorm_capture.transport import Transport
+from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE, SCOUTING_PORT, UNREADABLE
 
-ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
-NAMES = [row["name"] for row in ROWS] + ["unreadable"]
-KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
-#: The code of a message, which is its row in the data file, by layer and id.
-CODES = {
-    layer: np.array(
-        [
-            next(
-                (
-                    code
-                    for code, row in enumerate(ROWS)
-                    if row["layer"] == layer and int(row["id"], 16) == id_
-                ),
-                len(ROWS),
-            )
-            for id_ in range(64)
-        ],
-        np.uint8,
+#: Segments of Zenoh's connections that carry no new message.
+TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
+_ACK, _CONTROL, _RETRANSMISSION = range(3)
+_ROUTER, _UNKNOWN_ROLE = 0, 3
+_ROLES = ("router", "peer", "client")
+_HELLO, _TOKEN, _KEY_EXPRESSION = map(
+    zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
+)
+#: Declarations that are endpoints; a token is one if it names an endpoint of ROS 2.
+_ENDPOINTS = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable")), _TOKEN]
+#: How rmw_zenoh names publishers, subscriptions, services and clients.
+_ROS_LIVELINESS, _ROS_ENDPOINTS = b"@ros2_lv/", (b"/MP/", b"/MS/", b"/SS/", b"/SC/")
+#: The head of the extension of a fragment that tells its priority, and a flag of the fragment.
+_QOS, _RELIABLE = 0x31, 0x20
+
+
+@dataclass(frozen=True)
+class _Conversation:
+    """What some packets hold: messages, and by the number of a process what they say of it."""
+
+    messages: list[Columns]
+    #: Its frame, number and source address where it says who it is, and the role it then has.
+    sightings: list[tuple[int, int, int]] = field(default_factory=list)
+    roles: list[tuple[int, int]] = field(default_factory=list)
+    #: The maximum of endpoints, and of tokens of endpoints, that it declares to another process.
+    endpoints: dict[int, int] = field(default_factory=dict)
+    tokens: dict[int, int] = field(default_factory=dict)
+
+
+def split_scouting(transport: Transport, datagrams: Columns) -> tuple[Columns, Columns]:
+    """Return the datagrams of scouting, with ``code`` and identity of each, and the others."""
+    to_all = ip.is_multicast(transport.addresses)[datagrams["target"]]
+    to_all |= datagrams["to_port"] == SCOUTING_PORT
+    code, zid_at, zid_length = zenoh_messages.scouting(
+        transport.data, datagrams["at"], datagrams["size"], to_all
     )
-    for layer in ("scouting", "transport", "network", "declare")
-}
-UNREADABLE = len(ROWS)
-PORT, SCOUTING_PORT = 7447, 7446
-#: The versions of the protocol that are known to be alike in what is read here.
-VERSIONS = (8, 9)
-_SCOUT, _HELLO = 1, 2
-_OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
-_INTEREST, _RESPONSE_FINAL, _RESPONSE, _REQUEST, _PUSH, _DECLARE, _NETWORK_OAM = range(0x19, 0x20)
-_PUT, _DEL, _QUERY, _REPLY, _ERROR = range(1, 6)
-LOW_LATENCY, COMPRESSION = 5, 6
-#: Flags of a message, and the one that says that extensions follow.
-ANSWER, _I, _N, _M, EXTENDED = 0x20, 0x20, 0x20, 0x40, 0x80
+    scouts = datagrams | {"code": code, "zid_at": zid_at, "zid_length": zid_length}
+    return take(scouts, code != UNREADABLE), take(datagrams, code == UNREADABLE)
 
 
-# ---------------------------------------------------------------- parts of messages
-# Each takes where a part of many messages starts, and where the messages end, and returns
-# where the part ends: one behind the end of the message if it does not fit in there.
+def dissect(
+    transport: Transport,
+    scouts: Columns,
+    datagrams: Columns,
+    streams: tcp.Streams,
+    notes: Counter[str],
+) -> Dissection:
+    """Return the messages of Zenoh, and the processes they show."""
+    data, zids = transport.data, IdTable()
+    conversations = [
+        _scouting(data, scouts, zids),
+        _over_udp(data, datagrams, zids, notes),
+        _over_tcp(data, streams, zids, notes),
+    ]
+    messages = stack([table for part in conversations for table in part.messages])
+    return Dissection(messages, _processes(conversations, zids, transport.addresses))
 
 
-def _skip(at: Places, end: Places, many: Array) -> Places:
-    return np.minimum(at + np.minimum(many, 1 << 30), end + 1)
+def _processes(
+    conversations: list[_Conversation], zids: IdTable, addresses: IdTable
+) -> dict[int, Process]:
+    """Return the processes that conversations show."""
+    roles: dict[int, set[int]] = {}
+    endpoints: dict[int, int] = {}
+    tokens: dict[int, int] = {}
+    for part in conversations:
+        for id_, role in part.roles:
+            roles.setdefault(id_, set()).add(role)
+        for total, maxima in ((endpoints, part.endpoints), (tokens, part.tokens)):
+            for id_, count in maxima.items():
+                total[id_] = max(total.get(id_, 0), count)
+    sightings = [row for part in conversations for row in part.sightings]
+    seen = first_seen(sightings, ip.is_loopback(addresses))
+    processes = {}
+    for zid, id_ in zids.ids.items():
+        server = _ROUTER in roles[id_]
+        role = min(roles[id_])
+        declared, announced = endpoints.get(id_, 0), tokens.get(id_, 0)
+        processes[id_] = Process(
+            protocol=ZENOH,
+            name=f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
+            product="Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
+            host=seen[id_][0],
+            first_frame=seen[id_][1],
+            # A router passes on what others declare.
+            endpoints=0 if server else announced or declared,
+            announced=not server and id_ in {*endpoints, *tokens},
+            server=server,
+            publishers=announced > 0,
+        )
+    return processes
 
 
-def _integer(data: Bytes, at: Places, end: Places) -> tuple[Array, Places]:
-    """Read integers of seven bits a byte, the lowest first; return them, too."""
-    byte = data[at].astype(np.int64)
-    value = byte & 0x7F
-    after = at + 1
-    open_ = np.flatnonzero((byte > 0x7F) & (at < end))
-    shift = 7
-    while len(open_):
-        byte = data[after[open_]].astype(np.int64)
-        # The ninth byte has all its bits; such numbers are not needed exactly.
-        value[open_] |= (byte & (0x7F if shift < 56 else 0x3F)) << shift
-        after[open_] += 1
-        shift += 7
-        open_ = open_[(byte > 0x7F) & (after[open_] < end[open_])] if shift < 63 else open_[:0]
-    return value, np.minimum(after, end + 1)
+def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
+    """Return the messages of scouting; only a Hello says which role its sender has."""
+    code = scouts["code"]
+    process = np.full(len(code), -1, np.int64)
+    sightings, roles = [], []
+    for row in np.flatnonzero(scouts["zid_length"]).tolist():
+        begin, length = int(scouts["zid_at"][row]), int(scouts["zid_length"][row])
+        process[row] = id_ = zids.id_of(data[begin : begin + length].tobytes())
+        sightings.append((int(scouts["frame"][row]), id_, int(scouts["source"][row])))
+        role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
+        roles.append((id_, role))
+    messages = message_table(
+        ZENOH,
+        scouts,
+        np.arange(len(code)),
+        kind=code,
+        submessage=code,
+        bytes=scouts["wire"],
+        process=process,
+        udp=np.ones(len(code), bool),
+        frames=scouts["parts"],
+    )
+    return _Conversation([messages], sightings, roles)
 
 
-def _block(data: Bytes, at: Places, end: Places) -> Places:
-    """Read a length and as many bytes."""
-    length, at = _integer(data, at, end)
-    return _skip(at, end, length)
+def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str]) -> _Conversation:
+    """Return the messages of sessions over UDP, where each datagram is a batch."""
+    table, opened, reverse = zenoh_udp.sessions(data, datagrams, notes)
+    first = {stream: int(np.argmax(table["stream"] == stream)) for stream in opened}
+    process, seen = _opened(opened, table, first, len(reverse), zids)
+    parsed = _parsed(data, table, notes)
+    batch, size = parsed["batch"], parsed["end"] - parsed["at"]
+    messages = message_table(
+        ZENOH,
+        table,
+        batch,
+        kind=parsed["code"],
+        submessage=parsed["code"],
+        bytes=size,
+        process=process[parsed["stream"]],
+        peer=process[reverse[parsed["stream"]]],
+        udp=np.ones(len(batch), bool),
+        frames=table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
+    )
+    return _with_endpoints(data, parsed, messages, process, seen, notes)
 
 
-def _where(
-    read: Callable[[Bytes, Places, Places], Places],
+def _over_tcp(
+    data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Counter[str]
+) -> _Conversation:
+    """Return the messages of sessions over TCP, and the segments that TCP itself sends in them."""
+    zenoh_tcp.note_tls(data, streams, notes)
+    table = streams.table
+    chosen = zenoh_tcp.streams_of_zenoh(data, streams)
+    content = tcp.content(data, streams, chosen)
+    opened = zenoh_tcp.stream_openings(content)
+    first = {stream: int(streams.first[stream]) for stream in opened}
+    process, seen = _opened(opened, table, first, len(streams.first), zids)
+    parsed = _parsed(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)
+    # The length in front of a batch goes with its first message.
+    begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
+    part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
+    cost_end, cost_begin = (_segments_until(content, table, at) for at in (parsed["end"], begin))
+    messages = message_table(
+        ZENOH,
+        table,
+        content.parts["done"][part],
+        kind=parsed["code"],
+        submessage=parsed["code"],
+        bytes=parsed["end"] - begin,
+        process=process[parsed["stream"]],
+        peer=process[streams.reverse[parsed["stream"]]],
+        frames=cost_end - cost_begin,
+    )
+    conversation = _with_endpoints(content.data, parsed, messages, process, seen, notes)
+    conversation.messages.append(_other_segments(content, streams, chosen, process))
+    return conversation
+
+
+def _opened(
+    opened: dict[int, zenoh_messages.Opening],
+    table: Columns,
+    first: dict[int, int],
+    streams: int,
+    zids: IdTable,
+) -> tuple[Array, _Conversation]:
+    """Return the process of each stream, -1 if unknown, the last of no stream, and what it says."""
+    process = np.full(streams + 1, -1, np.int64)
+    sightings, roles = [], []
+    for stream, opening in opened.items():
+        row = first[stream]
+        process[stream] = id_ = zids.id_of(opening.zid)
+        sightings.append((int(table["frame"][row]), id_, int(table["source"][row])))
+        roles.append((id_, opening.role))
+    return process, _Conversation([], sightings, roles)
+
+
+def _parsed(data: Bytes, batches: Columns, notes: Counter[str]) -> Columns:
+    """Return the messages in batches, with each one's ``stream``."""
+    parsed = zenoh_messages.parse(data, batches["at"], batches["end"])
+    if unreadable := int(np.count_nonzero(parsed["code"] == UNREADABLE)):
+        notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    return parsed | {"stream": batches["stream"][parsed["batch"]]}
+
+
+def _segments_until(content: tcp.Content, table: Columns, at: Array) -> Array:
+    """Return how many segments it took to send the content up to each offset."""
+    parts = content.parts
+    segment = parts["segment"]
+    share = table["parts"][segment] * parts["size"] / np.maximum(table["wire"][segment], 1)
+    offsets = np.append(parts["at"], parts["at"][-1:] + parts["size"][-1:])
+    sums = np.append(0.0, np.cumsum(share))[: len(offsets)]
+    return np.interp(at, offsets, sums) if len(offsets) else np.zeros(len(at))
+
+
+def _other_segments(
+    content: tcp.Content, streams: tcp.Streams, chosen: Array, process: Array
+) -> Columns:
+    """Return the segments that TCP itself sends in the sessions of Zenoh."""
+    table = streams.table
+    empty = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] == 0))
+    rows = np.append(empty, content.retransmitted)
+    flags, stream = table["flags"][rows], table["stream"][rows]
+    is_control = flags & (tcp.SYN | tcp.FIN | tcp.RST) > 0
+    kind = np.where(is_control, _CONTROL, _ACK)
+    kind[len(empty) :] = _RETRANSMISSION
+    return message_table(
+        TCP,
+        table,
+        rows,
+        kind=kind,
+        submessage=kind,
+        bytes=table["wire"][rows],
+        process=process[stream],
+        peer=process[streams.reverse[stream]],
+        frames=table["parts"][rows],
+        ends=flags & (tcp.FIN | tcp.RST) > 0,
+    )
+
+
+# ---------------------------------------------------------------- fragments and declarations
+
+
+def _with_endpoints(
     data: Bytes,
-    at: Places,
-    end: Places,
-    when: Array,
-) -> Places:
-    """Read a part that only some of the messages have."""
-    index = np.flatnonzero(when & (at <= end))
-    if len(index) == len(at):
-        return read(data, at, end)
-    if len(index):
-        at = at.copy()
-        at[index] = read(data, at[index], end[index])
-    return at
+    parsed: Columns,
+    messages: Columns,
+    process: Array,
+    seen: _Conversation,
+    notes: Counter[str],
+) -> _Conversation:
+    """Return messages with those that fragments make, and the endpoints that all declare."""
+    tables, sources = [messages], [(data, parsed)]
+    if fragments := _fragments(data, parsed, notes):
+        content, inner, *tables = _reassembled(data, parsed, messages, fragments, notes)
+        sources.append((content, inner))
+    names = {name for source in sources for name in _ros_expressions(*source)}
+    declared = stack([_declarations(*source, names) for source in sources])
+    _, first = factorize(declared["stream"], declared["code"], declared["number"])
+    declared = take(declared, first)
+    endpoints, tokens = (
+        _maxima(process, take(declared, (declared["code"] == _TOKEN) == is_token))
+        for is_token in (False, True)
+    )
+    return _Conversation(tables, seen.sightings, seen.roles, endpoints, tokens)
 
 
-def _plain_integer(data: Bytes, at: Places, end: Places) -> Places:
-    return _integer(data, at, end)[1]
+def _fragments(data: Bytes, parsed: Columns, notes: Counter[str]) -> list[list[int]]:
+    """Return the rows of the fragments of each message that is complete."""
+    pending: dict[tuple[int, int, bytes], list[int]] = {}
+    complete = []
+    for row in np.flatnonzero(parsed["code"] == CODES["transport"][FRAGMENT]).tolist():
+        head, at, begin = (int(parsed[name][row]) for name in ("head", "at", "number"))
+        # The sequence number ends with the first byte below 128; extensions follow.
+        extension = at + 1
+        while extension < begin and data[extension] > 0x7F:
+            extension += 1
+        qos = data[extension + 1 : min(extension + 3, begin)].tobytes()
+        is_qos = len(qos) == 2 and qos[0] & 0x7F == _QOS
+        key = int(parsed["stream"][row]), head & _RELIABLE, qos[1:] if is_qos else b""
+        pending.setdefault(key, []).append(row)
+        if not head & MORE:
+            complete.append(pending.pop(key))
+    if pending:
+        notes["Zenoh messages of which fragments are missing"] += len(pending)
+    return complete
 
 
-def _extension(data: Bytes, at: Places, end: Places) -> tuple[Array, Places]:
-    """Read an extension; return its first byte, too."""
-    head = data[at]
-    after = np.minimum(at + 1, end + 1)
-    encoding = head >> 5 & 3
-    after = _where(_plain_integer, data, after, end, encoding == 1)
-    after = _where(_block, data, after, end, encoding == 2)
-    return head, np.where(encoding == 3, end + 1, after)
+def _reassembled(
+    data: Bytes,
+    parsed: Columns,
+    messages: Columns,
+    fragments: list[list[int]],
+    notes: Counter[str],
+) -> tuple[Bytes, Columns, Columns, Columns]:
+    """Return the messages in fragments: their bytes, as `parse` does, and two tables.
 
-
-def _extensions(data: Bytes, at: Places, end: Places) -> Places:
-    """Read extensions, each of which says whether another one follows."""
-    after = at.copy()
-    open_ = np.arange(len(at))
-    while len(open_):
-        head, after[open_] = _extension(data, after[open_], end[open_])
-        open_ = open_[(head & EXTENDED > 0) & (after[open_] < end[open_])]
-    return after
-
-
-def _expression(data: Bytes, at: Places, end: Places, named: Array) -> Places:
-    """Read a key expression: a number and, if it is named, a text."""
-    return _where(_block, data, _plain_integer(data, at, end), end, named)
-
-
-def _timestamp(data: Bytes, at: Places, end: Places) -> Places:
-    return _block(data, _plain_integer(data, at, end), end)
-
-
-def _encoding(data: Bytes, at: Places, end: Places) -> Places:
-    id_, at = _integer(data, at, end)
-    return _where(_block, data, at, end, id_ & 1 > 0)
-
-
-def _slices(data: Bytes, at: Places, end: Places) -> Places:
-    """Read a payload in shared memory: how many slices, and of each a kind and a block."""
-    count, after = _integer(data, at, end)
-    count = np.minimum(count, end - at)
-    open_ = np.flatnonzero(count > 0)
-    while len(open_):
-        after[open_] = _block(data, np.minimum(after[open_] + 1, end[open_]), end[open_])
-        count[open_] -= 1
-        open_ = open_[(count[open_] > 0) & (after[open_] < end[open_])]
-    return after
-
-
-def _content(data: Bytes, at: Places, end: Places) -> Places:
-    """Read a Put or a Del, what a Push or a Reply carries."""
-    head = data[at]
-    kind = head & 0x1F
-    put = kind == _PUT
-    at = np.where(put | (kind == _DEL), np.minimum(at + 1, end + 1), end + 1)
-    at = _where(_timestamp, data, at, end, head & 0x20 > 0)
-    at = _where(_encoding, data, at, end, put & (head & 0x40 > 0))
-    before = at
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    shared = put & (head & EXTENDED > 0) & has_extension(data, before, at, 2)
-    at = _where(_slices, data, at, end, shared)
-    return _where(_block, data, at, end, put & ~shared)
-
-
-def has_extension(data: Bytes, at: Places, end: Places, wanted: int) -> Array:
-    """Return whether one of the extensions from here to there has that number."""
-    found = np.zeros(len(at), bool)
-    open_ = np.flatnonzero(at < end)
-    at = at.copy()
-    while len(open_):
-        head, at[open_] = _extension(data, at[open_], end[open_])
-        found[open_] |= head & 0x0F == wanted
-        open_ = open_[(head & EXTENDED > 0) & (at[open_] < end[open_])]
-    return found
-
-
-def _query(data: Bytes, at: Places, end: Places) -> Places:
-    head = data[at]
-    at = np.where(head & 0x1F == _QUERY, np.minimum(at + 1, end + 1), end + 1)
-    at = _where(_plain_integer, data, at, end, head & 0x20 > 0)
-    at = _where(_block, data, at, end, head & 0x40 > 0)
-    return _where(_extensions, data, at, end, head & EXTENDED > 0)
-
-
-def _answer(data: Bytes, at: Places, end: Places) -> Places:
-    head = data[at]
-    reply, error = head & 0x1F == _REPLY, head & 0x1F == _ERROR
-    at = np.where(reply | error, np.minimum(at + 1, end + 1), end + 1)
-    at = _where(_plain_integer, data, at, end, reply & (head & 0x20 > 0))
-    at = _where(_encoding, data, at, end, error & (head & 0x40 > 0))
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    at = _where(_content, data, at, end, reply)
-    return _where(_block, data, at, end, error)
-
-
-# ---------------------------------------------------------------- messages
-# Each takes where messages go on behind their first byte, which it takes, too; it returns where
-# they end and a number that they have: what is declared, where a fragment's content starts.
-
-Layout = Callable[[Bytes, Places, Places, Array], tuple[Places, Array]]
-
-
-def _zid(data: Bytes, at: Places, end: Places) -> Places:
-    """Read a version, a role and an identity."""
-    length = (data[at + 1] >> 4).astype(np.int64) + 1
-    return _skip(at, end, 2 + length)
-
-
-def read_init(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    """Read an Init; the number is the place where its extensions start."""
-    at = _skip(_zid(data, at, end), end, 3 * (head & 0x40 > 0))
-    at = _where(_block, data, at, end, head & ANSWER > 0)
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), at
-
-
-def _open(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    at = _plain_integer(data, _plain_integer(data, at, end), end)
-    at = _where(_block, data, at, end, head & ANSWER == 0)
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), at
-
-
-def _close(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    return _where(_extensions, data, np.minimum(at + 1, end + 1), end, head & EXTENDED > 0), at
-
-
-def _keep_alive(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), at
-
-
-def _frame(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    number_, at = _integer(data, at, end)
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), number_
-
-
-def _fragment(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    after, _ = _frame(data, at, end, head)
-    return np.where(after <= end, end, after), after
-
-
-def read_join(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    """Read a Join, by which a member of a group opens its side."""
-    at = _skip(_zid(data, at, end), end, 3 * (head & 0x40 > 0))
-    for _ in range(3):
-        at = _plain_integer(data, at, end)
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), at
-
-
-def _oam(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    number_, at = _integer(data, at, end)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    encoding = head >> 5 & 3
-    at = _where(_plain_integer, data, at, end, encoding == 1)
-    at = _where(_block, data, at, end, encoding == 2)
-    return np.where(encoding == 3, end + 1, at), number_
-
-
-def _interest(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    number_, at = _integer(data, at, end)
-    asks = head & 0x60 > 0
-    options = np.where(asks, data[at], 0)
-    at = _skip(at, end, asks.astype(np.int64))
-    restricted = options & 0x10 > 0
-    at = _where(_plain_integer, data, at, end, restricted)
-    at = _where(_block, data, at, end, restricted & (options & 0x20 > 0))
-    return _where(_extensions, data, at, end, head & EXTENDED > 0), number_
-
-
-def _declare(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    at = _where(_plain_integer, data, at, end, head & _I > 0)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    body = data[at]
-    kind = body & 0x1F
-    at = np.minimum(at + 1, end + 1)
-    known = CODES["declare"][kind] != UNREADABLE
-    numbered = known & (kind != 0x1A)
-    number_ = np.full(len(at), -1, np.int64)
-    index = np.flatnonzero(numbered & (at <= end))
-    number_[index], at[index] = _integer(data, at[index], end[index])
-    new = numbered & (kind & 1 == 0)
-    at = _where(_plain_integer, data, at, end, new)
-    at = _where(_block, data, at, end, new & (body & _N > 0))
-    at = _where(_extensions, data, at, end, body & EXTENDED > 0)
-    # What is declared goes along with its number.
-    return np.where(known, at, end + 1), number_ << 8 | CODES["declare"][kind]
-
-
-def _push(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    at = _expression(data, at, end, head & _N > 0)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    return _where(_content, data, at, end, at < end + 1), at
-
-
-def _request(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    number_, at = _integer(data, at, end)
-    at = _expression(data, at, end, head & _N > 0)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    return _where(_query, data, at, end, at < end + 1), number_
-
-
-def _response(data: Bytes, at: Places, end: Places, head: Array) -> tuple[Places, Array]:
-    number_, at = _integer(data, at, end)
-    at = _expression(data, at, end, head & _N > 0)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    return _where(_answer, data, at, end, at < end + 1), number_
-
-
-_MESSAGES: dict[int, Layout] = {
-    _OAM: _oam,
-    INIT: read_init,
-    OPEN: _open,
-    CLOSE: _close,
-    KEEP_ALIVE: _keep_alive,
-    FRAME: _frame,
-    FRAGMENT: _fragment,
-    JOIN: read_join,
-    _INTEREST: _interest,
-    _RESPONSE_FINAL: _frame,
-    _RESPONSE: _response,
-    _REQUEST: _request,
-    _PUSH: _push,
-    _DECLARE: _declare,
-    _NETWORK_OAM: _oam,
-}
-
-
-def parse(data: Bytes, at: Places, end: Places) -> Columns:
-    """Return the messages in batches.
-
-    Parameters
-    ----------
-    data : numpy.ndarray
-        Where the batches are.
-    at, end : numpy.ndarray
-        Of each its first byte, and the one behind its last.
-
-    Returns
-    -------
-    dict
-        One row a message: its ``batch``; ``at`` and ``end``; its ``code``, a place in `NAMES`;
-        ``head``, its first byte; ``number``, of what it declares, or the place where the
-        content of a fragment starts. What cannot be read is a message, too.
+    The bytes of fragments, but for their heads, go from the first table, which has all other
+    messages, to the second, which has those in fragments.
     """
-    batch = np.arange(len(at))
-    none = np.zeros(0, np.int64)
-    steps = [(batch[:0], at[:0], at[:0], none.astype(np.uint8), none.astype(np.uint8), none)]
-    while len(at):
-        head = data[at]
-        kind = head & 0x1F
-        after, value = end + 1, np.zeros(len(at), np.int64)
-        for which, read in _MESSAGES.items():
-            mine = np.flatnonzero(kind == which)
-            if len(mine) == len(at):
-                after, value = read(data, at + 1, end, head)
-            elif len(mine):
-                after[mine], value[mine] = read(data, at[mine] + 1, end[mine], head[mine])
-        flag_a = np.where((kind == INIT) | (kind == OPEN), head & ANSWER, 0)
-        code = np.where(kind < 8, CODES["transport"][kind | flag_a], CODES["network"][kind])
-        declares = kind == _DECLARE
-        code = np.where(declares, value & 0xFF, code).astype(np.uint8)
-        value = np.where(declares, value >> 8, value)
-        bad = after > end
-        code[bad] = UNREADABLE
-        after = np.minimum(after, end)
-        steps.append((batch, at, after, code, head, value))
-        open_ = after < end
-        open_ &= ~bad
-        batch, at, end = batch[open_], after[open_], end[open_]
-    columns = [np.concatenate(parts) for parts in zip(*steps, strict=True)]
-    order = np.argsort(columns[0], kind="stable")
-    names = ("batch", "at", "end", "code", "head", "number")
-    return {name: column[order] for name, column in zip(names, columns, strict=True)}
+    whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
+    rows = np.concatenate(fragments).astype(np.int64)
+    size = parsed["end"][rows] - parsed["number"][rows]
+    chunks = zip(parsed["number"][rows].tolist(), parsed["end"][rows].tolist(), strict=True)
+    joined = b"".join([*(data[begin:end].tobytes() for begin, end in chunks), bytes(PAD)])
+    content = np.frombuffer(joined, np.uint8)
+    length = np.bincount(whole, size).astype(np.int64)
+    end = np.cumsum(length)
+    inner = zenoh_messages.parse(content, end - length, end)
+    if unreadable := int(np.count_nonzero(inner["code"] == UNREADABLE)):
+        notes["Zenoh messages in fragments that cannot be read"] += unreadable
+    batch = inner["batch"]
+    last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
+    ratio = size / np.maximum(messages["bytes"][rows], 1)
+    frames = np.bincount(whole, messages["frames"][rows] * ratio)
+    outer = messages | {name: messages[name].copy() for name in ("bytes", "frames")}
+    outer["frames"][rows] *= 1 - ratio
+    outer["bytes"][rows] -= size
+    inner_size = inner["end"] - inner["at"]
+    new = take(messages, last) | {
+        "kind": inner["code"].astype(np.uint16),
+        "submessage": inner["code"],
+        "bytes": inner_size.astype(np.int32),
+        "frames": (frames[batch] * inner_size / np.maximum(length[batch], 1)).astype(np.float32),
+    }
+    return content, inner | {"stream": parsed["stream"][last]}, outer, new
 
 
-def scopes(data: Bytes, at: Places, end: Places) -> Array:
-    """Return the number of the key expression that each declaration refers to, 0 if to none."""
-    head = data[at]
-    at = _where(_plain_integer, data, at + 1, end, head & _I > 0)
-    at = _where(_extensions, data, at, end, head & EXTENDED > 0)
-    return _integer(data, _plain_integer(data, at + 1, end), end)[0]
+def _ros_expressions(data: Bytes, parsed: Columns) -> set[tuple[int, int]]:
+    """Return the key expressions of endpoints of rmw_zenoh, each by its stream and number."""
+    table = take(parsed, parsed["code"] == _KEY_EXPRESSION)
+    columns = (table[name].tolist() for name in ("stream", "number", "at", "end"))
+    return {
+        (stream, number)
+        for stream, number, begin, end in zip(*columns, strict=True)
+        if _is_ros_endpoint(data[begin:end])
+    }
 
 
-# ---------------------------------------------------------------- datagrams
+def _declarations(data: Bytes, parsed: Columns, names: set[tuple[int, int]]) -> Columns:
+    """Return the declarations of endpoints: ``stream``, ``code``, ``number`` and ``counts``.
 
-
-def scouting(data: Bytes, at: Places, size: Array, to_all: Array) -> tuple[Array, Columns]:
-    """Return the code of each datagram, `UNREADABLE` if it is no Scout or Hello, and its identity.
-
-    ``to_all`` says which go to a group or to the port of scouting. Of the identity the table
-    has where it stands, ``at``, and its ``length``, 0 if it is not told.
+    A token counts only if it is one of an endpoint of rmw_zenoh, by its text or key expression.
     """
-    code = np.full(len(at), UNREADABLE, np.uint8)
-    place, length = np.zeros(len(at), np.int64), np.zeros(len(at), np.int64)
-    told = np.isin(data[at + 1], VERSIONS) & (size >= 3)
-    kind = data[at] & 0x1F
-    for found, name in ((_SCOUT, "scouting"), (_HELLO, "scouting")):
-        index = np.flatnonzero(told & (kind == found) & (to_all if found == _SCOUT else True))
-        here, head, role = at[index], data[at[index]], data[at[index] + 2]
-        end = here + size[index]
-        many = (role >> 4).astype(np.int64) + 1
-        if found == _SCOUT:
-            many = np.where(role & 8 > 0, many, 0)
-        after = _skip(here, end, 3 + many)
-        if found == _HELLO:
-            after = _where(_locators, data, after, end, head & 0x20 > 0)
-        after = _where(_extensions, data, after, end, head & EXTENDED > 0)
-        good = index[(after == end) & ((role & 0x0C == 0) | (found == _SCOUT))]
-        code[good] = CODES[name][found]
-        place[good] = at[good] + 3
-        length[good] = many[np.searchsorted(index, good)]
-    return code, {"at": place, "length": length}
+    table = take(parsed, np.isin(parsed["code"], _ENDPOINTS))
+    scopes = zenoh_messages.scopes(data, table["at"], table["end"])
+    columns = (table[name].tolist() for name in ("code", "stream", "at", "end"))
+    counts = [
+        code != _TOKEN or (stream, scope) in names or _is_ros_endpoint(data[begin:end])
+        for code, stream, begin, end, scope in zip(*columns, scopes.tolist(), strict=True)
+    ]
+    return {name: table[name] for name in ("stream", "code", "number")} | {
+        "counts": np.array(counts, bool)
+    }
 
 
-def _locators(data: Bytes, at: Places, end: Places) -> Places:
-    count, after = _integer(data, at, end)
-    open_ = np.flatnonzero(count > 0)
-    while len(open_):
-        after[open_] = _block(data, after[open_], end[open_])
-        count[open_] -= 1
-        open_ = open_[(count[open_] > 0) & (after[open_] < end[open_])]
-    return np.where(count > 0, end + 1, after)
+def _is_ros_endpoint(message: Bytes) -> bool:
+    """Return whether a declaration has the text of an endpoint of rmw_zenoh."""
+    text = message.tobytes()
+    return _ROS_LIVELINESS in text and any(kind in text for kind in _ROS_ENDPOINTS)
 
 
-def may_open(data: Bytes, at: Places, size: Array) -> Array:
-    """Return which datagrams may start a session of Zenoh over UDP."""
-    kind = data[at] & 0x1F
-    known: Array = np.isin(kind, (INIT, JOIN)) & np.isin(data[at + 1], VERSIONS)
-    return known & (size > 4)
+def _maxima(process: Array, declared: Columns) -> dict[int, int]:
+    """Return the maximum of what each process declares in one of its streams."""
+    maxima: dict[int, int] = {}
+    counts = np.bincount(declared["stream"], declared["counts"])
+    for stream in np.unique(declared["stream"]).tolist():
+        id_ = int(process[stream])
+        maxima[id_] = max(maxima.get(id_, 0), int(counts[stream]))
+    return maxima

@@ -7,6 +7,7 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+import lab_data
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -25,7 +26,7 @@ from discostorm_capture.live import Packets
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
-#: What each capture of `captures/ills` is of (`lab/ills.csv`): the kind of its first finding,
+#: The fault of each capture of `captures/ills` (`lab/grids/faults.csv`): its first finding's kind,
 #: and the last parts of the hosts' addresses that it names.
 STAGED: dict[str, tuple[str, str]] = {
     "multicast_filtered-cyclone_dds_0_10": ("nobody hears", "123"),
@@ -141,7 +142,7 @@ def test_other_captures_of_healthy_fleets_are_healthy(name: str) -> None:
 
 
 def test_the_labs_table_has_what_is_told_of_each_staging() -> None:
-    rows = read_data("measured/ills.csv", "discostorm_book")
+    rows = lab_data.read("faults.csv")
     wrong: dict[str, int] = {}
     for row in rows:
         first = row["found"].split("; ")[0]
@@ -152,17 +153,13 @@ def test_the_labs_table_has_what_is_told_of_each_staging() -> None:
 
 
 def test_sixty_other_healthy_runs_raise_no_alarm() -> None:
-    rows = [
-        row
-        for row in read_data("measured/ills.csv", "discostorm_book")
-        if row["staged"].endswith("other sizes")
-    ]
+    rows = [row for row in lab_data.read("faults.csv") if row["staged"].endswith("other sizes")]
     assert sum(int(row["in"]) for row in rows) >= 60
     assert {row["found"] for row in rows} == {"nothing"}
 
 
 def test_times_are_those_of_the_processes_own_logs() -> None:
-    rows = read_data("measured/ill_times.csv", "discostorm_book")
+    rows = lab_data.read("fault_times.csv")
     apart = [abs(float(row["capture_s"]) - float(row["log_s"])) for row in rows]
     assert len(rows) >= 150
     # One Python process of Zenoh was late to write its line.
@@ -445,8 +442,7 @@ def test_small_captures_are_small() -> None:
 
 
 def test_the_grids_stage_each_of_them() -> None:
-    folder = ROOT / "lab"
-    with (folder / "ills.csv").open(newline="") as file:
+    with (ROOT / "lab/grids/faults.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     assert {row["ill"] for row in rows} == {*FIRST} - {"healthy, of other sizes"}
 

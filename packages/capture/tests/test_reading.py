@@ -48,7 +48,6 @@ from discostorm_capture import (
     Capture,
     CaptureError,
     files,
-    read as reading,
     read_capture,
     rtps as rtps_module,
 )
@@ -614,6 +613,16 @@ def test_a_session_that_was_open_before(first: int, read: Read) -> None:
     assert zenoh_kinds(capture) == [*EXPECTED[first - 1 :], "KeepAlive"]
 
 
+@pytest.mark.parametrize(("frame", "is_zenoh"), [(b"\x25\x07\x04", False), (DECLARE[2:], True)])
+def test_a_frame_of_three_bytes_carries_no_message(
+    frame: bytes, is_zenoh: bool, read: Read
+) -> None:
+    # A session that was open before, at a port of its own: only its segments tell.
+    found = session(*[batch(frame)] * 5)[2:]
+    other = [ip[:22] + struct.pack(">H", 5000) + ip[24:] for ip in found]
+    assert (not read(raw(*other)).messages().empty) is is_zenoh
+
+
 def test_other_connections_are_left_alone(read: Read) -> None:
     lines = [b"GET / HTTP/1.1\r\nHost: a\r\n\r\n", b"abc" * 50]
     capture = read(raw(*session(*lines, init=b"hello")))
@@ -662,9 +671,7 @@ def test_sessions_over_udp(read: Read) -> None:
 
 
 @pytest.mark.parametrize("port", [7447, 5000])
-def test_datagrams_of_a_session_in_ip_fragments(
-    port: int, read: Read, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_datagrams_of_a_session_in_ip_fragments(port: int, read: Read) -> None:
     # What opens the session is in one piece, and what is declared in fragments of IP.
     init, *rest = over_udp(INIT_SYN, DECLARE, DECLARE, KEEP_ALIVE, port=port)
     pieces = [piece for id_, ip in enumerate(rest) for piece in ipv4_fragments(ip, 24, id_ + 2)]
@@ -674,9 +681,6 @@ def test_datagrams_of_a_session_in_ip_fragments(
     assert capture.messages()["frames"].sum() == pytest.approx(1 + len(pieces))
     assert not any("announcement" in note for note in capture.notes)
     assert any("fragments are missing" in note for note in read(raw(init, *pieces[1:])).notes)
-    # Nor is anything lost where packets are read in parts.
-    monkeypatch.setattr(reading, "_AT_A_TIME", 1)
-    assert zenoh_kinds(read(raw(init, *pieces))) == zenoh_kinds(capture)
 
 
 def test_messages_in_fragments_of_zenoh_over_udp(read: Read) -> None:
@@ -886,6 +890,42 @@ def test_a_clock_that_is_set_back(read: Read) -> None:
     assert len(capture.picture().axes) == 2
 
 
+@pytest.mark.parametrize(("seconds", "copy"), [(0.9, True), (1.0, True), (1.1, False)])
+def test_another_interface_shows_a_packet_again_within_a_second(
+    seconds: float, copy: bool, read: Read
+) -> None:
+    packet = udp(rtps(data(0x100C2)))
+    found = [(10**18 + int(turn * seconds * 1e9), packet, len(packet)) for turn in (0, 1)]
+    capture = read(pcapng(found, links=(101, 101)))
+    assert list(capture.messages()["copy"]) == [False, copy]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "step"), [(29, ()), (31, (31,)), (59, (59,)), (-0.9, ()), (-1.1, (-1.1,))]
+)
+def test_a_clock_was_set_if_time_goes_back_or_far_on(
+    seconds: float, step: tuple[float, ...], read: Read
+) -> None:
+    packet = udp(rtps(data(0x100C2)))
+    found = [(10**18 + int(turn * seconds * 1e9), packet, len(packet)) for turn in (0, 1)]
+    steps = read(pcap(found, 101))._clock_steps
+    assert [frame for frame, _ in steps] == [2] * len(step)
+    assert [by for _, by in steps] == pytest.approx(step)
+
+
+def secured(length: int, transformation: int = 2) -> bytes:
+    """Return a submessage of so many bytes that DDS Security encrypts, or signs."""
+    prefix = submessage(0x31, bytes([0, 0, 0, transformation]) + b"\0\0\0\7" + bytes(12))
+    return prefix + submessage(0x30, bytes(length)) + submessage(0x32, bytes(8))
+
+
+@pytest.mark.parametrize(("length", "count"), [(16, 0), (20, 0), (21, 1), (24, 1)])
+def test_an_encrypted_info_is_no_message(length: int, count: int, read: Read) -> None:
+    # The longest, an INFO_DST, has 20 bytes when it is encrypted.
+    assert kinds(read, rtps(secured(length))) == ["Encrypted"] * count
+    assert kinds(read, rtps(secured(100, transformation=1)))[:1] != ["Encrypted"]
+
+
 # ---------------------------------------------------------------- broken files
 
 PLAIN = pcap(packets("cyclone_dds_010"))
@@ -1009,6 +1049,18 @@ def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
     assert notes_and_kinds([one, one, two, two]) == (missing, [])
     other = ipv6_fragments(udp(rtps(data(0x3C2), data(0x100C2))), 40, 1)
     assert notes_and_kinds([*pieces, *other[:2]]) == (missing, kinds_)
+
+
+@pytest.mark.parametrize(("seconds", "complete"), [(45, True), (59.9, True), (60.1, False)])
+def test_fragments_of_a_datagram_come_within_a_minute(
+    seconds: float, complete: bool, read: Read
+) -> None:
+    first, *rest = ipv4_fragments(udp(rtps(data(0x100C2))), 24, 7)
+    found = at([first, *rest], step=0)
+    late = [(when + int(seconds * 1e9), *packet) for when, *packet in found[1:]]
+    capture = read(pcap([found[0], *late], 228))
+    assert list(capture.messages()["kind"]) == ["SPDP"] * complete
+    assert any("fragments are missing" in note for note in capture.notes) is not complete
 
 
 def test_a_link_type_that_is_not_read_is_noted(read: Read) -> None:

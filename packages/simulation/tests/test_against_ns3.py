@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import lab_data
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -30,7 +31,7 @@ BURSTS = [
     for row in read_data("measured/ns3_bursts.csv", "discostorm_book")
     if row["order"] == "pairs" and row["request"] == "1"
 ]
-SATURATION = read_data("measured/ns3_saturation.csv", "discostorm_book")
+SATURATION = lab_data.read("ns3_saturation.csv")
 
 
 def channel(mpdus: int, aifsn: int) -> ds.Wifi:

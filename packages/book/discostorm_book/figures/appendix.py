@@ -9,26 +9,21 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from discostorm import lambdify, uncertainty
-from discostorm.figures import WIDTH, color_of, headline, style
+from discostorm.figures import color_of
 from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
+from discostorm_book.figures.drawing import Look, clear_rows, drawn
 
-#: What all parameters at their best or worst ends are called.
-TOGETHER = "all together"
+#: The name of the row with all parameters at their best or worst ends.
+_TOGETHER = "all together"
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
 _LINKS = {"uni": "unicast", "multi": "multicast"}
 
 
-def parameter_name(symbol: str) -> str:
-    """Return what a parameter is called, as "unicast overhead" for ``O_uni``.
-
-    Examples
-    --------
-    >>> parameter_name("O_uni"), parameter_name("s_SEDP")
-    ('unicast overhead', 'SEDP payload')
-    """
+def _parameter_name(symbol: str) -> str:
+    """Return the name of a parameter, such as "unicast overhead" for ``O_uni``."""
     kind, _, of = symbol.partition("_")
     return f"{_LINKS.get(of, of)} {_KINDS[kind]}"
 
@@ -39,38 +34,25 @@ def tornado_data(protocols: Sequence[Protocol], processes: int, endpoints: int) 
     for protocol in protocols:
         ends = uncertainty.sensitivity(protocol, processes, endpoints)
         low, high = uncertainty.saturation_bounds(protocol, processes, endpoints)
-        at = np.sort(ends[["hosts_at_low", "hosts_at_high"]].to_numpy(), axis=1)
-        tables.append(
-            pd.DataFrame(
-                {
-                    "protocol": protocol.name,
-                    "parameter": [TOGETHER, *map(parameter_name, ends.index)],
-                    "fewest_hosts": [low, *at[:, 0]],
-                    "paper_hosts": saturation_hosts(protocol, processes, endpoints),
-                    "most_hosts": [high, *at[:, 1]],
-                }
-            )
-        )
+        hosts = np.sort(ends[["hosts_at_low", "hosts_at_high"]].to_numpy(), axis=1)
+        columns = {
+            "protocol": protocol.name,
+            "parameter": [_TOGETHER, *map(_parameter_name, ends.index)],
+            "fewest_hosts": [low, *hosts[:, 0]],
+            "paper_hosts": saturation_hosts(protocol, processes, endpoints),
+            "most_hosts": [high, *hosts[:, 1]],
+        }
+        tables.append(pd.DataFrame(columns))
     return pd.concat(tables)
 
 
 def tornado(
     protocols: Sequence[Protocol], processes: int, endpoints: int, shown: int = 5
 ) -> Figure:
-    """Draw how far each parameter alone moves the saturation point: a panel a protocol.
-
-    Parameters
-    ----------
-    protocols : sequence of Protocol
-        The paper's.
-    processes, endpoints : int
-        Of each host, of each process.
-    shown : int
-        So many parameters, those that move it most.
-    """
+    """Draw how far the parameters that matter most move the saturation point, by protocol."""
     data = tornado_data(protocols, processes, endpoints)
-    with style():
-        figure = Figure(figsize=(WIDTH, 0.6 + 1.5 * len(protocols)))
+    height = 0.6 + 1.5 * len(protocols)
+    with drawn(height, "One constant moves the result by two robots") as figure:
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(shown + 1)
@@ -79,30 +61,21 @@ def tornado(
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")
         axis.set_xlabel("robots at which the channel is full")
         axis.set_xlim(data["fewest_hosts"].min() - 0.6, data["most_hosts"].max() + 0.6)
-        headline(figure, "One constant moves the result by two robots")
     return figure
 
 
 def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     """Draw a bar a row from the fewest to the most hosts, with both numbers at its ends."""
-    places = np.arange(len(rows))[::-1]
-    names = [str(name) for name in rows["parameter"]]
-    spans = rows[["fewest_hosts", "most_hosts"]].to_numpy(dtype=float)
-    for place, name, (fewest, most) in zip(places, names, spans, strict=True):
-        axis.plot(
-            [fewest, most],
-            [place, place],
-            color="0.35" if name == TOGETHER else color,
-            linewidth=7,
-            solid_capstyle="butt",
-        )
-        for end, align, gap in ((fewest, "right", -0.06), (most, "left", 0.06)):
-            axis.text(end + gap, place, f"{end:.2f}", ha=align, va="center", fontsize=9)
+    places = range(len(rows) - 1, -1, -1)
+    for place, row in zip(places, rows.to_dict("records"), strict=True):
+        ends = row["fewest_hosts"], row["most_hosts"]
+        shade = "0.35" if row["parameter"] == _TOGETHER else color
+        axis.plot(ends, [place, place], color=shade, linewidth=7, solid_capstyle="butt")
+        for end, side, gap in zip(ends, ("right", "left"), (-0.06, 0.06), strict=True):
+            axis.text(end + gap, place, f"{end:.2f}", ha=side, va="center", fontsize=9)
     axis.axvline(rows["paper_hosts"].iloc[0], color="black", linewidth=1, zorder=3)
-    axis.set_yticks(places, names)
     axis.set_ylim(-0.6, len(rows) - 0.4)
-    axis.grid(axis="y", visible=False)
-    axis.tick_params(axis="y", length=0)
+    clear_rows(axis, places, rows["parameter"])
 
 
 def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
@@ -110,25 +83,20 @@ def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
 
     Rows without a message are the curves, those with one the frames of the protocols.
     """
-    frames = [
-        (message.name, message.frame_bytes) for each in protocols for message in each.messages
-    ]
+    messages = [message for protocol in protocols for message in protocol.messages]
     lengths = np.arange(40, 521)
-    names = [*[""] * len(lengths), *[name for name, _ in frames]]
-    octets = np.array([*lengths, *[int(size) for _, size in frames]])
-    return pd.DataFrame(
-        {
-            "message": names,
-            "frame_B": octets,
-            "paper_us": _airtime_us(octets, PAPER),
-            "standard_us": _airtime_us(octets, wifi),
-        }
-    )
+    octets = np.array([*lengths, *(int(message.frame_bytes) for message in messages)])
+    columns = {
+        "message": [*[""] * len(lengths), *(message.name for message in messages)],
+        "frame_B": octets,
+        "paper_us": _airtime_us(octets, PAPER),
+        "standard_us": _airtime_us(octets, wifi),
+    }
+    return pd.DataFrame(columns)
 
 
 def _airtime_us(octets: NDArray[np.int_], wifi: Wifi) -> NDArray[np.float64]:
-    size = payload_symbol("frame")
-    values = wifi.values()
+    size, values = payload_symbol("frame"), wifi.values()
     airtime = lambdify([size, *values], uplink_airtime(size, wifi.model))
     return np.asarray(1e6 * airtime(octets, *values.values()), dtype=float)
 
@@ -137,36 +105,29 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     """Draw the airtime of a unicast frame against its length, with the frames of the protocols."""
     data = frame_steps_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
-    with style():
-        figure = Figure(figsize=(WIDTH, 3.1))
+    looks: dict[str, Look] = {
+        "paper": {"linestyle": "--", "color": "0.45"},
+        "standard": {"color": "black", "drawstyle": "steps-post"},
+    }
+    with drawn(3.1, "Whole symbols cost more than the paper's line") as figure:
         axis = figure.subplots()
-        end = curves.iloc[-1]
-        axis.plot(curves["frame_B"], curves["paper_us"], "--", color="0.45")
-        axis.plot(curves["frame_B"], curves["standard_us"], color="black", drawstyle="steps-post")
-        axis.text(528, end["paper_us"], "paper", va="center", fontsize=9)
-        axis.text(528, end["standard_us"], "standard", va="center", fontsize=9)
+        for name, look in looks.items():
+            axis.plot(curves["frame_B"], curves[f"{name}_us"], **look)
+            axis.text(528, curves[f"{name}_us"].iloc[-1], name, va="center", fontsize=9)
         for protocol in protocols:
             own = dots[dots["message"].isin([message.name for message in protocol.messages])]
-            axis.plot(
-                own["frame_B"],
-                own["standard_us"],
-                "o",
-                color=color_of(protocol),
-                markeredgecolor="black",
-                label=f"frames of {protocol.name}",
-                zorder=3,
-            )
+            look = {"color": color_of(protocol), "markeredgecolor": "black", "zorder": 3}
+            label = f"frames of {protocol.name}"
+            axis.plot(own["frame_B"], own["standard_us"], "o", label=label, **look)
         for _, own in dots.groupby("standard_us"):
-            names, last = ", ".join(own["message"]), float(own["frame_B"].max())
             height = float(own["standard_us"].iloc[0])
+            names, last = ", ".join(own["message"]), float(own["frame_B"].max())
             if len(own) > 2:  # too long to stand above its step
-                look = {"arrowstyle": "-", "color": "0.45"}
-                axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=look)
+                line = {"arrowstyle": "-", "color": "0.45"}
+                axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=line)
             else:
                 axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
         axis.set(xlim=(40, 640), ylim=(180, 225))
-        axis.set_xlabel("frame length [B]")
-        axis.set_ylabel("airtime of a unicast frame [µs]")
-        headline(figure, "Whole symbols cost more than the paper's line")
+        axis.set(xlabel="frame length [B]", ylabel="airtime of a unicast frame [µs]")
         axis.legend(loc="upper left")
     return figure

@@ -8,24 +8,23 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
-from numpy.typing import NDArray
 
-from discostorm import figures, timeline
-from discostorm.figures import WIDTH, color_of, headline, style
+from discostorm import timeline
+from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
+from discostorm_book.figures.drawing import LIMIT, PLAIN, Look, drawn, legend_below, write
 
 _LINES = ("--", "-", "-.")
-_PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
 _TIME = np.geomspace(0.05, 200, 700)  # s after startup
 _HOSTS = np.linspace(2, 55, 531)
 _WHOLE = np.arange(2, 56, 3)
 _QUEUE_TIME = np.arange(0, 120.01, 0.05)  # s after startup
 #: Airtime up to which the queue is drawn [s].
-QUEUE_MOST = 80
-#: Most of the steady state that is drawn.
-_MOST = 1.5
+_QUEUE_MAX = 80
+#: Steady state up to which it is drawn [1].
+_STEADY_MAX = 1.5
 _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
@@ -33,62 +32,45 @@ def start_data(
     products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
 ) -> pd.DataFrame:
     """Return what is requested by some times after startup, and when the channel goes idle [s]."""
-    curves = [
-        pd.DataFrame(
-            {"hosts": hosts, "what": "requested", "time_s": _TIME}
-            | {
-                f"{product.name} [s]": timeline.demand(product, _TIME, hosts, **swarm)
-                for product in products
-            }
+    requested, idle = [], []
+    for hosts in fleets:
+        columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
+        columns |= {f"{p.name} [s]": timeline.demand(p, _TIME, hosts, **swarm) for p in products}
+        requested.append(pd.DataFrame(columns))
+        row = {"hosts": hosts, "what": "idle"}
+        idle.append(
+            row | {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
         )
-        for hosts in fleets
-    ]
-    idle = pd.DataFrame(
-        {"hosts": hosts, "what": "idle"}
-        | {
-            f"{product.name} [s]": timeline.first_idle(product, hosts, **swarm)
-            for product in products
-        }
-        for hosts in fleets
-    )
-    return pd.concat([*curves, idle])
+    return pd.concat([*requested, pd.DataFrame(idle)])
 
 
 def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
     """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
     data = start_data(products, fleets, swarm)
-    with style():
-        figure = Figure(figsize=(WIDTH, 4.1))
-        headline(figure, "7 robots drain in about a second, 30 outlast their leases")
+    with drawn(4.1, "7 robots drain in about a second, 30 outlast their leases") as figure:
         panels = figure.subplots(2, 2, sharex=True, sharey=True)
         for axis, hosts in zip(panels.flat, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
             curves, idle = rows[rows["what"] == "requested"], rows[rows["what"] == "idle"]
             axis.plot(_TIME, _TIME, color="black", linewidth=1.5)
             for product, line in zip(products, _LINES, strict=True):
-                look: dict[str, Any] = {"color": color_of(product)}
-                name = f"{product.name} [s]"
-                axis.plot(_TIME, curves[name], line, label=product.name, **look)
-                axis.plot(idle[name], idle[name], "o", zorder=3, **look)
+                name, color = f"{product.name} [s]", color_of(product)
+                axis.plot(_TIME, curves[name], line, label=product.name, color=color)
+                axis.plot(idle[name], idle[name], "o", zorder=3, color=color)
             for limit in _LIMITS:
-                axis.axvline(limit, color="gray", linewidth=0.8, linestyle=":")
+                axis.axvline(limit, linestyle=":", **LIMIT)
             axis.loglog()
             axis.minorticks_off()
             axis.set(xlim=(0.05, 200), ylim=(0.02, 500))
             axis.set_title(f"{hosts} robots", loc="left")
-            if axis is panels[0, 0]:
-                axis.annotate(
-                    "carried\nat most", (30, 30), (-7, 4), textcoords="offset points", ha="right",
-                    fontsize=9,
-                )  # fmt: skip
             for along in (axis.xaxis, axis.yaxis):
-                along.set_major_formatter(_PLAIN)
+                along.set_major_formatter(PLAIN)
+        write(panels[0, 0], "carried\nat most", (30, 30), (-7, 4), ha="right")
         for axis in panels[:, 0]:
             axis.set_ylabel("airtime [s]")
         for axis in panels[-1]:
             axis.set_xlabel("time after startup [s]")
-        named = panels[0, 0].get_legend_handles_labels()
-        figure.legend(*named, loc="outside lower center", ncols=3)
+        legend_below(figure, panels[0, 0].get_legend_handles_labels()[0], 3)
     return figure
 
 
@@ -114,119 +96,84 @@ def queue_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.D
 def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     """Draw the queue of a startup over time, when it clears, and the lease."""
     data = queue_data(protocol, hosts, swarm)
-    idle = timeline.first_idle(protocol, hosts, **swarm)
+    idle, lease = timeline.first_idle(protocol, hosts, **swarm), protocol.lease
     color = color_of(protocol)
-    with style():
-        figure = Figure(figsize=(WIDTH, 2.6))
+    with drawn(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
         axis = figure.subplots()
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
-        axis.annotate(f"clear after {idle:.0f} s", (idle, 0), (4, 8), textcoords="offset points")
-        axis.axvline(protocol.lease, color="gray", linewidth=0.8, linestyle=":")
-        axis.annotate(
-            f"lease of {protocol.lease:g} s", (protocol.lease, QUEUE_MOST), (4, -12),
-            textcoords="offset points",
-        )  # fmt: skip
-        axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, QUEUE_MOST))
-        headline(figure, f"The queue of {hosts} robots outlasts the lease")
-        axis.set_xlabel("time after startup [s]")
-        axis.set_ylabel("airtime waiting [s]")
+        write(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
+        axis.axvline(lease, linestyle=":", **LIMIT)
+        write(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
+        axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, _QUEUE_MAX))
+        axis.set(xlabel="time after startup [s]", ylabel="airtime waiting [s]")
     return figure
 
 
 def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.DataFrame:
     """Return the bound of the drain time [s], the steady state, and exact drain times [s]."""
-    bounds = [
-        pd.DataFrame(
-            {
-                "product": product.name,
-                "hosts": _HOSTS,
-                "at_most_s": timeline.drain_time(product, _HOSTS, **swarm),
-                "steady state": utilization(product, _HOSTS, **swarm, window=np.inf),
-            }
-        )
-        for product in products
-    ]
-    exact = [
-        pd.DataFrame(
-            {
-                "product": product.name,
-                "hosts": _WHOLE,
-                "idle_after_s": [timeline.first_idle(product, int(n), **swarm) for n in _WHOLE],
-            }
-        )
-        for product in products
-    ]
+    bounds, exact = [], []
+    for product in products:
+        columns: Look = {"product": product.name, "hosts": _HOSTS}
+        columns["at_most_s"] = timeline.drain_time(product, _HOSTS, **swarm)
+        columns["steady state"] = utilization(product, _HOSTS, **swarm, window=np.inf)
+        bounds.append(pd.DataFrame(columns))
+        idle = [timeline.first_idle(product, int(hosts), **swarm) for hosts in _WHOLE]
+        columns = {"product": product.name, "hosts": _WHOLE, "idle_after_s": idle}
+        exact.append(pd.DataFrame(columns))
     return pd.concat([*bounds, *exact])
 
 
 def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
-    data = drain_data(products, swarm)
-    with style():
-        figure = Figure(figsize=(WIDTH, 4.3))
-        headline(figure, "Leases end long before periodic traffic fills the channel")
+    data = drain_data(products, swarm).replace(np.inf, np.nan)
+    with drawn(4.3, "Leases end long before periodic traffic fills the channel") as figure:
         above, below = figure.subplots(2, 1, sharex=True)
         for product, line in zip(products, _LINES, strict=True):
-            rows = data[data["product"] == product.name]
-            color = color_of(product)
+            rows, color = data[data["product"] == product.name], color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
-            lasts = bound["at_most_s"].replace(np.inf, np.nan)
-            above.plot(bound["hosts"], lasts, line, color=color)
-            above.plot(
-                exact["hosts"], exact["idle_after_s"], "o", color=color, fillstyle="none", ms=4
-            )
+            above.plot(bound["hosts"], bound["at_most_s"], line, color=color)
+            look: Look = {"color": color, "fillstyle": "none", "ms": 4}
+            above.plot(exact["hosts"], exact["idle_after_s"], "o", **look)
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
-            end = bound[bound["steady state"] < _MOST].iloc[-1]
-            first = product is products[-1]  # the others have room at the right
-            below.annotate(
-                product.name, (end["hosts"], end["steady state"]), (-7 if first else 5, -3),
-                textcoords="offset points", color=color, ha="right" if first else "left",
-                va="center", fontsize=9, annotation_clip=False,
-            )  # fmt: skip
+            end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
+            # Only the last has room at the left.
+            across, side = (-7, "right") if product is products[-1] else (5, "left")
+            look = {"color": color, "ha": side, "va": "center", "annotation_clip": False}
+            write(below, product.name, (end["hosts"], end["steady state"]), (across, -3), **look)
         for limit, text in _LIMITS.items():
-            above.axhline(limit, color="gray", linewidth=0.8)
-            above.text(
-                55, limit, text, ha="right", va="top" if limit == 10 else "bottom", fontsize=9
-            )
-        below.axhline(1, color="gray", linewidth=0.8)
+            above.axhline(limit, **LIMIT)
+            side = "top" if limit == 10 else "bottom"
+            above.text(55, limit, text, ha="right", va=side, fontsize=9)
+        below.axhline(1, **LIMIT)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
-        above.yaxis.set_major_formatter(_PLAIN)
-        below.set(ylim=(0, _MOST), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$")
+        above.yaxis.set_major_formatter(PLAIN)
+        below.set(
+            ylim=(0, _STEADY_MAX), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$"
+        )
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
     return figure
 
 
-_LABELS = {"alone": "-", "beside one laptop": "--"}
-
-
-def _beside(
-    laptop: HostGroup, small: tuple[int, int]
-) -> dict[tuple[str, str], float | NDArray[Any]]:
-    """Return utilization by 1 to 8 small robots, alone and beside a laptop."""
-    count = figures.steps(1, 8)
-    return {
-        (protocol.name, label): utilization(protocol, Fleet((HostGroup(count, *small), *others)))
-        for protocol in figures.PAPER_PROTOCOLS
-        for label, others in zip(_LABELS, ((), (laptop,)), strict=True)
-    }
+_SMALL_HOSTS = steps(1, 8)
 
 
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
-    """Return the airtime of large fleets by part, and the utilization of small robots."""
+    """Return the airtime of large fleets by part, and the utilization of small robots.
+
+    Small robots, of so many processes and endpoints of each, are alone or beside a laptop.
+    """
     bars = large.drop(columns="total [s]").melt(
         ["protocol", "fleet"], var_name="part", value_name="utilization"
     )
+    group = HostGroup(_SMALL_HOSTS, *small)
     lines = [
         pd.DataFrame(
-            {
-                "protocol": protocol,
-                "fleet": f"small robots {label}",
-                "small_robots": figures.steps(1, 8),
-                "utilization": values,
-            }
+            {"protocol": protocol.name, "fleet": f"small robots {beside}"}
+            | {"small_robots": _SMALL_HOSTS, "utilization": utilization(protocol, Fleet(groups))}
         )
-        for (protocol, label), values in _beside(laptop, small).items()
+        for protocol in PAPER_PROTOCOLS
+        for beside, groups in {"alone": (group,), "beside one laptop": (group, laptop)}.items()
     ]
     return pd.concat([bars, *lines])
 
@@ -234,50 +181,39 @@ def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) 
 def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
     """Draw the airtime of large fleets by part, and small robots alone and beside a laptop.
 
-    Parameters
-    ----------
-    large : pandas.DataFrame
-        Columns protocol, fleet, ``robot-robot [s]``, ``robot-laptop [s]`` and ``total [s]``.
-    laptop : HostGroup
-        What stands beside the small robots.
-    small : tuple of int
-        Processes, and endpoints of each, of a small robot.
+    The large fleets are rows with protocol, fleet, ``robot-robot [s]``, ``robot-laptop [s]`` and
+    ``total [s]``.
     """
-    with style():
-        figure = Figure(figsize=(WIDTH, 3.3))
+    with drawn(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
         places = order.index + (order["protocol"] == "DDS") * 0.5
-        shades = [figures.COLORS[protocol] for protocol in order["protocol"]]
-        left = np.zeros(len(order))
+        shades, left = [COLORS[protocol] for protocol in order["protocol"]], np.zeros(len(order))
         for part, alpha in {"robot-robot [s]": 0.45, "robot-laptop [s]": 1}.items():
             bars.barh(places, order[part], left=left, height=0.7, color=shades, alpha=alpha)
             left += order[part]
-        bars.set_yticks(places, order["fleet"])
-        bars.set_xlabel("airtime [s]")
-        bars.set_xlim(0, 1.3 * order["total [s]"].max())
         for place, total, protocol in zip(
             places, order["total [s]"], order["protocol"], strict=True
         ):
             bars.text(total, place, f" {protocol} {total:.1f}", va="center")
+        bars.set_yticks(places, order["fleet"])
+        bars.set_xlabel("airtime [s]")
+        bars.set_xlim(0, 1.3 * order["total [s]"].max())
         bars.grid(axis="y", visible=False)
-        for (protocol, label), values in _beside(laptop, small).items():
-            color = figures.COLORS[protocol]
-            hosts = figures.steps(1, 8)
-            lines.plot(hosts, values, _LABELS[label], color=color)
-            full = np.interp(1, np.asarray(values), hosts)
-            first = protocol == "DDS"  # it is left of the other
-            lines.annotate(
-                f"{full:.1f}", (full, 1), (-4, 4) if first else (4, -4),
-                textcoords="offset points", ha="right" if first else "left",
-                va="bottom" if first else "top", color=color, fontsize=9,
-            )  # fmt: skip
-            lines.annotate(
-                f"{protocol}{'' if label == 'alone' else ', laptop'}", (8, np.asarray(values)[-1]),
-                (4, 0), textcoords="offset points", va="center", color=color, fontsize=9,
-            )  # fmt: skip
+        data = fleets_data(large, laptop, small).dropna(subset="small_robots")
+        for (protocol, fleet), rows in data.groupby(["protocol", "fleet"], sort=False):
+            alone, used = fleet == "small robots alone", rows["utilization"].to_numpy()
+            color = COLORS[str(protocol)]
+            lines.plot(_SMALL_HOSTS, used, "-" if alone else "--", color=color)
+            full = np.interp(1, used, _SMALL_HOSTS)
+            look: Look = {"ha": "left", "va": "top", "color": color}
+            offset = (4, -4)
+            if protocol == "DDS":  # it is left of the other
+                look, offset = look | {"ha": "right", "va": "bottom"}, (-4, 4)
+            write(lines, f"{full:.1f}", (full, 1), offset, **look)
+            name = f"{protocol}{'' if alone else ', laptop'}"
+            write(lines, name, (8, used[-1]), (4, 0), va="center", color=color)
         lines.axhline(1, color="black", linewidth=1)
         lines.yaxis.set_major_formatter("{x:.0%}")
         lines.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))
-        figures.headline(figure, "A laptop costs more than half as much as a robot")
     return figure

@@ -9,19 +9,17 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from discostorm._numeric import evaluate
-from discostorm.figures.paper import PAPER_PROTOCOLS
-from discostorm.figures.style import MESSAGE_COLORS, WIDTH, color_of, headline, style
+from discostorm.figures import MESSAGE_COLORS, PAPER_PROTOCOLS, color_of
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import PAPER
+from discostorm_book.figures.drawing import drawn, legend_below
 
 
 def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
-    """Return what one frame of each message costs, up and down: overhead and bits [s].
+    """Return the cost of one frame of each message on the paper's channel, up and down [s].
 
-    On the paper's channel. A row a message and direction, with columns protocol, message,
-    direction, overhead_s (independent of the length of the frame) and bits_s (proportional
-    to it).
+    Of it, overhead_s is independent of the length of the frame, and bits_s is proportional to it.
     """
     rows = []
     for protocol in protocols:
@@ -32,51 +30,33 @@ def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFram
                 ("up", PAPER.unicast, message.airtime_up()),
                 ("down", down, message.airtime_down()),
             ):
-                rows.append(
-                    {
-                        "protocol": protocol.name,
-                        "message": message.name,
-                        "direction": direction,
-                        "overhead_s": link.overhead,
-                        "bits_s": evaluate(expression, values) - link.overhead,
-                    }
-                )
-    return pd.DataFrame(rows)
+                bits = evaluate(expression, values) - link.overhead
+                rows.append((protocol.name, message.name, direction, link.overhead, bits))
+    return pd.DataFrame(rows, columns=["protocol", "message", "direction", "overhead_s", "bits_s"])
 
 
 def airtime() -> Figure:
-    """Draw what one frame of each message costs, up and down, as overhead and bits."""
+    """Draw the cost of one frame of each message, up and down, as overhead and bits."""
     data = airtime_data()
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
-    with style():
-        figure = Figure(figsize=(WIDTH, 3.8))
+    overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
+    whole = overhead + bits
+    with drawn(3.8, "Overhead costs more than bits, except in multicast down") as figure:
         axis = figure.subplots()
-        names = data["message"] + " " + data["direction"]
-        overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
-        colors = data["protocol"].map(color)
+        names, colors = data["message"] + " " + data["direction"], data["protocol"].map(color)
         axis.barh(names, overhead, color=colors, alpha=0.35)
         axis.barh(names, bits, left=overhead, color=colors)
-        for row, micro in enumerate(overhead + bits):
+        for row, micro in enumerate(whole):
             axis.text(micro + 6, row, f"{micro:.0f}", va="center", fontsize=8)
-        for protocol in PAPER_PROTOCOLS:
-            rows = data.index[data["protocol"] == protocol.name]
-            axis.text(
-                450, rows.to_numpy().mean(), protocol.name, color=color[protocol.name],
-                weight="bold", va="center",
-            )  # fmt: skip
+        for name, shade in color.items():
+            middle = data.index[data["protocol"] == name].to_numpy().mean()
+            axis.text(450, middle, name, color=shade, weight="bold", va="center")
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
-        axis.set_xlim(0, 1.08 * (overhead + bits).max())
-        axis.set_xlabel("airtime of one frame [µs]")
-        axis.legend(
-            handles=[
-                Patch(color="gray", alpha=0.35, label="fixed overhead"),
-                Patch(color="gray", label="its bits"),
-            ],
-            loc="lower right",
-        )
+        axis.set(xlim=(0, 1.08 * whole.max()), xlabel="airtime of one frame [µs]")
         axis.set_ylabel("message and direction")
-        headline(figure, "Overhead costs more than bits, except in multicast down")
+        fixed = Patch(color="gray", alpha=0.35, label="fixed overhead")
+        axis.legend(handles=[fixed, Patch(color="gray", label="its bits")], loc="lower right")
     return figure
 
 
@@ -84,31 +64,29 @@ def who_tells_whom(protocol: Protocol) -> Figure:
     """Draw the frames of each message of a protocol: from one process, by the access point.
 
     Three hosts of one process with two endpoints each; time runs down, and each frame has its
-    number. How many messages go to whom is read off the protocol's table.
+    number. The protocol's table says how many messages go to whom.
     """
-    swarm = Fleet.swarm(3, 1, 2)
-    color = color_of(protocol)
+    swarm, color = Fleet.swarm(3, 1, 2), color_of(protocol)
     lines = {"host 1": 0.0, "access point": 1.4, "host 2": 2.8, "host 3": 4.2}
-    places = list(lines.values())
-    row, frame = 0.0, 0
-    with style():
-        figure = Figure(figsize=(WIDTH, 0.75 + 0.27 * _rows(protocol)))
+    sender, access_point, *others = places = list(lines.values())
+    row, numbers = 0.0, count(1)
+    height = sum(1.35 if message.cast == "multicast" else 2.35 for message in protocol.messages)
+    title = f"{protocol.name}: unicast crosses the channel twice for each receiver"
+    with drawn(0.75 + 0.27 * height, title) as figure:
         axis = figure.subplots()
         for message in protocol.messages:
             multicast = message.cast == "multicast"
             sent = int(message.per_unit * message.unit.count(swarm)) // 3
             to_whom = "to all" if multicast else f"{sent // 2} to each"
             first = row
-            for receivers in [places[2:]] if multicast else [[place] for place in places[2:]]:
+            for receivers in [others] if multicast else [[place] for place in others]:
                 axis.plot(receivers, [row] * len(receivers), "o", color=color, ms=5)
-                for hop, start, end in (
-                    ("up", places[0], places[1]),
-                    ("down", places[1], receivers[-1]),
-                ):
-                    frame += 1
+                hops = {"up": (sender, access_point), "down": (access_point, receivers[-1])}
+                for hop, (start, end) in hops.items():
                     arrow = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 2}
                     axis.annotate("", (end, row), (start, row), arrowprops=arrow)
-                    axis.text(start + 0.6, row - 0.12, f"{frame} {hop}", ha="center", fontsize=8)
+                    text = f"{next(numbers)} {hop}"
+                    axis.text(start + 0.6, row - 0.12, text, ha="center", fontsize=8)
                 row += 1
             middle = (first + row - 1) / 2
             axis.text(-0.25, middle, f"{message.name}\n{to_whom}", ha="right", va="center")
@@ -118,13 +96,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
             axis.text(place, -1.0, name, ha="center", va="bottom")
         axis.set(xlim=(-1.6, 4.7), ylim=(row - 0.5, -1.5))
         axis.set_axis_off()
-        headline(figure, f"{protocol.name}: unicast crosses the channel twice for each receiver")
     return figure
-
-
-def _rows(protocol: Protocol) -> float:
-    """Return how many rows of arrows there are, with the gaps between the messages."""
-    return sum(1.35 if message.cast == "multicast" else 2.35 for message in protocol.messages)
 
 
 def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
@@ -132,9 +104,7 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
 
     The column ``utilization``, or ``share``, is as long as the message's part of the bar.
     """
-    parts = {
-        swarm: messages["uplink_s"] + messages["downlink_s"] for swarm, messages in swarms.items()
-    }
+    parts = {name: rows["uplink_s"] + rows["downlink_s"] for name, rows in swarms.items()}
     if share:
         parts = {swarm: part / part.sum() for swarm, part in parts.items()}
     data = pd.concat(parts, names=["swarm", "message"])
@@ -142,47 +112,28 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
 
 
 def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = "") -> Figure:
-    """Draw what each message adds to utilization: one stacked bar a swarm.
+    """Draw what each message adds to utilization, or its share: one stacked bar a swarm.
 
-    Parameters
-    ----------
-    swarms : mapping of str to pandas.DataFrame
-        A label and what `discostorm.breakdown` returns, a bar each, from the top down.
-    share : bool, optional
-        Whether to draw the share in the total instead of utilization.
-    title : str, optional
-        What the figure shows.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
+    Each swarm, by its label, is a table of `discostorm.breakdown`.
     """
-    with style():
-        figure = Figure(figsize=(WIDTH, 1.5 + 0.29 * len(swarms)))
+    data = bars_data(swarms, share=share)
+    others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
+    names = data["message"].unique()
+    colors = {name: MESSAGE_COLORS.get(name) or next(others) for name in names}
+    with drawn(1.5 + 0.29 * len(swarms), title) as figure:
         axis = figure.subplots()
-        data = bars_data(swarms, share=share)
-        others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
-        colors = {
-            name: MESSAGE_COLORS.get(name) or next(others)
-            for name in dict.fromkeys(data["message"])
-        }
         for label in swarms:
-            part = data[data["swarm"] == label]
-            lengths = part.set_index("message").iloc[:, -1]
-            starts = lengths.cumsum() - lengths
-            for name in lengths.index:
-                axis.barh(label, lengths[name], left=starts[name], color=colors[name])
-        handles = [Patch(color=color, label=name) for name, color in colors.items()]
-        figure.legend(handles=handles, loc="outside lower center", ncols=4)
+            lengths = data[data["swarm"] == label].set_index("message").iloc[:, -1]
+            for name, start in (lengths.cumsum() - lengths).items():
+                axis.barh(label, lengths[str(name)], left=start, color=colors[name])
+        legend_below(figure, [Patch(color=color, label=name) for name, color in colors.items()], 4)
         axis.invert_yaxis()
         axis.grid(visible=False, axis="y")
         axis.xaxis.set_major_formatter(PercentFormatter(1))
+        axis.set_ylabel("swarm")
         if share:
-            axis.set_xlim(0, 1)
-            axis.set_xlabel("share of the airtime [%]")
+            axis.set(xlim=(0, 1), xlabel="share of the airtime [%]")
         else:
             axis.axvline(1, color="black", linewidth=1)
             axis.set_xlabel("channel utilization [%]")
-        axis.set_ylabel("swarm")
-        headline(figure, title)
     return figure

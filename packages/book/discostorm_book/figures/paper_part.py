@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -11,12 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
 from discostorm.data import read_data
-from discostorm.figures import MESSAGE_COLORS, PAPER_PROTOCOLS, WIDTH, color_of, headline, style
+from discostorm.figures import COLORS, MESSAGE_COLORS, PAPER_PROTOCOLS
 from discostorm.messages import Protocol
 from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.enumeration import EVERYONE, Process, Sent, walk
 from discostorm_book.figures import message_charts
+from discostorm_book.figures.drawing import Look, drawn, legend_below
 
 #: Airtime from which on a block has room for its name [s].
 _NAMED = 0.03
@@ -47,20 +47,15 @@ def every_message_data(
 def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]) -> Figure:
     """Draw each message of a small swarm as a square: a row a sender, a column a receiver.
 
-    Parameters
-    ----------
-    protocols : sequence of Protocol
-        The paper's; a panel each.
-    hosts : sequence of sequence of int
-        For each host the number of endpoints of each of its processes.
+    Each protocol has a panel, and each host lists the endpoints of each of its processes.
     """
-    with style():
-        figure = Figure(figsize=(WIDTH, 3.7))
+    with drawn(3.7, "Nearly every message goes to one process") as figure:
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
-            _squares(axis, protocol, _uplink(protocol, hosts))
+            sent = _uplink(protocol, hosts)
+            _draw_squares(axis, sent)
+            axis.set_title(f"{protocol.name}: {len(sent)} messages")
         handles = [handle for axis in figure.axes for handle in axis.get_legend_handles_labels()[0]]
-        figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1)
-        headline(figure, "Nearly every message goes to one process")
+        legend_below(figure, handles, 4, columnspacing=1)
     return figure
 
 
@@ -68,65 +63,55 @@ def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[Sent]:
     return [sent for sent in walk(protocol.name, hosts) if sent.hop == "up"]
 
 
-def _squares(axis: Axes, protocol: Protocol, sent: list[Sent]) -> None:
+def _draw_squares(axis: Axes, sent: list[Sent]) -> None:
+    """Draw messages as squares, and the processes of one host on gray."""
     senders = list(dict.fromkeys(message.sender for message in sent))
     receivers = [EVERYONE, *senders]
     for row, sender in enumerate(senders):
-        for column, receiver in enumerate(receivers):
-            if isinstance(receiver, Process) and receiver.host == sender.host:
+        for column, receiver in enumerate(senders, start=1):
+            if receiver.host == sender.host:
                 axis.add_patch(Rectangle((column, row), 1, 1, color="0.88"))
     axis.hlines(range(len(senders) + 1), 0, len(receivers), "0.6", lw=0.6)
     axis.vlines(range(len(receivers) + 1), 0, len(senders), "0.6", lw=0.6)
     placed: Counter[tuple[Process, Process | str]] = Counter()
-    number = Counter(message.kind for message in sent)
-    for kind in number:
+    for kind, number in Counter(message.kind for message in sent).items():
         places = []
-        for message in sent:
-            if message.kind == kind:
-                cell = message.sender, message.receiver
-                down, across = divmod(placed[cell], 3)
-                column, row = receivers.index(message.receiver), senders.index(message.sender)
-                places.append((column + 0.22 + 0.28 * across, row + 0.22 + 0.28 * down))
-                placed[cell] += 1
-        axis.plot(
-            *zip(*places, strict=True), "s", color=MESSAGE_COLORS[kind], ms=5, mew=0,
-            label=f"{kind} ({number[kind]})",
-        )  # fmt: skip
-    axis.set(
-        xlim=(-0.02, len(receivers) + 0.02),
-        ylim=(len(senders) + 0.02, -0.02),
-        aspect="equal",
-        xlabel="to (host.process)",
-        ylabel="from (host.process)",
-    )
+        for message in (message for message in sent if message.kind == kind):
+            cell = message.sender, message.receiver
+            down, across = divmod(placed[cell], 3)
+            column, row = receivers.index(message.receiver), senders.index(message.sender)
+            places.append((column + 0.22 + 0.28 * across, row + 0.22 + 0.28 * down))
+            placed[cell] += 1
+        label = f"{kind} ({number})"
+        axis.plot(*np.transpose(places), "s", color=MESSAGE_COLORS[kind], ms=5, mew=0, label=label)
+    axis.set(xlim=(-0.02, len(receivers) + 0.02), ylim=(len(senders) + 0.02, -0.02), aspect="equal")
+    axis.set(xlabel="to (host.process)", ylabel="from (host.process)")
     names = [process_name(sender) for sender in senders]
-    axis.set_xticks([column + 0.5 for column in range(len(receivers))], ["all", *names])
-    axis.set_yticks([row + 0.5 for row in range(len(senders))], names)
+    axis.set_xticks(np.arange(len(receivers)) + 0.5, ["all", *names])
+    axis.set_yticks(np.arange(len(senders)) + 0.5, names)
     axis.tick_params(length=0)
     axis.grid(visible=False)
     axis.spines[:].set_visible(False)
-    axis.set_title(f"{protocol.name}: {len(sent)} messages")
 
 
 def frame_parts_data() -> pd.DataFrame:
     """Return the parts of each frame of Table II [B]: a row a message."""
     parts = pd.DataFrame(read_data("paper/headers.csv")).astype({"bytes": int})
     table = pd.DataFrame(read_data("paper/table2.csv"))
-    alone = parts[parts["transports"] != "UDP TCP"].set_index("transports")["bytes"]
+    transports = parts[parts["transports"] != "UDP TCP"].set_index("transports")["bytes"]
 
     def of(start: str) -> int:
         return int(parts["bytes"][parts["part"].str.startswith(start)].sum())
 
-    data = pd.DataFrame(
-        {
-            "message": table["message"],
-            "payload [B]": table["payload_B"].astype(int),
-            "UDP or TCP [B]": table["transport"].map(alone),
-            "IPv4 [B]": of("IPv4"),
-            "LLC and SNAP [B]": of("LLC"),
-            "802.11 header and check sequence [B]": of("IEEE 802.11"),
-        }
-    )
+    columns = {
+        "message": table["message"],
+        "payload [B]": table["payload_B"].astype(int),
+        "UDP or TCP [B]": table["transport"].map(transports),
+        "IPv4 [B]": of("IPv4"),
+        "LLC and SNAP [B]": of("LLC"),
+        "802.11 header and check sequence [B]": of("IEEE 802.11"),
+    }
+    data = pd.DataFrame(columns)
     assert (data.iloc[:, 1:].sum(axis=1) == table["frame_printed_B"].astype(int)).all()
     return data
 
@@ -134,25 +119,21 @@ def frame_parts_data() -> pd.DataFrame:
 def frame_parts() -> Figure:
     """Draw each frame of Table II as a bar of its payload and headers."""
     data = frame_parts_data().set_index("message")
-    of = {message.name: one for one in PAPER_PROTOCOLS for message in one.messages}
-    colors = [color_of(of[str(name)]) for name in data.index]
-    with style():
-        figure = Figure(figsize=(WIDTH, 3.0))
+    protocols = {message.name: one.name for one in PAPER_PROTOCOLS for message in one.messages}
+    colors = [COLORS[protocols[str(name)]] for name in data.index]
+    with drawn(3.0, "Only SPDP and SEDP are mostly payload") as figure:
         axis = figure.subplots()
-        left = np.zeros(len(data))
-        marks = []
+        left, handles = np.zeros(len(data)), []
         for part, share in zip(data, (1, 0.7, 0.5, 0.32, 0.16), strict=True):
-            length = data[part].to_numpy()
-            look: dict[str, Any] = {"alpha": share, "edgecolor": "white", "lw": 0.6}
-            axis.barh(data.index, length, left=left, color=colors, **look)
-            marks.append(Patch(color="0.2", label=str(part).removesuffix(" [B]"), alpha=share))
-            left += length
+            look: Look = {"left": left, "color": colors, "edgecolor": "white", "lw": 0.6}
+            axis.barh(data.index, data[part], alpha=share, **look)
+            handles.append(Patch(color="0.2", label=str(part).removesuffix(" [B]"), alpha=share))
+            left = left + data[part].to_numpy()
         axis.invert_yaxis()
         axis.set_axisbelow(True)
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("length on the air [B]")
-        axis.legend(handles=marks, loc="lower right")
-        headline(figure, "Only SPDP and SEDP are mostly payload")
+        axis.legend(handles=handles, loc="lower right")
     return figure
 
 
@@ -165,26 +146,20 @@ def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFr
     ]
     # Each goes down as often as it goes up: a multicast once for all.
     number = frames["message"].map(pd.concat(counts))
-    return frames.assign(
-        messages=number,
-        overhead_s=number * frames["overhead_s"],
-        bits_s=number * frames["bits_s"],
-    )
+    parts = {part: number * frames[part] for part in ("overhead_s", "bits_s")}
+    return frames.assign(messages=number, **parts)
 
 
 def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
     """Draw the terms of equation (12) as blocks, one on the other, beside the line of a second."""
     data = airtime_blocks_data(hosts, processes, endpoints)
-    names, totals = list(data["protocol"].unique()), []
-    with style():
-        figure = Figure(figsize=(WIDTH, 4.2))
-        axis = figure.subplots()
-        for place, name in enumerate(names):
-            color, top = color_of(PROTOCOLS[name]), 0.0
-            for row in data[data["protocol"] == name].to_dict("records"):
+    with drawn(4.2, "Announcing endpoints needs most of the airtime") as figure:
+        axis, totals = figure.subplots(), []
+        for place, (name, messages) in enumerate(data.groupby("protocol", sort=False)):
+            color, top, left = COLORS[str(name)], 0.0, place - 0.4
+            for row in messages.to_dict("records"):
                 airtime = row["overhead_s"] + row["bits_s"]
                 part = 0.8 * row["overhead_s"] / airtime
-                left = place - 0.4
                 axis.bar(left, airtime, part, top, align="edge", color=color, alpha=0.35)
                 axis.bar(left + part, airtime, 0.8 - part, top, align="edge", color=color)
                 axis.bar(left, airtime, 0.8, top, align="edge", fc="none", ec="white", lw=1)
@@ -194,9 +169,9 @@ def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
                 top += airtime
             totals.append(f"{name}: {top:.3f} s")
         axis.axhline(1, color="black", lw=1.6)
-        axis.text(len(names) - 0.55, 1.01, "one second", ha="right", va="bottom", fontsize=8)
-        axis.set_xticks(range(len(names)), totals)
-        axis.set(xlim=(-0.55, len(names) - 0.45), ylim=(0, 1.1), ylabel="airtime [s]")
+        end = len(totals) - 0.45
+        axis.text(end - 0.1, 1.01, "one second", ha="right", va="bottom", fontsize=8)
+        axis.set_xticks(range(len(totals)), totals)
+        axis.set(xlim=(-0.55, end), ylim=(0, 1.1), ylabel="airtime [s]")
         axis.grid(visible=False, axis="x")
-        headline(figure, "Announcing endpoints needs most of the airtime")
     return figure

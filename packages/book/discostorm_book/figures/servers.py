@@ -1,6 +1,6 @@
 """Figures of the chapter on servers and routers: what fits with each, and what fails with it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any
 
@@ -14,17 +14,26 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import measured
 from discostorm.data import read_data
-from discostorm.figures import WIDTH, headline, style
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
-from discostorm_book.lab_counts import death_times
+from discostorm_book.figures.drawing import (
+    Look,
+    clear_rows,
+    drawn,
+    legend_below,
+    set_ticks,
+    white,
+    write,
+)
+from discostorm_book.lab_counts import death_times, deaths
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
 NAMES = {"own": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "same": (0, 1.0)}
 _MANY = np.arange(1.0, 5001)
+_SERIES = lights("series")
 _SERVER = "Fast DDS Discovery Server"
 _HUB = "Zenoh router per host, one hub"
 _SHORT = {
@@ -38,8 +47,8 @@ _SHORT = {
     "Zenoh router per host, star": "… and a wired one",
     _HUB: "router per robot, one hub",
 }
-#: What else fails with it: color and mark.
-BREAKS = {
+#: What else fails with a server or router: color and mark.
+CONSEQUENCES = {
     "nothing else": ("blue", "o"),
     "discovery of late joiners": ("orange", "s"),
     "one robot": ("purple", "D"),
@@ -47,12 +56,22 @@ BREAKS = {
 }
 
 
+def _risks(column: str) -> dict[str, str]:
+    """Return a column of what is known of the risks of each configuration."""
+    rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
+    return {row["protocol"]: row[column] for row in rows}
+
+
+def _deaths_of(name: str, event: str) -> pd.DataFrame:
+    rows = deaths()
+    return rows[(rows["configuration"] == name) & (rows["event"] == event)]
+
+
 @cache
 def instead_of() -> dict[str, str]:
     """Return the product as shipped that each configuration takes the place of."""
-    rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
-    of = {row["protocol"]: row["instead_of"] for row in rows}
-    return {name: of[name] for name in measured.configurations()}
+    replaced = _risks("instead_of")
+    return {name: replaced[name] for name in measured.configurations()}
 
 
 def swarm(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
@@ -73,114 +92,94 @@ def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.flo
     return used(name, hosts, names, 1.0) - used(name, hosts, names)
 
 
-def fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
+def _fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
     """Return how many small robots need at most this share of a window; 5,000 stands for more."""
     below = used(name, _MANY, names, window) <= limit
     return int(_MANY[below][-1]) if below.any() else 0
 
 
-def breaks(name: str) -> str:
-    """Return what else fails with the server or router of an configuration, as it was measured."""
-    as_what = {
-        row["protocol"]: row["fails_as"]
-        for row in read_data("vendors/configuration_risks.csv", "discostorm_book")
-    }
-    killed = [
-        (row["who"], float(row["seconds"]), row["quantity"])
-        for row in read_data("measured/deaths.csv", "discostorm_book")
-        if (row["configuration"], row["event"]) == (as_what.get(name, name), "server killed")
-    ]
-
-    def never(who: str, quantity: str) -> bool:
-        return any(it == (who, np.inf, quantity) for it in killed)
-
-    if never("survivors", "settled"):
+def consequence_of(name: str) -> str:
+    """Return what else fails with the server or router of a configuration, as it was measured."""
+    rows = _deaths_of(_risks("fails_as").get(name, name), "server killed")
+    failed = rows[rows["happened"] < rows["runs"]]
+    never = set(zip(failed["who"], failed["quantity"], strict=True))
+    if ("survivors", "settled") in never:
         return "the whole fleet"
-    if never("newcomer", "found"):
+    if ("newcomer", "found") in never:
         return "discovery of late joiners"
-    return "one robot" if never("orphans and survivors", "settled") else "nothing else"
+    return "one robot" if ("orphans and survivors", "settled") in never else "nothing else"
+
+
+def consequence_look(consequence: str) -> Look:
+    """Return color and mark of what else fails."""
+    color, mark = CONSEQUENCES[consequence]
+    return {"color": _SERIES[color], "marker": mark, "mew": 0}
+
+
+def consequence_legend(figure: Figure, title: str, size: float) -> None:
+    """Explain the marks of what else fails below a figure."""
+    marks = [
+        Line2D([], [], ls="", ms=size, label=what, **consequence_look(what))
+        for what in CONSEQUENCES
+    ]
+    legend_below(figure, marks, 2, title=title)
 
 
 def configurations_data() -> pd.DataFrame:
     """Return how many robots fit with each product and configuration, and what fails with it."""
-    of = instead_of()
+    replaced = instead_of()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
-        | {f"one second, {names} names": fit(name, 1.0, names) for names in NAMES}
-        | {
-            "10% of the steady state": fit(name, 0.1, window=np.inf),
-            "what else fails": breaks(name),
-        }
-        for product in dict.fromkeys(of.values())
-        for name in (product, *(it for it in of if of[it] == product))
+        | {f"one second, {names} names": _fit(name, 1.0, names) for names in NAMES}
+        | {"10% of the steady state": _fit(name, 0.1, window=np.inf)}
+        | {"what else fails": consequence_of(name)}
+        for product in dict.fromkeys(replaced.values())
+        for name in (product, *(other for other in replaced if replaced[other] == product))
     )
 
 
 def configurations() -> Figure:
     """Draw how many robots fit with each configuration as dots, colored by what fails with it."""
-    data = configurations_data()
-    colors = lights("series")
-    with style():
-        figure = Figure(figsize=(WIDTH, 4.4))
+    title = "A wired Zenoh router admits the most robots, but it can silence all of them"
+    with drawn(4.4, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)
-        places, labels = [], []
-        place = 0.0
-        for row in data.to_dict("records"):
-            shipped = row["configuration"] not in instead_of()
-            place += 1.6 if shipped else 1.0
-            places.append(place)
-            labels.append(
-                f"{row['product']}, as shipped"
-                if shipped
-                else _SHORT.get(row["configuration"], row["configuration"])
-            )
-            color, mark = BREAKS[row["what else fails"]]
-            look: dict[str, Any] = {"marker": mark, "ms": 7, "color": colors[color]}
-            look |= {"mfc": "white", "mew": 1.6} if shipped else {"mew": 0}
+        labels, place = {}, 0.0
+        for row in configurations_data().to_dict("records"):
+            name, look = row["configuration"], consequence_look(row["what else fails"])
+            if name in instead_of():
+                place += 1.0
+                labels[place] = _SHORT.get(name, name)
+            else:
+                place += 1.6
+                labels[place] = f"{row['product']}, as shipped"
+                look |= {"mfc": "white", "mew": 1.6}
             ends = [row[f"one second, {names} names"] for names in ("same", "own")]
             if ends[0] != ends[1]:
                 start.plot(ends, [place] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
-            for axis, value in (
-                (start, row["one second, ROS 2 names"]),
-                (steady, row["10% of the steady state"]),
+            for axis, column in (
+                (start, "one second, ROS 2 names"),
+                (steady, "10% of the steady state"),
             ):
-                axis.plot(value, place, **look)
-                more = "+" if value == _MANY[-1] else ""
-                axis.annotate(
-                    f"{value:,}{more}", (value, place), (7, 0), textcoords="offset points",
-                    va="center", fontsize=9,
-                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
-                )  # fmt: skip
-        start.set_yticks(places, labels)
-        for tick, label in zip(start.get_yticklabels(), labels, strict=True):
-            tick.set_weight("bold" if "shipped" in label else "normal")
+                axis.plot(row[column], place, ms=7, **look)
+                text = f"{row[column]:,}{'+' if row[column] == _MANY[-1] else ''}"
+                write(axis, text, (row[column], place), (7, 0), va="center", bbox=white(0.6))
+        start.set_yticks(list(labels), labels.values())
+        for tick in start.get_yticklabels():
+            tick.set_weight("bold" if "shipped" in tick.get_text() else "normal")
         start.invert_yaxis()
-        start.set(xscale="log", xlim=(2.4, 70), xlabel="robots")
-        start.set_title("start within one second", loc="left", fontweight="normal")
-        start.set_xticks([3, 5, 10, 20, 50], ["3", "5", "10", "20", "50"])
-        steady.set(xscale="log", xlim=(5, 20000), xlabel="robots")
-        steady.set_title("need 10% in the steady state", loc="left", fontweight="normal")
-        steady.set_xticks([10, 100, 1000], ["10", "100", "1,000"])
-        for axis in (start, steady):
-            axis.minorticks_off()
+        for axis, title, limits, ticks in (
+            (start, "start within one second", (2.4, 70), (3, 5, 10, 20, 50)),
+            (steady, "need 10% in the steady state", (5, 20000), (10, 100, 1000)),
+        ):
+            axis.set(xscale="log", xlim=limits, xlabel="robots")
+            axis.set_title(title, loc="left", fontweight="normal")
+            set_ticks(axis.xaxis, ticks)
             axis.tick_params(axis="y", length=0)
-        handles = [
-            Line2D([], [], ls="", marker=mark, ms=7, color=colors[color], mew=0, label=what)
-            for what, (color, mark) in BREAKS.items()
-        ]
-        figure.legend(
-            handles=handles,
-            title="What else fails if its server or router fails",
-            loc="outside lower center",
-            ncols=2,
-        )
-        headline(
-            figure, "A wired Zenoh router admits the most robots, but it can silence all of them"
-        )
+        consequence_legend(figure, "What else fails if its server or router fails", 7)
     return figure
 
 
-_LANES = (
+_FAILURES = (
     (_SERVER, "server killed", "one Discovery Server"),
     (f"{_SERVER}, two", "server killed", "two Discovery Servers, one killed"),
     (f"{_SERVER}, two", "both servers killed", "two Discovery Servers, both killed"),
@@ -188,152 +187,112 @@ _LANES = (
     ("Zenoh router per host", "server killed", "a router per robot, that of robot 1 killed"),
     (_HUB, "server killed", "routers behind one hub, the hub killed"),
 )
-_KNOWN, _LATE, _OWN = "robots that knew each other", "late joiner", "robot 1 and the others"
 
 
 def failures_data() -> pd.DataFrame:
     """Return from when on processes hear each other after a server or router was killed [s]."""
-    return pd.DataFrame(
-        {
-            "configuration": name,
-            "event": event,
-            "title": title,
-            "who": who,
-            "from_s": begin,
-            "connected_from_s": connected,
-            "server_back_s": back,
-            "until_s": end,
-        }
-        for name, event, title in _LANES
-        for who, begin, connected, back, end in _lanes(name, event)
-    )
+    return pd.DataFrame(lane for failure in _FAILURES for lane in _lanes(*failure))
 
 
-def _lanes(name: str, event: str) -> Iterator[tuple[str, float, float, float, float]]:
-    rows = [
-        row
-        for row in read_data("measured/deaths.csv", "discostorm_book")
-        if (row["configuration"], row["event"]) == (name, event)
-    ]
-    since = {row["phase"]: float(row["since_s"]) for row in rows}
-    back = since["return"]
-    end = max(float(row["since_s"]) + float(row["watched_s"]) for row in rows)
+def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
+    """Yield the lanes of a failure: robots that knew each other, robot 1, and a late joiner."""
+    rows = _deaths_of(name, event)
+    since = dict(zip(rows["phase"], rows["since_s"], strict=True))
+    back, joins = since["return"], since["newcomer"]
+    end = (rows["since_s"] + rows["watched_s"]).max()
 
-    def again(who: str) -> float:
-        return back + float(np.median(death_times(name, event, "return", who, "found")))
+    def lane(who: str, begin: float, connected: float) -> Look:
+        of = {"configuration": name, "event": event, "title": title, "who": who}
+        times = {"from_s": begin, "connected_from_s": connected}
+        return {**of, **times, "server_back_s": back, "until_s": end}
 
-    for who, label in (("survivors", _KNOWN), ("orphans and survivors", _OWN)):
-        if (who, "settled") in {(row["who"], row["quantity"]) for row in rows}:
+    def found_again(who: str) -> float:
+        return float(back) + float(np.median(death_times(name, event, "return", who, "found")))
+
+    for who, again, label in (
+        ("survivors", "survivors", "robots that knew each other"),
+        ("orphans and survivors", "orphans", "robot 1 and the others"),
+    ):
+        # Behind a hub the others lose each other as well.
+        if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
             lost = np.isinf(death_times(name, event, "death", who, "settled")).all()
-            if label == _OWN and name == _HUB:
-                continue  # there the others lose each other as well
-            returned = "survivors" if who == "survivors" else "orphans"
-            yield label, 0.0, again(returned) if lost else 0.0, back, end
-    found = float(np.median(death_times(name, event, "newcomer", "newcomer", "found")))
-    begin = since["newcomer"]
-    yield _LATE, begin, begin + found if np.isfinite(found) else again("newcomer"), back, end
-
-
-def noticed_data() -> pd.DataFrame:
-    """Return how long the others keep a robot that has failed on their lists, medians [s]."""
-    leases = {
-        row["configuration"]: float(row["lease_s"])
-        for row in read_data("measured/configurations.csv", "discostorm_book")
-    }
-    staged = {
-        (row["configuration"], row["event"])
-        for row in read_data("measured/deaths.csv", "discostorm_book")
-        if row["quantity"] == "noticed"
-    }
-    return pd.DataFrame(
-        {
-            "configuration": name,
-            "event": event,
-            "noticed_s": float(np.median(death_times(name, event, "death", "dead", "noticed"))),
-            "lease_s": lease,
-        }
-        for name, lease in leases.items()
-        for event in ("robot killed", "robot cut off")
-        if (name, event) in staged
-    )
+            yield lane(label, 0.0, found_again(again) if lost else 0.0)
+    found = joins + float(np.median(death_times(name, event, "newcomer", "newcomer", "found")))
+    yield lane("late joiner", joins, found if np.isfinite(found) else found_again("newcomer"))
 
 
 def failures() -> Figure:
     """Draw who hears whom after a failure as swim lanes."""
-    with style():
-        figure = Figure(figsize=(WIDTH, 4.5))
-        marks = _draw_lanes(figure.subplots(), failures_data())
-        figure.legend(handles=marks, loc="outside lower center", ncols=3)
-        headline(figure, "Only a central router or hub silences the fleet")
+    with drawn(4.5, "Only a central router or hub silences the fleet") as figure:
+        axis = figure.subplots()
+        place, labels = 0.0, {}
+        back_look: Look = {"color": "black", "lw": 1.6}
+        for title, rows in failures_data().groupby("title", sort=False):
+            place += 1.15
+            axis.text(0, place, str(title), fontsize=9, fontweight="bold", va="center")
+            top, back = place + 0.4, rows["server_back_s"].iloc[0]
+            for row in rows.to_dict("records"):
+                place += 0.85
+                labels[place] = row["who"]
+                _draw_lane(axis, place, row)
+            axis.vlines(back, top, place + 0.4, **back_look)
+        clear_rows(axis, list(labels), labels.values())
+        axis.tick_params(axis="y", labelsize=8)
+        axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
+        axis.set_ylim(place + 0.6, 0.5)
+        handles = [
+            Patch(color=_SERIES["blue"], label="hear each other"),
+            Patch(fc="white", ec=_SERIES["vermilion"], hatch="////", label="do not"),
+            Line2D([], [], label="server or router is back", **back_look),
+        ]
+        legend_below(figure, handles, 3)
     return figure
+
+
+def _draw_lane(axis: Axes, place: float, row: Mapping[Any, Any]) -> None:
+    """Draw when processes do not hear each other, and when they do."""
+    begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
+    if connected > begin:
+        look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
+        axis.barh(place, connected - begin, 0.55, begin, color="white", **look)
+    axis.barh(place, end - connected, 0.55, connected, color=_SERIES["blue"])
+    if (late := connected - row["server_back_s"]) > 0:
+        axis.text(end + 1, place, f"+{late:.1f} s", va="center", fontsize=8)
+
+
+def noticed_data() -> pd.DataFrame:
+    """Return how long the others keep a robot that has failed on their lists, medians [s]."""
+    rows = deaths().query("phase == 'death' and who == 'dead' and quantity == 'noticed'")
+    medians = rows.set_index(["configuration", "event"])["median_s"]
+    return pd.DataFrame(
+        {"configuration": name, "event": event, "noticed_s": medians[name, event]}
+        | {"lease_s": float(row["lease_s"])}
+        for row in read_data("measured/configurations.csv", "discostorm_book")
+        for event in ("robot killed", "robot cut off")
+        if ((name := row["configuration"]), event) in medians
+    )
 
 
 def noticed() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
-    with style():
-        figure = Figure(figsize=(WIDTH, 2.6))
-        _draw_noticed(figure.subplots(), noticed_data())
-        headline(figure, "A failed robot stays listed for about one lease")
-    return figure
-
-
-def _draw_lanes(axis: Axes, data: pd.DataFrame) -> list[Patch | Line2D]:
-    """Draw the lanes and return what their marks look like."""
-    colors = lights("series")
-    place, places, labels = 0.0, [], []
-    for title, rows in data.groupby("title", sort=False):
-        place += 1.15
-        axis.text(0, place, str(title), fontsize=9, fontweight="bold", va="center")
-        top = place + 0.4
-        for row in rows.to_dict("records"):
-            place += 0.85
-            places.append(place)
-            labels.append(row["who"])
-            begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
-            if connected > begin:
-                axis.barh(
-                    place, connected - begin, 0.55, left=begin, color="white",
-                    edgecolor=colors["vermilion"], lw=0.9, hatch="////",
-                )  # fmt: skip
-            axis.barh(place, end - connected, 0.55, left=connected, color=colors["blue"])
-            back = row["server_back_s"]
-            if connected > back:
-                axis.text(end + 1, place, f"+{connected - back:.1f} s", va="center", fontsize=8)
-        back = rows["server_back_s"].iloc[0]
-        axis.vlines(back, top, place + 0.4, color="black", lw=1.6)
-    axis.set_yticks(places, labels, fontsize=8)
-    axis.tick_params(axis="y", length=0)
-    axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
-    axis.set_ylim(place + 0.6, 0.5)
-    axis.grid(axis="y", visible=False)
-    return [
-        Patch(color=colors["blue"], label="hear each other"),
-        Patch(fc="white", ec=colors["vermilion"], hatch="////", label="do not"),
-        Line2D([], [], color="black", lw=1.6, label="server or router is back"),
-    ]
-
-
-def _draw_noticed(axis: Axes, data: pd.DataFrame) -> None:
-    colors = lights("series")
-    looks = {"robot killed": (-0.19, "orange", "killed"),
-             "robot cut off": (0.19, "sky", "out of reach")}  # fmt: skip
+    looks = {"robot killed": (-0.19, "orange", "killed")}
+    looks |= {"robot cut off": (0.19, "sky", "out of reach")}
+    lease: Look = {"color": "black", "lw": 1.6}
+    data = noticed_data()
     names = list(dict.fromkeys(data["configuration"]))
-    for row in data.to_dict("records"):
-        shift, color, _ = looks[row["event"]]
-        place = names.index(row["configuration"]) + shift
-        axis.barh(place, row["noticed_s"], 0.34, color=colors[color])
-        short = f"{row['noticed_s']:.0f}" if row["noticed_s"] >= 0.5 else "0"
-        axis.text(row["noticed_s"] + 0.8, place, f"{short}", va="center", fontsize=8)
-        axis.vlines(row["lease_s"], place - 0.19, place + 0.19, color="black", lw=1.6, zorder=3)
-    axis.set_yticks(range(len(names)), [_SHORT.get(name, name) for name in names], fontsize=8)
-    axis.tick_params(axis="y", length=0)
-    axis.invert_yaxis()
-    axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
-    axis.grid(axis="y", visible=False)
-    axis.legend(
-        handles=[
-            *(Patch(color=colors[color], label=label) for _, color, label in looks.values()),
-            Line2D([], [], color="black", lw=1.6, label="lease"),
-        ],
-        loc="upper right",
-    )
+    with drawn(2.6, "A failed robot stays listed for about one lease") as figure:
+        axis = figure.subplots()
+        for row in data.to_dict("records"):
+            shift, color, _ = looks[row["event"]]
+            place, seconds = names.index(row["configuration"]) + shift, row["noticed_s"]
+            axis.barh(place, seconds, 0.34, color=_SERIES[color])
+            text = f"{seconds:.0f}" if seconds >= 0.5 else "0"
+            axis.text(seconds + 0.8, place, text, va="center", fontsize=8)
+            axis.vlines(row["lease_s"], place - 0.19, place + 0.19, zorder=3, **lease)
+        clear_rows(axis, range(len(names)), [_SHORT.get(name, name) for name in names])
+        axis.tick_params(axis="y", labelsize=8)
+        axis.invert_yaxis()
+        axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
+        bars = [Patch(color=_SERIES[color], label=label) for _, color, label in looks.values()]
+        axis.legend(handles=[*bars, Line2D([], [], label="lease", **lease)], loc="upper right")
+    return figure

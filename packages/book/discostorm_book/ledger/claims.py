@@ -1,33 +1,30 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
 ``data/paper/claims.csv`` says of each claim, by a key, where the paper makes it, in our words,
-and which outcome of its tests we state; its remark has places for what was computed.
-``data/paper/places.csv`` says in which paragraph the paper makes it. The tests
-are in `predicates`, by the same key: verdicts are computed from them. What an outcome is called
-stands in ``data/paper/verdicts.csv``. A figure of the paper has the weakest verdict of the claims
-about it, which ``data/paper/figures.csv`` lists.
+and which outcome of its criteria we state; its remark has room for computed numbers.
+``places.csv`` has the paragraph of the paper, ``claim_tests.csv`` the criteria. Verdicts are
+computed from these; ``verdicts.csv`` names the outcomes. A figure of the paper has the weakest
+verdict of the claims about it, which ``figures.csv`` lists.
 """
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from discostorm import words
 from discostorm.data import read_data
-from discostorm_book.ledger.claim_tests import NUMBERS, TESTS, WEAKER
-from discostorm_book.ledger.criteria import Test
+from discostorm_book.ledger import criteria
+from discostorm_book.ledger.criteria import Criterion
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: What tests can say of a claim.
-Outcome = Literal["holds", "weaker holds", "fails", "no test"]
-
-#: What a figure is as good as: the first of these that one of its claims has.
-_WEAKEST_FIRST: tuple[Outcome, ...] = ("fails", "weaker holds", "holds")
+#: A figure has the first of these outcomes that one of its claims has.
+_WEAKEST_FIRST = ("fails", "weaker holds", "holds")
 
 #: The word, the sign and the meaning of each outcome.
 VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv", "discostorm_book")}
@@ -35,32 +32,11 @@ VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv", "disc
 
 @dataclass(frozen=True)
 class Claim:
-    """A checkable statement of the paper, in our words.
+    """A checkable statement of the paper, in our words; all but `criteria` are columns of tables.
 
-    Parameters
-    ----------
-    id : int
-        Its number in the ledger, in the order of the paper.
-    key : str
-        What `predicates` knows it by.
-    where : str
-        Section, equation, table or figure of the paper.
-    section : str
-        Section of the ledger chapter in which it is decided.
-    statement : str
-        What it says.
-    stated : str
-        The outcome that the ledger states; a test compares it with `outcome`.
-    test : Test or None
-        What decides it; None if nothing in the paper does.
-    weaker_test : Test or None
-        What is left of the same sentence if `test` fails.
-    remark : str
-        The qualification, how it is contradicted, or why it cannot be checked.
-    link : str
-        Label in the book where the quantity is derived.
-    place : str
-        Paragraph of the paper, or sentence of its abstract, that says it.
+    The criteria are those of ``claim_tests.csv``, by their roles; none if nothing in the paper
+    decides the claim. `section` is a part of the ledger chapter, `link` a label in the book where
+    the quantity is derived, and `stated` the outcome that a test compares with `outcome`.
     """
 
     id: int
@@ -69,11 +45,20 @@ class Claim:
     section: str
     statement: str
     stated: str
-    test: Test | None
-    weaker_test: Test | None
     remark: str
     link: str
     place: str
+    criteria: Mapping[str, Criterion]
+
+    @property
+    def test(self) -> Criterion | None:
+        """What decides the claim, if anything does."""
+        return self.criteria.get("test")
+
+    @property
+    def weaker_test(self) -> Criterion | None:
+        """What is left of the same sentence if the test fails."""
+        return self.criteria.get("weaker")
 
     @property
     def found_at(self) -> str:
@@ -82,30 +67,28 @@ class Claim:
         return f"{self.where}; {self.place}" if numbered else self.place
 
     @property
-    def tests(self) -> list[Test]:
-        """What decides it: none, one, or one and what is weaker."""
+    def tests(self) -> list[Criterion]:
+        """What decides the claim: none, one, or one and a weaker one."""
         return [test for test in (self.test, self.weaker_test) if test]
 
     @property
     def reading(self) -> str:
-        """What we read into the soft words of the statement; empty if it has none."""
-        words = dict.fromkeys(test.word for test in self.tests if test.word)
-        return "; ".join(f"we read {word.word}: {word.reading}" for word in words)
+        """What we read into the vague terms of the statement; empty if it has none."""
+        terms = dict.fromkeys(test.word for test in self.tests if test.word)
+        return "; ".join(f"we read {term.word}: {term.reading}" for term in terms)
 
     @property
     def provenance(self) -> str:
-        """How the quantities of its tests are known; empty if it has none."""
+        """How the quantities of the tests are known; empty if there are none."""
         return ", ".join(dict.fromkeys(test.provenance for test in self.tests))
 
-    def outcome(self) -> Outcome:
-        """Return what its tests say."""
+    def outcome(self) -> str:
+        """Return what the tests say: holds, weaker holds, fails or no test."""
         if self.test is None:
             return "no test"
         if self.test.holds():
             return "holds"
-        if self.weaker_test is not None and self.weaker_test.holds():
-            return "weaker holds"
-        return "fails"
+        return "weaker holds" if self.weaker_test and self.weaker_test.holds() else "fails"
 
     def verdict(self) -> str:
         """Return the verdict in a word, computed from the tests."""
@@ -118,20 +101,10 @@ class Claim:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of the paper, with the claims about it.
+    """A figure of the paper by its number, what it shows, and the claims about it, if any.
 
-    Parameters
-    ----------
-    number : str
-        Its number in the paper.
-    what : str
-        What it shows.
-    stated : str
-        The outcome that the book states as its badge; a test compares it with `outcome`.
-    claims : tuple of Claim
-        The claims about it; none of a drawing.
-    label : str
-        Label in the book of their section in the ledger; empty if there are none.
+    `stated` is the outcome that the book has as its badge, and `label` leads to the section of
+    its claims in the ledger.
     """
 
     number: str
@@ -140,10 +113,10 @@ class Figure:
     claims: tuple[Claim, ...]
     label: str
 
-    def outcome(self) -> Outcome:
-        """Return the weakest outcome of its claims, of those that have a test."""
-        found = [claim.outcome() for claim in self.claims]
-        return next((each for each in _WEAKEST_FIRST if each in found), "no test")
+    def outcome(self) -> str:
+        """Return the weakest outcome of the claims that have a test."""
+        outcomes = [claim.outcome() for claim in self.claims]
+        return next((each for each in _WEAKEST_FIRST if each in outcomes), "no test")
 
     def badge(self) -> str:
         """Return sign and verdict, and where its claims are, as Markdown.
@@ -154,35 +127,29 @@ class Figure:
         '? not checkable: a drawing'
         """
         word = VERDICTS[self.outcome()]
-        said = f"{word['sign']} {word['verdict']}"
+        verdict = f"{word['sign']} {word['verdict']}"
         if not self.claims:
-            return f"{said}: a drawing"
-        return f"{said} ([rows {_listed(self.claims)}](#{self.label}))"
+            return f"{verdict}: a drawing"
+        return f"{verdict} ([rows {_ranges([c.id for c in self.claims])}](#{self.label}))"
 
     def caption(self) -> str:
         """Return the badge in sentences, for the chapter that makes the figure again."""
         counts = Counter(claim.verdict() for claim in self.claims)
-        found = [
-            f"{counts[word['verdict']]} {word['verdict']}"
-            for word in VERDICTS.values()
-            if counts[word["verdict"]]
-        ]
+        verdicts = [word["verdict"] for word in VERDICTS.values()]
+        parts = [f"{counts[verdict]} {verdict}" for verdict in verdicts if counts[verdict]]
         return (
             f"**Fig. {self.number} of the paper: {self.badge()}.** This is the weakest verdict of "
-            f"{len(self.claims)} statements about the figure: {words.listed(found)}."
+            f"{len(self.claims)} statements about the figure: {words.listed(parts)}."
         )
 
 
-def _listed(claims: tuple[Claim, ...]) -> str:
-    """Return the numbers of claims, those that follow each other as a range."""
-    runs: list[list[int]] = []
-    for claim in claims:
-        if runs and claim.id == runs[-1][-1] + 1:
-            runs[-1].append(claim.id)
-        else:
-            runs.append([claim.id])
+def _ranges(numbers: list[int]) -> str:
+    """Return numbers in order, those that follow each other as a range."""
+    starts = [number for number in numbers if number - 1 not in numbers]
+    ends = [number for number in numbers if number + 1 not in numbers]
     return ", ".join(
-        f"{run[0]}\N{EN DASH}{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs
+        f"{start}" if start == end else f"{start}\N{EN DASH}{end}"
+        for start, end in zip(starts, ends, strict=True)
     )
 
 
@@ -206,6 +173,7 @@ def figures() -> dict[str, Figure]:
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
     places = {row["key"]: row["place"] for row in read_data("paper/places.csv", "discostorm_book")}
+    by_key = criteria.by_claim()
     return tuple(
         Claim(
             number,
@@ -214,65 +182,54 @@ def claims() -> tuple[Claim, ...]:
             row["section"],
             row["statement"],
             row["outcome"],
-            TESTS.get(row["key"]),
-            WEAKER.get(row["key"]),
-            _remark(row["key"], row["remark"]),
+            _filled(row["remark"], by_key.get(row["key"], {})),
             row["link"],
             places[row["key"]],
+            by_key.get(row["key"], {}),
         )
         for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1)
     )
 
 
-def _remark(key: str, template: str) -> str:
-    """Return a remark with its numbers: what the tests found, also in µs, and others."""
-    if "{" not in template:
-        return template
-    numbers = NUMBERS[key]() if key in NUMBERS else {}
-    for name, tests in {"ours": TESTS, "weaker": WEAKER}.items():
-        if key in tests and sp.sympify(tests[key].ours()).is_number:
-            numbers[name] = float(tests[key].ours())
-            numbers[f"{name}_us"] = 1e6 * numbers[name]
-    return template.format(**numbers)
+def _filled(remark: str, by_role: Mapping[str, Criterion]) -> str:
+    """Return a remark with its numbers: ``ours``, ``weaker`` and others, each also in µs."""
+    if "{" not in remark:
+        return remark
+    names = {"test": "ours"}
+    values = {names.get(role, role): each.ours() for role, each in by_role.items()}
+    numbers = {name: float(value) for name, value in values.items() if sp.sympify(value).is_number}
+    return remark.format(**numbers, **{f"{name}_us": 1e6 * n for name, n in numbers.items()})
 
 
 def ledger() -> "pd.DataFrame":
-    """Return the ledger: one row a claim, with the paper's value, ours and the verdict.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Indexed by id, with columns where, section, statement, reading, quantity, paper, ours,
-        verdict, provenance, remark, link and place.
-    """
+    """Return the ledger as a table: the `row` of each claim, indexed by id."""
     import pandas as pd
 
     return pd.DataFrame(map(row, claims())).set_index("id")
 
 
 def row(claim: Claim) -> dict[str, Any]:
-    """Return the row of a claim in `ledger`, its id included."""
-    return {
-        "id": claim.id,
-        "where": claim.where,
-        "section": claim.section,
-        "statement": claim.statement,
-        "reading": claim.reading,
-        "quantity": claim.test.quantity if claim.test else "",
-        "paper": claim.test.paper if claim.test else "",
-        "ours": claim.test.ours() if claim.test else "",
+    """Return the row of a claim in `ledger`, with the paper's value, ours and the verdict."""
+    head, tail = ("id", "where", "section", "statement", "reading"), ("remark", "link", "place")
+    test = claim.test
+    decided = {
+        "quantity": test.quantity if test else "",
+        "paper": test.paper if test else "",
+        "ours": test.ours() if test else "",
         "verdict": claim.verdict(),
         "provenance": claim.provenance,
-        "remark": claim.remark,
-        "link": claim.link,
-        "place": claim.place,
     }
+    return (
+        {name: getattr(claim, name) for name in head}
+        | decided
+        | {name: getattr(claim, name) for name in tail}
+    )
 
 
 def shown(value: Any) -> str:
     """Return a quantity as a reader wants it: numbers to four digits."""
-    found = exact(value)
-    return found if isinstance(found, str) else f"{found:.4g}"
+    value = exact(value)
+    return value if isinstance(value, str) else f"{value:.4g}"
 
 
 def exact(value: Any) -> float | str:

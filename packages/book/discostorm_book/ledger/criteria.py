@@ -1,25 +1,26 @@
-"""The tests that decide claims: a quantity with its arguments, a relation, the paper's value.
+"""The criteria that decide claims: a quantity with its arguments, a relation, the paper's value.
 
-Where the paper has a soft word instead of a number, the test has the word:
-``Test(control_share, (DDS, 7, 2, 10), "is", "significant")``. What we read into it stands in
-``data/paper/soft_words.csv``, once for each word, and holds for every claim.
+``data/paper/claim_tests.csv`` has them by claim: the ``test`` of a sentence, a ``weaker`` reading
+of the same sentence, and further numbers of its remark, by the names that the remark has for them.
+The last three arguments are mostly hosts, processes and endpoints. Where the paper has a vague
+term instead of a number, ``data/paper/vague_terms.csv`` says what we read into it, in every claim.
 """
 
-import math
 import operator
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections import defaultdict
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 import sympy as sp
 
 from discostorm import notation as nt, words
 from discostorm.data import read_data
 from discostorm.messages import Protocol
-
-Relation: TypeAlias = Literal["=", "≈", "<", "≤", ">", "≥", "is", "is not"]
+from discostorm.protocols import DDS, ZENOH
+from discostorm_book.ledger.quantities import QUANTITIES
 
 _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
     "=": lambda ours, paper: bool(sp.cancel(ours - paper).is_zero),
@@ -29,20 +30,14 @@ _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
     "≥": operator.ge,
 }
 _OPPOSITE = {"<": "≥", "≤": ">", ">": "≤", "≥": "<"}
-_IN_WORDS = {
-    "=": "",
-    "≈": "about ",
-    "<": "less than ",
-    "≤": "at most ",
-    ">": "more than ",
-    "≥": "at least ",
-}
+_IN_WORDS = {"≈": "about ", "<": "less than ", "≤": "at most ", ">": "more than ", "≥": "at least "}
 #: A tolerance no larger than this is for the rounding of floating point alone.
 _ROUNDING = 1e-9
+_PAPER = {protocol.name: protocol for protocol in (DDS, ZENOH)}
 
 
 @dataclass(frozen=True)
-class SoftWord:
+class VagueTerm:
     """A word that a number can test, and the one threshold that we read into it."""
 
     word: str
@@ -53,23 +48,23 @@ class SoftWord:
 
 
 @cache
-def soft_words() -> dict[str, SoftWord]:
-    """Return the soft words of the paper, each with what we read into it."""
+def vague_terms() -> dict[str, VagueTerm]:
+    """Return the vague terms of the paper, each with what we read into it."""
     return {
-        row["word"]: SoftWord(
+        row["word"]: VagueTerm(
             row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
         )
-        for row in read_data("paper/soft_words.csv", "discostorm_book")
+        for row in read_data("paper/vague_terms.csv", "discostorm_book")
     }
 
 
 @cache
-def _value(quantity: Callable[..., Any], *arguments: Any) -> Any:
-    return quantity(*arguments)
+def _value(function: Callable[..., Any], *arguments: Any) -> Any:
+    return function(*arguments)
 
 
 @dataclass(frozen=True)
-class Test:
+class Criterion:
     """What decides a claim: a quantity, a relation, and the paper's value.
 
     Parameters
@@ -79,19 +74,22 @@ class Test:
     arguments : tuple
         Its arguments.
     relation : str
-        One of = ≈ < ≤ > ≥, or "is" and "is not" before a soft word. Without a tolerance ≈ means
+        One of = ≈ < ≤ > ≥, or "is" and "is not" before a vague term. Without a tolerance ≈ means
         about as much, as far as the word "approximately" goes.
     value : float, sympy.Expr or str
-        The paper's value: a number, an expression in its symbols, or a soft word.
+        The paper's value: a number, an expression in its symbols, or a vague term.
     tolerance : float, optional
         How far off ≈ may be.
+    printed : str, optional
+        Relation, value and tolerance as the ledger prints them.
     """
 
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
-    relation: Relation
+    relation: str
     value: Any
     tolerance: float = 0.0
+    printed: str = field(default="", compare=False)
 
     def ours(self) -> Any:
         """Return the quantity as computed by the package: a number or an expression."""
@@ -99,122 +97,134 @@ class Test:
 
     def holds(self) -> bool:
         """Return whether the relation between our value and the paper's holds."""
-        relation, limit = self._limit()
+        relation, limit = self._threshold()
         if relation == "≈":
-            about = soft_words()["approximately"].threshold * abs(limit)
+            about = vague_terms()["approximately"].threshold * abs(limit)
             return bool(abs(self.ours() - limit) <= (self.tolerance or about))
         return bool(_RELATIONS[relation](self.ours(), limit))
 
-    def _limit(self) -> tuple[str, Any]:
-        """Return the relation to a number, and the number, also of a soft word."""
+    def _threshold(self) -> tuple[str, Any]:
+        """Return the relation to a number, and the number, also of a vague term."""
         if not isinstance(self.value, str):
             return self.relation, self.value
-        if self.value not in soft_words():
-            raise ValueError(f"word must be one of {', '.join(soft_words())}; got {self.value!r}")
-        word = soft_words()[self.value]
-        relation = word.relation if self.relation == "is" else _OPPOSITE[word.relation]
-        return relation, word.threshold
+        if self.value not in vague_terms():
+            raise ValueError(f"word must be one of {', '.join(vague_terms())}; got {self.value!r}")
+        term = vague_terms()[self.value]
+        relation = term.relation if self.relation == "is" else _OPPOSITE[term.relation]
+        return relation, term.threshold
 
     @property
-    def word(self) -> SoftWord | None:
-        """The soft word that it reads, if any."""
+    def word(self) -> VagueTerm | None:
+        """The vague term that it reads, if any."""
         about = self.relation == "≈" and not self.tolerance
-        return soft_words().get("approximately" if about else self.value)
+        return vague_terms().get("approximately" if about else self.value)
 
     @property
     def quantity(self) -> str:
         """The quantity with its arguments; names have _ for a space."""
-        arguments = (_plain(each).replace(" ", "_") for each in self.arguments)
+        arguments = (_as_text(each).replace(" ", "_") for each in self.arguments)
         return " ".join([self.function.__name__, *arguments])
 
     @property
     def paper(self) -> str:
         """The paper's value, with the relation to it."""
         if isinstance(self.value, str):
-            relation, threshold = self._limit()
+            relation, threshold = self._threshold()
             return f"{self.relation} {self.value}: {relation} {threshold:g}".removeprefix("is ")
-        within = f" ± {_printed(self.tolerance, like=self.value)}" if self.tolerance else ""
-        return f"{self.relation} {_printed(self.value)}{within}"
+        return self.printed
 
     @property
     def text(self) -> str:
-        """The test in a line: ``utilization DDS 10 1 2 ≥ 1``."""
-        said = f"{self.relation} {self.value}" if isinstance(self.value, str) else self.paper
-        return f"{self.quantity} {said}"
+        """The criterion in a line: ``utilization DDS 10 1 2 ≥ 1``."""
+        return f"{self.quantity} {self.printed}"
 
     @property
     def provenance(self) -> str:
         """How the quantity is known: computed, read in sources, simulated or measured."""
-        return self._described()["provenance"]
+        return self._description()["provenance"]
 
-    def _described(self) -> dict[str, str]:
-        """Return what the quantity, or which default, is called, its unit and provenance."""
+    def _description(self) -> dict[str, str]:
+        """Return the words, unit and provenance of the quantity, or of the default that it is."""
         name = self.function.__name__
-        called = f"{name} {self.arguments[-1]}" if name == "default" else name
-        (row,) = (
-            row
-            for row in read_data("paper/quantities.csv", "discostorm_book")
-            if row["quantity"] == called
-        )
+        if name == "default":
+            name = f"{name} {self.arguments[-1]}"
+        rows = read_data("paper/quantities.csv", "discostorm_book")
+        (row,) = (row for row in rows if row["quantity"] == name)
         return row
 
     def in_words(self) -> str:
-        """Return what the test asks and what was found, as Markdown.
+        """Return what the criterion asks and what we got, as Markdown.
 
         Examples
         --------
         >>> from discostorm_book.ledger.quantities.model import control_saved
-        >>> Test(control_saved, (), "is", "significant").in_words()
+        >>> Criterion(control_saved, (), "is", "significant").in_words()
         'at least 10% of the control messages of DDS saved by Zenoh: 50%'
         """
-        unit, template = self._described()["unit"], self._described()["words"]
-        relation, value = self._limit()
-        limit = _told(value, unit)
+        unit, template = self._description()["unit"], self._description()["words"]
+        relation, value = self._threshold()
+        limit = _with_unit(value, unit)
         if self.tolerance > _ROUNDING:
-            limit += f" ± {_told(self.tolerance, unit)}"
+            limit += f" ± {_with_unit(self.tolerance, unit)}"
         elif self.tolerance:
             relation, limit = "=", f"{limit} but for rounding"
         names = (each for each in self.arguments if isinstance(each, str))
-        said = template.format(
-            *map(_named, self.arguments),
-            limit=_IN_WORDS[relation] + limit,
-            names=" and ".join(_named(each) for each in names if each not in nt.NOTATION),
+        question = template.format(
+            *map(_label, self.arguments),
+            limit=_IN_WORDS.get(relation, "") + limit,
+            names=" and ".join(_label(each) for each in names if each not in nt.NOTATION),
             swarm=_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
         )
-        found = _told(self.ours(), unit)
-        same = found == limit and found.startswith("$")
-        return f"{_singular(said)}: {'the same' if same else found}"
+        # One of a thing is not many of them.
+        question = re.sub(
+            r"\b1 (process(?=es\b)|(?:message|session|bit|host|kind|frame)(?=s\b))e?s",
+            r"1 \1",
+            question,
+        )
+        ours = _with_unit(self.ours(), unit)
+        return f"{question}: {'the same' if ours == limit and ours.startswith('$') else ours}"
 
 
-def _plain(argument: Any) -> str:
+@cache
+def by_claim() -> Mapping[str, dict[str, Criterion]]:
+    """Return the criteria of each claim, and the numbers of its remark, by their roles."""
+    criteria: dict[str, dict[str, Criterion]] = defaultdict(dict)
+    for row in read_data("paper/claim_tests.csv", "discostorm_book"):
+        relation, value, tolerance = row["relation"], row["value"], row["tolerance"]
+        criteria[row["claim"]][row["role"]] = Criterion(
+            QUANTITIES[row["quantity"]],
+            tuple(map(_argument, row["arguments"].split("; "))) if row["arguments"] else (),
+            relation,
+            value if relation in ("is", "is not", "") else _number(value),
+            float(tolerance or 0),
+            f"{relation} {value}" + (f" ± {tolerance}" if tolerance else ""),
+        )
+    return criteria
+
+
+def _argument(text: str) -> Any:
+    """Return an argument from the table: a number, a protocol of the paper, or text."""
+    is_number = re.fullmatch(r"[\d.]+", text)
+    return _number(text) if is_number else _PAPER.get(text, text)
+
+
+def _number(text: str) -> Any:
+    """Return a number, or an expression in the symbols of the paper."""
+    if "N_" in text:
+        return sp.sympify(text, {name: entry.symbol for name, entry in nt.NOTATION.items()})
+    return int(text) if text.isdigit() else float(text)
+
+
+def _as_text(argument: Any) -> str:
     """Return an argument as text: a protocol by its name."""
     if isinstance(argument, Protocol):
         return argument.name
     return argument if isinstance(argument, str) else f"{argument:g}"
 
 
-def _printed(value: Any, like: Any = None) -> str:
-    """Return a number in thousands and the like, 120e-6; an expression as the paper writes it."""
-    if isinstance(value, sp.Expr):
-        return _as_written(value)
-    size = abs(like or value)
-    exponent = 0 if size == 0 or 1e-3 <= size < 1e4 else 3 * math.floor(math.log10(size) / 3)
-    return f"{value / 10**exponent:g}" + (f"e{exponent}" if exponent else "")
-
-
-def _as_written(load: sp.Expr) -> str:
-    """Return a load as the paper writes it: hosts first, then processes, then endpoints."""
-    products = []
-    for term in sp.Add.make_args(load):
-        factors = map(str, sp.Mul.make_args(term))
-        in_order = sorted(factors, key=lambda text: text.replace("N_E", "N_Z"))
-        products.append("*".join(f"({each})" if " " in each else each for each in in_order))
-    return " + ".join(sorted(products, key=len))
-
-
-def _named(argument: Any) -> str:
+def _label(argument: Any) -> str:
     """Return an argument of a quantity as a reader knows it."""
-    text = _plain(argument)
+    text = _as_text(argument)
     if text in nt.NOTATION:
         return f"${sp.latex(nt.NOTATION[text].symbol)}$"
     if text in {"all", "control", "multicast"}:
@@ -222,14 +232,7 @@ def _named(argument: Any) -> str:
     return text.removesuffix("_message")
 
 
-def _singular(text: str) -> str:
-    """Return a text in which one thing is not many of them."""
-    return re.sub(
-        r"\b1 (process(?=es\b)|(?:message|session|bit|host|kind|frame)(?=s\b))e?s", r"1 \1", text
-    )
-
-
-def _told(value: Any, unit: str) -> str:
+def _with_unit(value: Any, unit: str) -> str:
     """Return a value in its unit, to three digits; an expression as LaTeX."""
     if unit == "expression" or not sp.sympify(value).is_number:
         return f"${sp.latex(sp.factor(value))}$"
@@ -246,8 +249,7 @@ def _told(value: Any, unit: str) -> str:
         "rate": (1e-6, " Mbit/s"),
         "time": (1e6, " µs"),
     }.get(unit, (1, ""))
-    digits = 4 if unit == "rate" else 3
-    scaled = float(f"{factor * number:.{digits}g}")
+    scaled = float(f"{factor * number:.{4 if unit == 'rate' else 3}g}")
     return f"{scaled:,.10g}{suffix}"
 
 

@@ -1,1 +1,15 @@
-"""What tests of claims compute, by topic: swarms, frames, and what was found beside the model."""
+"""What decides claims: quantities of the paper's model, of one frame, and of other evidence."""
+
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+from discostorm_book.ledger.quantities import captured, evidence, frames, model
+
+#: All quantities by their names, with the two that the core itself computes.
+QUANTITIES: dict[str, Callable[..., Any]] = {
+    name: function
+    for module in (captured, evidence, frames, model)
+    for name, function in vars(module).items()
+    if isinstance(function, FunctionType) and not name.startswith("_")
+}

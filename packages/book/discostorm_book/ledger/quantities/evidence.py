@@ -1,4 +1,4 @@
-"""Quantities found beside the model: read in sources, counted, simulated and measured."""
+"""Quantities from other evidence: sources, an enumeration, simulations and measurements."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -21,31 +21,36 @@ from discostorm_book import enumeration, lab_counts
 _CONFIGURATION = {"setting", "file"}
 
 
-def default(product: str, quantity: str) -> float:
-    """Return a product's default."""
-    return defaults(product)[quantity]
+def default(product: str | Protocol, name: str) -> float:
+    """Return a default of a product; "Zenoh" is the name of one of the paper's protocols, too."""
+    return defaults(product.name if isinstance(product, Protocol) else product)[name]
 
 
 def payloads_measured(protocol: Protocol) -> float:
     """Return which part of the messages had, in captures, a payload in the paper's range.
 
-    Of the products that speak the protocol, at least one; its median of all points of the lab.
+    Of at least one product that speaks the protocol, the median of all points of the lab.
     """
-    within = set()
-    for name, table in PROTOCOLS.items():
-        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name:
-            for message in protocol.messages:
-                sizes = lab_counts.payloads(name, message.name)
-                if sizes and message.payload.low <= median(sizes) <= message.payload.high:
-                    within.add(message.name)
-    return len(within) / len(protocol.messages)
+    products = [
+        name
+        for name, table in PROTOCOLS.items()
+        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name
+    ]
+
+    def within(name: str, low: float, high: float) -> bool:
+        sizes = (lab_counts.payloads(product, name) for product in products)
+        return any(low <= median(each) <= high for each in sizes if each)
+
+    messages = protocol.messages
+    right = [within(each.name, each.payload.low, each.payload.high) for each in messages]
+    return sum(right) / len(right)
 
 
 def start_saved(configuration: str, hosts: float) -> float:
-    """Return which part of the start's airtime an configuration saves, with any names the least.
+    """Return which part of the start's airtime a configuration saves, with any names the least.
 
-    Of that of the product without it, as both tables were measured, on the paper's channel: for
-    so many hosts of 2 processes with 10 endpoints, which match nobody or all.
+    Relative to the product without it, as both tables were measured, on the paper's channel, for
+    hosts of 2 processes with 10 endpoints, of which none or all match.
     """
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
@@ -67,73 +72,73 @@ def remedies_by_configuration() -> float:
 
 
 def runs_found(configuration: str, event: str) -> float:
-    """Return the part of the runs in which a newcomer found the living before the dead was back."""
+    """Return the part of the runs in which a late joiner was discovered during the failure."""
     times = lab_counts.death_times(configuration, event, "newcomer", "newcomer", "found")
     return float(np.isfinite(times).mean())
 
 
 def runs_undisturbed(configuration: str, event: str, who: str) -> float:
-    """Return the part of the runs in which these lost no match and heard each other all along."""
+    """Return the part of the runs in which these processes stayed matched and connected."""
     times = lab_counts.death_times(configuration, event, "death", who, "settled")
     return float((times == 0).mean())
 
 
 def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
-    named = {
+    cells = {
         name: value if isinstance(value, str) else f"{value:g}" for name, value in wanted.items()
     }
-    rows = [
-        row
-        for row in read_data(f"simulated/{table}.csv", "discostorm_book")
-        if named.items() <= row.items()
-    ]
+    every = read_data(f"simulated/{table}.csv", "discostorm_book")
+    rows = [row for row in every if cells.items() <= row.items()]
     if not rows:
-        raise ValueError(f"simulated/{table}.csv has no row with {named}")
+        raise ValueError(f"simulated/{table}.csv has no row with {cells}")
     return rows
 
 
-def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how much longer a simulated burst takes than the closed form's airtime.
-
-    Without limits of the queues; the paper's small robots, on 802.11n as its channel has it.
-    """
+def _burst(protocol: Protocol, hosts: float, mpdus: float) -> tuple[dict[str, str], Fleet]:
+    """Return the row of a simulated burst without limits of the queues, and its fleet."""
     (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    return row, Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
+
+
+def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how much longer a simulated burst takes than the formula's airtime on 802.11n."""
+    row, fleet = _burst(protocol, hosts, mpdus)
     wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
-    counts = {name: float(row[name]) for name in ("hosts", "processes", "endpoints")}
-    closed = utilization(protocol, Fleet.swarm(**counts), wifi=wifi)
-    return float(row["drain_time_s"]) / float(closed) - 1
+    return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
+
+
+def burst_saved(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how much shorter a simulated burst is than the formula's airtime on 802.11n."""
+    return -burst_excess(protocol, hosts, mpdus)
 
 
 def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return how long a simulated burst takes, relative to the paper's U."""
-    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
-    counts = {name: float(row[name]) for name in ("hosts", "processes", "endpoints")}
-    return float(row["drain_time_s"]) / float(utilization(protocol, Fleet.swarm(**counts)))
+    row, fleet = _burst(protocol, hosts, mpdus)
+    return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
 
 
 def collided(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return which part of the transmissions of a simulated burst collides."""
-    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
-    return float(row["collided"])
+    return float(_burst(protocol, hosts, mpdus)[0]["collided"])
 
 
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
     """Return the most hosts whose simulated burst is over in a second, relative to saturation."""
     rows = _simulated("drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus)
-    most = max(int(row["hosts"]) for row in rows if float(row["drain_time_s"]) <= 1)
-    return most / float(saturation_hosts(protocol, 2, 10))
+    hosts = max(int(row["hosts"]) for row in rows if float(row["drain_time_s"]) <= 1)
+    return hosts / float(saturation_hosts(protocol, 2, 10))
 
 
 def multicast_lost(protocol: Protocol, hosts: float) -> float:
     """Return which part of the receptions of multicast a simulated burst loses to collisions."""
-    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=1)
-    fleet = Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
-    receptions = {True: 0.0, False: 0.0}
+    row, fleet = _burst(protocol, hosts, 1)
+    receptions = {"multicast": 0.0, "unicast": 0.0}
     for message in protocol.messages:
-        multicast = message.cast == "multicast"
-        receptions[multicast] += float(message.load(fleet)) * (hosts - 1 if multicast else 1)
-    return float(row["on_air"]) * sum(receptions.values()) / receptions[True]
+        receivers = hosts - 1 if message.cast == "multicast" else 1
+        receptions[message.cast] += float(message.load(fleet)) * receivers
+    return float(row["on_air"]) * sum(receptions.values()) / receptions["multicast"]
 
 
 def multicast_lost_on_a_disc(protocol: Protocol, hosts: float, receivers: str) -> float:
@@ -145,9 +150,9 @@ def multicast_lost_on_a_disc(protocol: Protocol, hosts: float, receivers: str) -
 
 
 def runs_converged(hosts: float) -> float:
-    """Return the part of the simulated runs in which everybody knew everybody in two minutes.
+    """Return the part of the simulated runs in which discovery was complete in two minutes.
 
-    The least of the paper's counts with the periods of products; no frame errors.
+    The least of the paper's counts with the timers of products; no frame errors.
     """
     rows = _simulated("convergence", hosts=hosts, loss="0.0")
     return min(
@@ -155,21 +160,16 @@ def runs_converged(hosts: float) -> float:
     )
 
 
-def enumerated_down_for_up(
-    protocol: Protocol, phase: str, hosts: float, processes: float, endpoints: float
-) -> float:
+def enumerated_down_for_up(protocol: Protocol, phase: str, *swarm: int) -> float:
     """Return how many messages of a phase go down for each that goes up, by enumeration."""
-    hops = Counter(
-        sent.hop for sent in _walk(protocol, hosts, processes, endpoints) if sent.phase == phase
-    )
+    hops = Counter(sent.hop for sent in _walk(protocol, *swarm) if sent.phase == phase)
     return hops["down"] / hops["up"]
 
 
-def enumeration_agrees(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float
-) -> float:
-    """Return in which part of all swarms up to this one the enumeration counts the load."""
-    swarms = list(combinations(_upto(1, hosts), _upto(1, processes), _upto(0, endpoints)))
+def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
+    """Return in which part of all swarms up to the largest the enumeration counts the load."""
+    hosts, processes, endpoints = largest
+    swarms = combinations(range(1, hosts + 1), range(1, processes + 1), range(endpoints + 1))
     agree = [
         sum(sent.hop == "up" for sent in _walk(protocol, *swarm))
         == sum(float(message.load(Fleet.swarm(*swarm))) for message in protocol.messages)
@@ -178,42 +178,34 @@ def enumeration_agrees(
     return sum(agree) / len(agree)
 
 
-def enumerated_spread(
-    protocol: Protocol, kind: str, hosts: float, processes: float, endpoints: float
-) -> float:
-    """Return how many times the least of a host's messages the most is, by enumeration.
+def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
+    """Return the most messages of a host relative to the least, by enumeration.
 
-    Over the swarms of 2 to so many hosts and of 0 to so many endpoints, with so many processes.
+    Over the swarms of 2 hosts and more and of no endpoints and more, up to the largest.
     """
+    hosts, processes, endpoints = largest
     each = [
         sum(
             (sent.sender.host, sent.kind, sent.hop) == (1, kind, "up")
-            for sent in _walk(protocol, many, processes, each_has)
+            for sent in _walk(protocol, n_hosts, processes, n_endpoints)
         )
-        for many, each_has in combinations(_upto(2, hosts), _upto(0, endpoints))
+        for n_hosts, n_endpoints in combinations(range(2, hosts + 1), range(endpoints + 1))
     ]
     return max(each) / min(each)
 
 
-def _upto(first: int, last: float) -> range:
-    return range(first, int(last) + 1)
-
-
-def enumeration_ratio(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float
-) -> float:
+def enumeration_ratio(protocol: Protocol, *swarm: int) -> float:
     """Return the airtime of all enumerated messages, one by one, relative to U."""
     each = {
         (row["message"], hop): row[f"{hop}link_s"] / row["uplink_messages"]
-        for row in message_costs(protocol, Fleet.swarm(hosts, processes, endpoints))
+        for row in message_costs(protocol, Fleet.swarm(*swarm))
         for hop in ("up", "down")
     }
-    at = (hosts, processes, endpoints)
-    one_by_one = sum(each[sent.kind, sent.hop] for sent in _walk(protocol, *at))
-    return float(one_by_one / utilization(protocol, *at))
+    one_by_one = sum(each[sent.kind, sent.hop] for sent in _walk(protocol, *swarm))
+    return float(one_by_one / utilization(protocol, Fleet.swarm(*swarm)))
 
 
 def _walk(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float
+    protocol: Protocol, hosts: int, processes: int, endpoints: int
 ) -> Iterator[enumeration.Sent]:
-    return enumeration.walk(protocol.name, [[int(endpoints)] * int(processes)] * int(hosts))
+    return enumeration.walk(protocol.name, [[endpoints] * processes] * hosts)

@@ -3,6 +3,7 @@
 import sympy as sp
 
 from discostorm.data import read_data
+from discostorm.fleet import Fleet
 from discostorm.messages import Message, Protocol, header_bytes
 from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH
@@ -21,8 +22,8 @@ def timestamps_bytes() -> float:
 
 
 def _message(name: str) -> Message:
-    (found,) = (m for p in (DDS, ZENOH) for m in p.messages if m.name == name)
-    return found
+    (message,) = (m for p in (DDS, ZENOH) for m in p.messages if m.name == name)
+    return message
 
 
 def frame_bytes(message: str) -> float:
@@ -62,11 +63,10 @@ def ht_rates_above(streams: float, width: float) -> int:
     """Return how many rates with some streams and a width in MHz exceed the paper's."""
     # The paper's 144.4 stands for 144.44: what exceeds it by less is the same rate.
     threshold = PAPER.unicast.rate * 1.001
-    return sum(
-        Radio("802.11n", streams=int(streams), width=width * 1e6, mcs=mcs).wifi().unicast.rate
-        > threshold
-        for mcs in range(8)
+    radios = (
+        Radio("802.11n", streams=int(streams), width=width * 1e6, mcs=mcs) for mcs in range(8)
     )
+    return sum(radio.wifi().unicast.rate > threshold for radio in radios)
 
 
 def lowest_basic_rate(band: float) -> float:
@@ -86,7 +86,10 @@ def overhead_of_named_intervals(cast: str) -> float:
     return overhead_with_backoff(cast) - float(band["cw_min"]) / 2 * float(band["slot_us"]) * 1e-6
 
 
-def standard_bound(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
+def standard_bound(protocol: Protocol, *swarm: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
-    exact = utilization(protocol, hosts, processes, endpoints, Radio("802.11n", streams=2).wifi())
-    return float(exact / utilization(protocol, hosts, processes, endpoints))
+    standard = Radio("802.11n", streams=2).wifi()
+    return float(
+        utilization(protocol, Fleet.swarm(*swarm), wifi=standard)
+        / utilization(protocol, Fleet.swarm(*swarm))
+    )

@@ -1,7 +1,10 @@
-"""Quantities of the paper's model: what a swarm sends, the airtime it takes, how many fit."""
+"""Quantities of the paper's model: what a swarm sends, the airtime it takes, how many fit.
+
+A ``swarm`` is hosts, processes and endpoints; ``in_all`` are the endpoints of all processes of a
+host. A ``name`` means messages: a phase, a cast, one message (``SEDP_message``), control, or all.
+"""
 
 import math
-from collections.abc import Iterable
 from dataclasses import replace
 
 import sympy as sp
@@ -15,35 +18,34 @@ from discostorm.saturation import saturation_hosts
 from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER
 
-_CONTROL = {"DDS": ("Heartbeat_message", "ACKNACK_message"), "Zenoh": ("KeepAlive_message",)}
-_MORE_HOSTS = sp.Symbol("x", positive=True)
+_CONTROL = {"Heartbeat", "ACKNACK", "KeepAlive"}
+#: What the paper calls periodic, with the answers to it.
+_PERIODIC = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
 
 
-def _chosen(protocol: Protocol, names: Iterable[str]) -> list[Message]:
-    """Return the messages meant by phases, casts, messages (``SEDP_message``), or all."""
-    called = {
-        message: {"all", message.phase, message.cast, message.name + "_message"}
+def _chosen(protocol: Protocol, *names: str) -> list[Message]:
+    """Return the messages that some names mean."""
+    names_of = {
+        message: {"all", message.phase, message.cast, f"{message.name}_message"}
+        | ({"control"} if message.name in _CONTROL else set())
         for message in protocol.messages
     }
-    for message, own in called.items():
-        if message.name + "_message" in _CONTROL[protocol.name]:
-            own.add("control")
-    known = set().union(*called.values())
-    if unknown := set(names) - known:
+    choices = set().union(*names_of.values())
+    if unknown := set(names) - choices:
         raise ValueError(
-            f"name must be one of {', '.join(sorted(known))} for {protocol.name}; "
+            f"name must be one of {', '.join(sorted(choices))} for {protocol.name}; "
             f"got {min(unknown)!r}"
         )
-    return [message for message, own in called.items() if own & set(names)]
+    return [message for message, own in names_of.items() if own & set(names)]
 
 
 def load(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages of all hosts that the names mean."""
-    return sp.factor(sp.Add(*(message.load() for message in _chosen(protocol, names))))
+    return sp.factor(sp.Add(*(message.load() for message in _chosen(protocol, *names))))
 
 
 def host_load(protocol: Protocol, *names: str) -> sp.Expr:
-    """Return the messages of one host, of the phases or messages named."""
+    """Return the messages of one host that the names mean."""
     return sp.factor(load(protocol, *names) / nt.N_H)
 
 
@@ -52,9 +54,9 @@ def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     return int(sp.degree(host_load(protocol, *names), nt.NOTATION[variable].symbol))
 
 
-def load_difference(one: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
+def load_difference(protocol: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
     """Return how many more messages one protocol sends than another."""
-    return sp.simplify(load(one, name) - load(other, other_name))
+    return sp.simplify(load(protocol, name) - load(other, other_name))
 
 
 def control_saved() -> sp.Expr:
@@ -80,46 +82,40 @@ def messages_per_direction(protocol: Protocol, *names: str) -> sp.Expr:
     return messages_per_link(protocol, *names) / 2
 
 
-def airtime(
-    protocol: Protocol, name: str, hosts: float, processes: float, endpoints: float
-) -> float:
+def airtime(protocol: Protocol, name: str, *swarm: float) -> float:
     """Return the airtime of the messages that a name means [s]."""
-    meant = {message.name for message in _chosen(protocol, [name])}
+    chosen = {message.name for message in _chosen(protocol, name)}
     return math.fsum(
         row["uplink_s"] + row["downlink_s"]
-        for row in message_costs(protocol, Fleet.swarm(hosts, processes, endpoints))
-        if row["message"] in meant
+        for row in message_costs(protocol, Fleet.swarm(*swarm))
+        if row["message"] in chosen
     )
 
 
-def share(protocol: Protocol, name: str, hosts: float, processes: float, endpoints: float) -> float:
+def share(protocol: Protocol, name: str, *swarm: float) -> float:
     """Return the share of all airtime that the messages take that a name means."""
-    at = (hosts, processes, endpoints)
-    return airtime(protocol, name, *at) / float(utilization(protocol, *at))
+    return airtime(protocol, name, *swarm) / float(utilization(protocol, Fleet.swarm(*swarm)))
 
 
-def share_of_phase(
-    protocol: Protocol, name: str, phase: str, hosts: float, processes: float, endpoints: float
-) -> float:
+def share_of_phase(protocol: Protocol, name: str, phase: str, *swarm: float) -> float:
     """Return the share of a phase's airtime that a message takes."""
-    at = (hosts, processes, endpoints)
-    return airtime(protocol, name, *at) / airtime(protocol, phase, *at)
+    return airtime(protocol, name, *swarm) / airtime(protocol, phase, *swarm)
 
 
-def control_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
+def control_share(protocol: Protocol, *swarm: float) -> float:
     """Return the share of all airtime that the control messages take."""
-    return share(protocol, "control", hosts, processes, endpoints)
+    return share(protocol, "control", *swarm)
 
 
-def overhead_share(protocol: Protocol, hosts: float, processes: float, endpoints: float) -> float:
+def overhead_share(protocol: Protocol, *swarm: float) -> float:
     """Return the share of the airtime that is fixed overhead, not bits."""
-    bits = replace(
-        PAPER,
-        unicast=replace(PAPER.unicast, overhead=0.0),
-        multicast=replace(PAPER.multicast, overhead=0.0),
+    unicast, multicast = (replace(link, overhead=0.0) for link in (PAPER.unicast, PAPER.multicast))
+    bits = replace(PAPER, unicast=unicast, multicast=multicast)
+    return float(
+        1
+        - utilization(protocol, Fleet.swarm(*swarm), wifi=bits)
+        / utilization(protocol, Fleet.swarm(*swarm))
     )
-    at = (hosts, processes, endpoints)
-    return float(1 - utilization(protocol, *at, wifi=bits) / utilization(protocol, *at))
 
 
 def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int:
@@ -127,16 +123,16 @@ def largest_swarm(protocol: Protocol, processes: float, endpoints: float) -> int
     return int(sp.ceiling(saturation_hosts(protocol, processes, endpoints))) - 1
 
 
-def gap(hosts: float, processes: float, endpoints: float) -> float:
+def gap(*swarm: float) -> float:
     """Return how much less airtime Zenoh takes than DDS, relative to DDS."""
-    zenoh = utilization(ZENOH, hosts, processes, endpoints)
-    return float(1 - zenoh / utilization(DDS, hosts, processes, endpoints))
+    return float(
+        1 - utilization(ZENOH, Fleet.swarm(*swarm)) / utilization(DDS, Fleet.swarm(*swarm))
+    )
 
 
-def gap_of_phases(hosts: float, processes: float, endpoints: float) -> float:
+def gap_of_phases(*swarm: float) -> float:
     """Return how much less airtime Declaration takes than SEDP, relative to SEDP."""
-    at = (hosts, processes, endpoints)
-    return 1 - airtime(ZENOH, "Declaration", *at) / airtime(DDS, "SEDP", *at)
+    return 1 - airtime(ZENOH, "Declaration", *swarm) / airtime(DDS, "SEDP", *swarm)
 
 
 def gap_limit() -> float:
@@ -146,38 +142,31 @@ def gap_limit() -> float:
     return 1 - float(ratio.subs({**DDS.values(), **ZENOH.values(), **PAPER.values()}))
 
 
-def gap_from_control(hosts: float, processes: float, endpoints: float) -> float:
+def gap_from_control(*swarm: float) -> float:
     """Return the part of the gap between SEDP and Declaration that control messages make."""
-    at = (hosts, processes, endpoints)
-    endpoint_part = airtime(DDS, "SEDP_message", *at) - airtime(ZENOH, "Declare_message", *at)
-    whole = airtime(DDS, "SEDP", *at) - airtime(ZENOH, "Declaration", *at)
-    return 1 - endpoint_part / whole
+    of_endpoints = airtime(DDS, "SEDP_message", *swarm) - airtime(ZENOH, "Declare_message", *swarm)
+    whole = airtime(DDS, "SEDP", *swarm) - airtime(ZENOH, "Declaration", *swarm)
+    return 1 - of_endpoints / whole
 
 
-def scouting_above_spdp(first: float, last: float, processes: float, endpoints: float) -> int:
+def scouting_above_spdp(first: int, last: int, processes: float, endpoints: float) -> int:
     """Return for how many swarm sizes from first to last Scouting costs more than SPDP."""
     return sum(
         airtime(ZENOH, "Scouting", hosts, processes, endpoints)
         > airtime(DDS, "SPDP", hosts, processes, endpoints)
-        for hosts in range(int(first), int(last) + 1)
+        for hosts in range(first, last + 1)
     )
 
 
-def growth_exponent(
-    protocol: Protocol,
-    name: str,
-    hosts: float,
-    hosts_to: float,
-    processes: float,
-    processes_to: float,
-    endpoints: float,
-    endpoints_to: float,
-) -> float:
-    """Return the power of hosts, or else of processes, by which an airtime grows."""
-    before = airtime(protocol, name, hosts, processes, endpoints)
-    after = airtime(protocol, name, hosts_to, processes_to, endpoints_to)
-    times = hosts_to / hosts if hosts_to != hosts else processes_to / processes
-    return math.log(after / before) / math.log(times)
+def growth_exponent(protocol: Protocol, name: str, *from_to: float) -> float:
+    """Return the power of hosts, or else of processes, by which an airtime grows.
+
+    Hosts, processes and endpoints are given in pairs, before and after: 2, 12, 2, 2, 10, 10.
+    """
+    before, after = from_to[::2], from_to[1::2]
+    ratio = airtime(protocol, name, *after) / airtime(protocol, name, *before)
+    varied = 0 if before[0] != after[0] else 1
+    return math.log(ratio) / math.log(after[varied] / before[varied])
 
 
 def split_ratio(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
@@ -195,12 +184,12 @@ def part_of_increase(
     protocol: Protocol, name: str, hosts: float, processes: float, in_all: float
 ) -> float:
     """Return what some messages add, of all that is added when a process is split."""
-
-    def added(name: str) -> float:
-        split = airtime(protocol, name, hosts, processes, in_all / processes)
-        return split - airtime(protocol, name, hosts, 1, in_all)
-
-    return added(name) / added("all")
+    some, every = (
+        airtime(protocol, each, hosts, processes, in_all / processes)
+        - airtime(protocol, each, hosts, 1, in_all)
+        for each in (name, "all")
+    )
+    return some / every
 
 
 def hosts_gained(protocol: Protocol, processes: float, in_all: float) -> int:
@@ -211,40 +200,31 @@ def hosts_gained(protocol: Protocol, processes: float, in_all: float) -> int:
 
 def kinds_over(transport: str, protocol: Protocol, name: str) -> int:
     """Return how many kinds of the messages that a name means go over a transport."""
-    return sum(message.transport == transport for message in _chosen(protocol, [name]))
+    return sum(message.transport == transport for message in _chosen(protocol, name))
 
 
 def header_slope(protocol: Protocol) -> float:
-    """Return the sign of the change of U with the header bytes: 1, 0 or -1."""
-    slope = sp.factor(protocol.utilization().diff(nt.H_UDP).subs(nt.N_H, 1 + _MORE_HOSTS))
+    """Return the sign of the change of U with the header bytes, for two hosts or more."""
+    more = 1 + sp.Symbol("x", positive=True)
+    slope = sp.factor(protocol.utilization().diff(nt.H_UDP).subs(nt.N_H, more))
     return float(sp.sign(slope))
 
 
-def repeated_utilization(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float
-) -> float:
+def repeated_utilization(protocol: Protocol, *swarm: float) -> float:
     """Return the utilization by the messages that the paper calls periodic."""
-    # With the answers to what is periodic.
-    periodic = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
-    return sum(
-        airtime(protocol, name, hosts, processes, endpoints) for name in periodic[protocol.name]
-    )
+    return sum(airtime(protocol, name, *swarm) for name in _PERIODIC[protocol.name])
 
 
 def saturation_spread(protocol: Protocol, processes: float, endpoints: float) -> float:
     """Return by how many hosts the ranges of all parameters can move the saturation point."""
-    least, most = saturation_bounds(protocol, processes, endpoints)
-    return float(most - least)
+    low, high = saturation_bounds(protocol, processes, endpoints)
+    return float(high - low)
 
 
 def saturation_spread_by_payloads(protocol: Protocol, processes: float, endpoints: float) -> float:
     """Return by how many hosts Table II's ranges alone can move the saturation point."""
     values = {**protocol.values(), **PAPER.values()}
-    payloads = {message.payload_symbol for message in protocol.messages}
-    fixed = {
-        symbol: (values[symbol], values[symbol])
-        for symbol in parameter_ranges(protocol)
-        if symbol not in payloads
-    }
-    least, most = saturation_bounds(protocol, processes, endpoints, ranges=fixed)
-    return float(most - least)
+    others = parameter_ranges(protocol).keys() - {m.payload_symbol for m in protocol.messages}
+    fixed = {symbol: (values[symbol], values[symbol]) for symbol in others}
+    low, high = saturation_bounds(protocol, processes, endpoints, ranges=fixed)
+    return float(high - low)

@@ -1,0 +1,181 @@
+"""From the lab's captures to tables of messages.
+
+Two tables: what was run, and what was counted in each run, by window and kind of message. Of
+configurations with something that serves the others, which hops a message would take if the hosts
+were on the air and what is behind them were wired to the access point.
+"""
+
+import argparse
+import hashlib
+import json
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from lab_data import write
+from run_grid import SECURITY
+
+import discostorm as ds
+from discostorm_capture import files, ip, link
+from discostorm_capture._bytes import IdTable
+
+#: The windows that are counted, from the time that all processes begin at [s]. What serves them
+#: has begun before.
+WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
+RUNS = (
+    *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
+    *(
+        "number",
+        "seconds",
+        "start_skew_s",
+        "endpoints_created_s",
+        "command",
+        "environment",
+        "kernel",
+        "sha256",
+    ),
+    "idle",
+)
+#: With DDS Security: ordered pairs of processes on different hosts of which the one never told the
+#: other its keys.
+STRANGERS = "strangers"
+COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
+#: Of a grid of configurations, whose tables are merged: a run is known by its capture.
+HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
+DIGITS = 10
+ICMP = 1
+#: A host that is first heard later than this after the start [s] had no network at the start.
+SILENT = 1.5
+
+
+def natural(path: Path) -> list[int | str]:
+    """Sort h2p1e10 behind h2p1e4."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
+
+
+def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+    """Return the row of a run; nothing in it names the machine's folders."""
+    seconds = f"{told['seconds']:g}"
+    after = [one["after"] for one in told.get("programs", [])] or [0.0] * len(told["times"])
+    late, made = (
+        max(one[what] - begun for one, begun in zip(told["times"], after, strict=True))
+        for what in ("begin", "endpoints")
+    )
+    # Profiles are in a folder of the lab.
+    places = re.compile(r"/\S*?(?=build/lab/)")
+    shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
+    return {
+        "run": run,
+        **{name: told[name] for name in ("product", "variant", "version", "hosts", "processes")},
+        **{name: told[name] for name in ("endpoints", "names", "use")},
+        "seconds": seconds,
+        "kernel": told["kernel"].partition("-")[0],
+        "number": told["run"],
+        "start_skew_s": f"{late - told['start']:.4f}",
+        "endpoints_created_s": f"{made - told['start']:.4f}",
+        "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
+        "environment": " ".join(
+            f"{key}={places.sub('', value)}" for key, value in told["env"].items()
+        ),
+        "idle": told.get("idle", ""),
+        "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
+    }
+
+
+def unreachable(capture: Path) -> tuple[Any, Any]:
+    """Return when hosts say by ICMP that nobody listens there, and their bytes without a header.
+
+    The header of ICMP has 8 bytes, as UDP's.
+    """
+    packets, notes, addresses = files.read(capture), Counter[str](), IdTable()
+    found = link.network_packets(packets, notes)
+    found = {name: column[found["ethertype"] != link.ARP] for name, column in found.items()}
+    found = ip.parse(packets.data, found, addresses, notes)
+    which = found["protocol"] == ICMP
+    time = packets.table["time"][found["frame"][which]] * 1e-9
+    return time, found["wire"][which] - 8
+
+
+def counted(
+    run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
+) -> Iterable[dict[str, Any]]:
+    """Yield a row for each window and kind; a window that is not over is left out."""
+    found = ds.read_capture(capture)
+    notes.update(found.notes)
+    messages = found.messages()
+    # What RTPS's built-in entities are about, publications or subscriptions; of Zenoh, which
+    # of the messages of a kind: InitSyn or InitAck.
+    rtps = messages["protocol"] == "RTPS"
+    messages["about"] = messages["entity"].astype(str).where(rtps, messages["submessage"])
+    behind = {f"10.77.0.{host}" for host, _ in told.get("servers", []) if host > told["hosts"]}
+    sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
+    messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
+    time = messages["time"] + (found.start - told["start"])
+    closed, octets = unreachable(capture)
+    first = time[time >= 0].groupby(messages["sender"]).min().max()
+    if first > SILENT and not told.get("programs"):
+        raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
+    for window, (begin, end) in (WINDOWS | told.get("windows", {})).items():
+        if told["seconds"] < end:
+            continue
+        inside = messages[(time >= begin) & (time < end)]
+        for key, group in inside.groupby(["kind", "about", "multicast", "hops"], observed=True):
+            yield {
+                **dict(zip(HOPS, (run, window, *key), strict=False)),
+                "multicast": int(key[2]),
+                "messages": len(group),
+                "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
+                "bytes": int(group["bytes"].sum()),
+            }
+        refused = (closed - told["start"] >= begin) & (closed - told["start"] < end)
+        if many := int(np.count_nonzero(refused)):
+            key = (run, window, "ICMP unreachable", "ports", 0, "", many, many)
+            yield dict(zip(HOPS, (*key, int(octets[refused].sum())), strict=True))
+
+
+def main() -> int:
+    """Count all captures of a folder."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("captures", type=Path, help="folder that run_grid.py filled")
+    parser.add_argument("--out", type=Path, required=True, help="folder for the tables")
+    parser.add_argument("--kind", help="what the names of the tables begin with")
+    given = parser.parse_args()
+    captures = sorted(given.captures.glob("*.pcap.gz"), key=natural)
+    if not captures:
+        parser.error(f"captures {given.captures}: no *.pcap.gz in it")
+    first = (given.captures / f"{captures[0].name[:-8]}.json").read_text()
+    arranged = bool(json.loads(first).get("mitigated"))
+    runs, counts = [], []
+    notes: Counter[str] = Counter()
+    for number, capture in enumerate(captures, 1):
+        run = hashlib.sha256(capture.read_bytes()).hexdigest()[:DIGITS] if arranged else number
+        told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
+        runs.append(described(run, capture, told))
+        if told["variant"] in SECURITY:
+            runs[-1][STRANGERS] = len(ds.read_capture(capture).diagnosis().incomplete())
+        rows = list(counted(run, capture, told, notes))
+        if not rows:
+            print(f"{capture}: there is no message in it", file=sys.stderr)
+            return 1
+        counts += rows
+        if sys.stderr.isatty() or number == len(captures):
+            print(f"\r[{number}/{len(captures)}] {capture.name}\x1b[K", end="", file=sys.stderr)
+    print(file=sys.stderr)
+    for note, many in notes.most_common():
+        print(f"  in {many}: {note}", file=sys.stderr)
+    kind = "mitigation_" if arranged else ""
+    kind = "shared_" if told["names"] == "shared" else kind
+    secured = (STRANGERS,) * any(STRANGERS in row for row in runs)
+    kind = "security_" if secured else kind
+    kind = kind if given.kind is None else given.kind
+    write(given.out / f"{kind}runs.csv", runs, (*RUNS, *secured))
+    write(given.out / f"{kind}counts.csv", counts, HOPS if arranged else COUNTS)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""Airtime of what was counted, and of what a measured model expects instead."""
+
+from functools import cache
+from typing import Any, cast as typed
+
+import numpy as np
+import sympy as sp
+
+from discostorm.fleet import Fleet
+from discostorm.messages import Protocol, Transport, header_bytes
+from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
+from discostorm_book.comparison import expected, only_hop
+from discostorm_book.lab_counts import Point
+
+
+def transport_of(kind: str, zenoh: bool) -> Transport:
+    """Return what carries a kind of message that was counted."""
+    return "TCP" if zenoh and kind not in ("Scout", "Hello", "Join") else "UDP"
+
+
+@cache
+def _charged(transport: Transport, cast: Cast, hop: str, wifi: Wifi) -> tuple[float, float]:
+    """Return the airtime of a frame with its headers, and of each byte of payload [s]."""
+    length, headers = sp.Symbol("S"), header_bytes()[transport]
+    on = {
+        "up": uplink_airtime(length, wifi.model),
+        "down": downlink_airtime(length, cast, wifi.model),
+        "none": sp.Integer(0),
+    }
+    both = on["up"] + on["down"] if not hop else on[hop]
+    empty, one = (float(both.subs(wifi.values() | {length: headers + n})) for n in (0, 1))
+    return empty, one - empty
+
+
+def airtime_counted(point: Point, window: str, zenoh: bool, wifi: Wifi = PAPER) -> Any:
+    """Return the airtime of all that was counted in a window, a number a run [s].
+
+    Where airtime grows with the length of frames by as much each byte, as on the paper's channel,
+    the sums of frames and bytes are all it takes.
+    """
+    taken = np.zeros(len(point.ready))
+    for (when, kind, about, cast, hop), runs in point.runs.items():
+        if when == window and not about:
+            frame, byte = _charged(transport_of(kind, zenoh), typed(Cast, cast), hop, wifi)
+            taken += frame * runs[:, 1] + byte * runs[:, 2]
+    return taken
+
+
+def airtime_expected(protocol: Protocol, fleet: Fleet, window: str, wifi: Wifi = PAPER) -> float:
+    """Return the airtime of what a model expects in a window, as `airtime_counted` takes it [s]."""
+    taken = 0.0
+    for message in protocol.messages:
+        frame, byte = _charged(message.transport, message.cast, only_hop(message), wifi)
+        count = expected(message, fleet, window)
+        taken += count * (frame * message.frames + byte * message.payload.nominal)
+    return taken

@@ -1,0 +1,81 @@
+"""One run with a failure, in namespaces of its own: hosts, programs, and what happens to them when.
+
+Called by failures.py as the first process of fresh namespaces, so that with this process everything
+ends. The standard output of each program is its log; the run's own log says what was done and when,
+by the same monotonic clock.
+"""
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from failure_log import all_well, read_log
+from netns_run import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, say
+
+LEAD = 1.0  # s from the first program's start to the time 0 of the steps
+
+
+def main() -> None:
+    job: dict[str, Any] = json.loads(sys.argv[1])
+    out = Path(job["out"])
+    for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
+        path.unlink()
+    build_bridge()
+    holders = {number: build_host(number) for number in job["places"]}
+    running: dict[str, subprocess.Popen[bytes]] = {}
+    killed: set[str] = set()
+
+    def start(name: str) -> None:
+        program = job["programs"][name]
+        inside = ("nsenter", f"--target={holders[program['host']]}", "--net", "--mount")
+        with (
+            out.with_suffix(f".{name}.log").open("ab") as log,
+            out.with_suffix(f".{name}.err").open("ab") as errors,
+        ):
+            running[name] = subprocess.Popen(
+                [*inside, *program["command"]],
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=errors,
+                env=CLEAN | program["env"],
+            )
+        killed.discard(name)
+
+    def kill(name: str) -> None:
+        running[name].kill()
+        running[name].wait()
+        killed.add(name)
+
+    do: dict[str, Callable[[Any], None]] = {
+        "start": start,
+        "kill": kill,
+        "cut": lambda host: say(f"ip link set port{host} down"),
+        "join": lambda host: say(f"ip link set port{host} up"),
+        "end": lambda _: None,
+    }
+    with out.with_suffix(".stage.log").open("w") as told:
+        begin, before = time.monotonic() + LEAD, processor()
+        for step in job["steps"]:
+            time.sleep(max(0.0, begin + step["at"] - time.monotonic()))
+            print(f"{time.monotonic():.3f} {step['do']} {step['what']}", file=told)
+            for name, program in running.items():
+                if name not in killed and program.poll() is not None:
+                    errors = out.with_suffix(f".{name}.err").read_text().strip()
+                    raise SystemExit(f"{name} ended with {program.returncode}: {errors}")
+            do[step["do"]](step["what"])
+    job["idle"] = idle_since(before)
+    if job["idle"] < IDLE:
+        raise SystemExit(f"the processor was idle for {job['idle']:.0%}: machine too busy")
+    for name in filter(str.isdigit, running):
+        if late := [event for event in read_log(out, name) if event.what == "late"]:
+            raise SystemExit(f"{name} was late {len(late)} times: machine too busy")
+    if not all_well(out, job):
+        raise SystemExit("not all knew each other before the death")
+    out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
+
+
+main()

@@ -1,0 +1,407 @@
+"""Kill servers, routers and robots of real middleware, and log what goes on.
+
+Each run is a process tree of its own, as those of run_grid.py: when this program ends, however it
+ends, the kernel ends the rest. Runs that are there already are not repeated. See README.md.
+"""
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from math import inf
+from pathlib import Path
+from typing import Any
+
+from failure_log import evaluate, read_log
+from lab_data import BOOK, write
+from run_grid import ALONE, BUILD, MEASURE, PROGRAMS, PYTHON, run, start, version
+
+from discostorm.protocols.defaults import defaults
+
+STAGE = [*ALONE, str(MEASURE / "failure_run.py")]
+COLUMNS = ["configuration", "event", "run", "phase", "who", "quantity"]
+COLUMNS += ["since_s", "watched_s", "seconds"]
+RUNS = 5
+# Where runs end in different ways.
+MORE_RUNS = {("Fast DDS Discovery Server", "server restarts"): 25}
+SPACING = 1.0  # s between the starts of runs
+CROWD = 70  # hosts at a time, over all runs: they mostly wait
+
+ROBOTS = range(1, 6)
+FIRST, SECOND = 8, 9  # hosts of servers that are on no robot
+MOST = 9  # processes are numbered up to this
+
+FAST_DDS = str(BUILD / "bin" / "watch_fast_dds")
+CYCLONE_DDS = str(BUILD / "bin" / "watch_cyclone_dds")
+ZENOH = (str(PYTHON), str(PROGRAMS / "watch_zenoh.py"))
+
+#: A command with its environment.
+Program = tuple[list[str], dict[str, str]]
+
+
+def address(host: int) -> str:
+    return f"10.77.0.{host}"
+
+
+def fast_dds(*servers: int) -> Callable[[int], Program]:
+    told = ";".join(f"{address(host)}:11811" for host in servers)
+    env = {"ROS_DISCOVERY_SERVER": told} if servers else {}
+    return lambda number: ([FAST_DDS, str(number)], env)
+
+
+def fast_server(number: int, host: int) -> Program:
+    return (["fast-discovery-server", "-p", "11811", "-i", str(number), "-l", address(host)], {})
+
+
+def fast_server_with_backup(number: int, host: int) -> Program:
+    """Return a server that keeps what it knows in a file, where it is begun: its host's memory."""
+    command, env = fast_server(number, host)
+    return (["sh", "-c", f"cd /dev/shm && exec {' '.join(command)} -b"], env)
+
+
+def cyclone_dds(number: int) -> Program:
+    return ([CYCLONE_DDS, str(number)], {})
+
+
+def zenoh(**settings: Any) -> Callable[[int], Program]:
+    """Return the program of a session that differs in these settings from what is shipped."""
+    named = {name.replace("__", "/"): value for name, value in settings.items()}
+    told = json.dumps(named, sort_keys=True)
+    return lambda number: ([*ZENOH, str(number), str(MOST), told], {})
+
+
+def zenoh_router(*others: int, **settings: Any) -> Program:
+    own: dict[str, Any] = {"mode": "router", "listen__endpoints": ["tcp/0.0.0.0:7447"]}
+    if others:
+        own["connect__endpoints"] = [f"tcp/{address(host)}:7447" for host in others]
+    return zenoh(**own, **settings)(0)
+
+
+# Where the files of rmw_zenoh differ from Zenoh's defaults in what matters here, but for the IPv6
+# address that routers listen on.
+RMW = defaults("rmw_zenoh")
+RMW_BOTH = {
+    "scouting__multicast__enabled": False,
+    "transport__link__tx__lease": int(1000 * RMW["lease"]),
+    "transport__link__tx__keep_alive": int(RMW["keep_alives"]),
+}
+RMW_SESSION = zenoh(
+    mode="peer",
+    connect__endpoints=["tcp/127.0.0.1:7447"],
+    listen__endpoints=["tcp/127.0.0.1:0"],
+    scouting__gossip__target={"router": ["router", "peer"], "peer": ["router"]},
+    **RMW_BOTH,
+)
+
+
+def rmw_router(*others: int) -> Program:
+    return zenoh_router(*others, routing__router__peers_failover_brokering=False, **RMW_BOTH)
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """Who finds whom through what.
+
+    `client` gives the program of a process by its number, `servers` those of the hosts that have
+    one; `lease` is how long somebody silent is believed in [s].
+    """
+
+    product: str
+    client: Callable[[int], Program]
+    servers: dict[int, Program]
+    lease: float
+    what: str
+    events: tuple[str, ...]
+
+
+OF_ROBOT = ("robot killed", "robot cut off")
+OF_SERVER = ("server killed", "server cut off", "server restarts")
+#: A server is away for so long, and a process starts so long after it has gone [s].
+OUTAGES = {3: 1.0, 10: 3.0, 25: 3.0, 50: 3.0}
+#: A process that was there starts again while the server is away; else a new one comes.
+AGAIN = ", robot restarts"
+OF_OUTAGE = (*(f"outage of {seconds} s" for seconds in OUTAGES), f"outage of 10 s{AGAIN}")
+AFTER_OUTAGE = 60.0  # s for which all is watched once the server is back: three leases
+ARRANGEMENTS = {
+    "Fast DDS": Configuration(
+        *("fast_dds", fast_dds(), {}, defaults("Fast DDS")["lease"]),
+        "no server, as shipped",
+        OF_ROBOT,
+    ),
+    "Cyclone DDS": Configuration(
+        *("cyclone_dds_0.10", cyclone_dds, {}, defaults("Cyclone DDS")["lease"]),
+        "no server, as shipped",
+        OF_ROBOT,
+    ),
+    "Zenoh peer": Configuration(
+        *("zenoh_peer", zenoh(), {}, defaults("Zenoh")["lease"]),
+        "no router, as shipped",
+        OF_ROBOT,
+    ),
+    "Fast DDS Discovery Server": Configuration(
+        *("fast_dds", fast_dds(FIRST), {FIRST: fast_server(0, FIRST)}),
+        defaults("Fast DDS")["lease"],
+        "a server on a host of its own",
+        (*OF_SERVER, "server and robot killed", *OF_ROBOT),
+    ),
+    "Fast DDS Discovery Server, two": Configuration(
+        "fast_dds",
+        fast_dds(FIRST, SECOND),
+        {FIRST: fast_server(0, FIRST), SECOND: fast_server(1, SECOND)},
+        defaults("Fast DDS")["lease"],
+        "two servers on hosts of their own, both known to all clients",
+        (*OF_SERVER, "both servers killed", *OF_ROBOT),
+    ),
+    "Zenoh router": Configuration(
+        "zenoh_peer",
+        zenoh(mode="client", connect__endpoints=[f"tcp/{address(FIRST)}:7447"]),
+        {FIRST: zenoh_router()},
+        defaults("Zenoh")["lease"],
+        "clients of a router on a host of its own",
+        (*OF_SERVER, *OF_ROBOT),
+    ),
+    "Zenoh router per host": Configuration(
+        *("zenoh_peer", RMW_SESSION),
+        {host: rmw_router(*(other for other in ROBOTS if other != host)) for host in ROBOTS},
+        RMW["lease"],
+        "a router on each robot with the settings of rmw_zenoh, each told of all others",
+        ("server killed", "server restarts", *OF_ROBOT),
+    ),
+    "Zenoh router per host, one hub": Configuration(
+        *("zenoh_peer", RMW_SESSION),
+        {host: rmw_router(*[1] * (host != 1)) for host in ROBOTS},
+        RMW["lease"],
+        "the same, but each told of that of robot 1 alone",
+        ("server killed", "server restarts", "robot cut off"),
+    ),
+}
+
+
+#: What is away for a while: the same server without a file of its own and with it.
+OUTAGES_OF = {
+    "Fast DDS Discovery Server": ARRANGEMENTS["Fast DDS Discovery Server"],
+    "Fast DDS Discovery Server, backup": Configuration(
+        *("fast_dds", fast_dds(FIRST), {FIRST: fast_server_with_backup(0, FIRST)}),
+        defaults("Fast DDS")["lease"],
+        "a server on a host of its own that keeps what it knows in a file (-b)",
+        OF_OUTAGE,
+    ),
+}
+
+
+def step(at: float, do: str, what: object = "", phase: str = "") -> dict[str, Any]:
+    return {"at": at, "do": do, "what": what} | ({"phase": phase} if phase else {})
+
+
+def script(name: str, event: str) -> dict[str, Any]:
+    """Programs, groups and steps of a run.
+
+    Processes 1 to 3 are there from the start, each on the robot of its number, 4 comes while all
+    is well, 5 after the death. With routers on robots it is that of robot 1 that dies; there 7 is
+    a second process from the start, and 8 comes after the death. 6 is robot 3's that starts again.
+    """
+    it = (ARRANGEMENTS | OUTAGES_OF)[name]
+    host = {number: number for number in ROBOTS} | {6: 3}
+    groups = {"survivors": [1, 2, 3, 4], "early": [4], "newcomer": [5]}
+    if set(it.servers) == set(ROBOTS) and event.startswith("server"):
+        host |= {7: 1, 8: 1}
+        groups |= {"survivors": [2, 3, 4], "orphans": [1, 7], "beside": [8]}
+    victims = list(it.servers) if event == "both servers killed" else list(it.servers)[:1]
+    steps = [step(0.0, "start", f"server{place}") for place in it.servers]
+    steps += [step(1.0, "start", str(number)) for number in (1, 2, 3, 7) if number in host]
+    steps += [step(10.0, "start", "4", "well")]
+    if event in OF_OUTAGE:
+        seconds = int(event.split()[2])
+        gone, (server,) = 20.0, it.servers
+        if event.endswith(AGAIN):
+            groups = {"survivors": [1, 2, 4], "early": [4], "dead": [3], "newcomer": [6]}
+            steps += [step(gone + 0.5, "kill", "3")]
+        comes = str(groups["newcomer"][0])
+        steps += [
+            step(gone, "kill", f"server{server}", "death"),
+            step(gone + OUTAGES[seconds], "start", comes, "newcomer"),
+            step(gone + seconds, "start", f"server{server}", "return"),
+            step(gone + seconds + AFTER_OUTAGE, "end", phase="end"),
+        ]
+    elif event in OF_ROBOT:
+        groups |= {"survivors": [1, 2, 4], "dead": [3], "returned": [3]}
+        back = 35.0 + 1.5 * it.lease
+        if event == "robot killed":
+            groups["returned"] = [6]
+            steps += [step(20.0, "kill", "3", "death"), step(back, "start", "6", "return")]
+        else:
+            steps += [step(20.0, "cut", 3, "death"), step(back, "join", 3, "return")]
+        steps += [step(25.0, "start", "5", "newcomer"), step(back + 30.0, "end", phase="end")]
+    elif event == "server and robot killed":
+        groups = {"survivors": [1, 2, 4], "early": [4], "dead": [3]}
+        steps += [step(20.0, "kill", f"server{victims[0]}"), step(25.0, "kill", "3", "death")]
+        steps += [step(40.0 + 1.5 * it.lease, "end", phase="end")]
+    else:
+        # The newcomer comes, and all is watched, after every lease has run out.
+        new, back, end = 30.0 + it.lease, 55.0 + it.lease, 90.0 + it.lease
+        if event == "server restarts":
+            new, back, end = 35.0, 23.0, 70.0 + it.lease
+        do, undo = ("cut", "join") if event == "server cut off" else ("kill", "start")
+        names: list[Any] = victims if do == "cut" else [f"server{place}" for place in victims]
+        steps += [step(20.0, do, names[0], "death"), *(step(20.0, do, one) for one in names[1:])]
+        steps += [step(new, "start", "5", "newcomer")]
+        steps += [step(new, "start", str(number)) for number in groups.get("beside", [])]
+        steps += [step(back, undo, one) for one in names[:-1]]
+        returned = "" if event == "server restarts" else "return"
+        steps += [step(back, undo, names[-1], returned), step(end, "end", phase="end")]
+    steps.sort(key=lambda one: float(one["at"]))
+    used = {one["what"] for one in steps if one["do"] == "start"}
+    programs = {f"server{place}": (place, program) for place, program in it.servers.items()}
+    for number, place in host.items():
+        if str(number) in used:
+            programs[str(number)] = (place, it.client(number))
+    places = sorted({place for place, _ in programs.values()})
+    return {
+        "configuration": name,
+        "event": event,
+        "places": places,
+        "programs": {
+            program: {"host": place, "command": command, "env": env}
+            for program, (place, (command, env)) in programs.items()
+        },
+        "groups": {who: [str(number) for number in them] for who, them in groups.items()},
+        "steps": steps,
+    }
+
+
+def runs_of(name: str, event: str) -> int:
+    return MORE_RUNS.get((name, event), RUNS)
+
+
+def staged(outages: bool) -> list[tuple[str, str]]:
+    """Return the configurations with what happens to each: of the deaths, or of the outages."""
+    if outages:
+        return [(name, event) for name in OUTAGES_OF for event in OF_OUTAGE]
+    return [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
+
+
+def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[dict[str, Any]]:
+    """Yield all runs, the first of each staging before the second of any, the longest first."""
+    stagings = [script(name, event) for name, event in staged(outages) if not only or name in only]
+    stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
+    for number in range(1, (runs or max(RUNS, *MORE_RUNS.values())) + 1):
+        for job in stagings:
+            if number > (runs or runs_of(job["configuration"], job["event"])):
+                continue
+            name = f"{job['configuration']}-{job['event']}-r{number}".lower()
+            name = name.replace(", ", "-").replace(" ", "-")
+            # What run_grid.py counts its crowd by.
+            size = {"hosts": len(job["places"]), "processes": 1}
+            yield job | size | {"name": name, "run": number}
+
+
+def short() -> Iterator[dict[str, Any]]:
+    """Two stagings in a hurry, to see that everything works; they are no measurement."""
+    hurry = {"0": 0.0, "1": 0.2, "10": 2.0, "20": 4.0, "23": 4.5, "35": 6.0, "end": 9.0}
+    for name in ("Fast DDS Discovery Server", "Zenoh router"):
+        (job,) = (one for one in jobs(1, [name]) if one["event"] == "server restarts")
+        for one in job["steps"]:
+            one["at"] = hurry["end" if one["do"] == "end" else f"{one['at']:.0f}"]
+        yield job
+
+
+def finish(out: Path) -> str:
+    """Evaluate a run; a line about it."""
+    job = json.loads(out.with_suffix(".json").read_text())
+    logs = [read_log(out, name) for name in job["programs"] if name.isdigit()]
+    heard = sum(event.what == "heard" for log in logs for event in log)
+    found = {
+        f"{row['who']} {row['quantity']}": f"{row['seconds']:.1f} s"
+        for row in evaluate(out, job)
+        if row["phase"] == "death" and row["seconds"] < inf
+    }
+    return f"{heard} samples; " + ", ".join(f"{what} {text}" for what, text in found.items())
+
+
+def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: bool) -> None:
+    """Write what was found in each run, a row for each quantity."""
+    order = staged(outages)
+    rows = []
+    for job in sorted(
+        todo, key=lambda job: (order.index((job["configuration"], job["event"])), job["run"])
+    ):
+        for row in evaluate(folder / job["name"], job):
+            times = {"since_s": f"{row['since_s']:.0f}", "watched_s": f"{row['watched_s']:.0f}"}
+            times["seconds"] = f"{row['seconds']:.2f}"
+            rows.append({name: job.get(name) for name in COLUMNS} | row | times)
+    write(table, rows)
+
+
+def write_configurations(table: Path) -> None:
+    """Write what was run: versions, commands and settings."""
+    rows = []
+    for name, it in ARRANGEMENTS.items():
+        place = next(iter(it.servers), 0)
+        # The settings of the second, as the first of several may be special.
+        server = it.servers.get(2, it.servers.get(place, ([], {})))
+        rows.append(
+            {
+                "configuration": name,
+                "product": it.product,
+                "version": version(it.product),
+                "what": it.what,
+                "lease_s": f"{it.lease:g}",
+                "client": shown(it.client(1)).replace(" 1", " NUMBER", 1),
+                "server": shown(server),
+                "kernel": os.uname().release,
+            }
+        )
+    write(table, rows)
+
+
+def shown(program: Program) -> str:
+    """Return a command as typed, without the folders of this machine."""
+    command, env = program
+    words = [f"{name}={value}" for name, value in env.items()]
+    return " ".join(words + [Path(word).name if word.startswith("/") else word for word in command])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, help=f"runs of each staging, not {RUNS} or more")
+    parser.add_argument("--only", action="append", default=[], metavar="ARRANGEMENT")
+    parser.add_argument("--short", action="store_true", help="two stagings in 15 s, no table")
+    parser.add_argument("--outages", action="store_true", help="a server is away for a while")
+    parser.add_argument("--out", type=Path, default=BUILD / "deaths", help="folder for the logs")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="hosts at a time")
+    given = parser.parse_args()
+    known = OUTAGES_OF if given.outages else ARRANGEMENTS
+    if unknown := set(given.only) - set(known):
+        parser.error(f"--only {min(unknown)}: not one of {', '.join(known)}")
+    if given.runs is not None and given.runs < 1:
+        parser.error(f"--runs must be at least 1; got {given.runs}")
+    if not (BUILD / ".ready").exists():
+        print("The lab is not set up: run it by make deaths", file=sys.stderr)
+        return 1
+    out: Path = given.out / "short" if given.short else given.out
+    out.mkdir(parents=True, exist_ok=True)
+    todo = list(short() if given.short else jobs(given.runs, given.only, given.outages))
+    there = [job for job in todo if (out / job["name"]).with_suffix(".json").exists()]
+    if given.short:
+        there = []
+    if there:
+        print(f"{len(there)} of {len(todo)} runs are in {out} already", flush=True)
+    left = [job for job in todo if job not in there]
+    spacing = 0.1 if given.short else SPACING
+    if run(left, out, given.crowd, spacing, STAGE, finish):
+        return 1
+    if not given.short:
+        # What is not all of it does not belong into the package.
+        whole = given.runs is None and not given.only
+        folder = BOOK if whole else out
+        table = "outages" if given.outages else "deaths"
+        write_runs(out, todo, folder / f"{table}.csv", given.outages)
+        if not given.outages:
+            write_configurations(folder / "configurations.csv")
+    return 0
+
+
+if __name__ == "__main__":
+    start(main)

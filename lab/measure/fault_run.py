@@ -1,0 +1,134 @@
+"""One run with a fault, in namespaces of its own: hosts, programs, and what is made wrong when.
+
+Called by faults.py as the first process of fresh namespaces, so that with this process everything
+ends. What crosses the bridge, or what one host sees, is captured; a rule of a
+host drops what comes in, after it was captured. The standard output of each program is its log.
+"""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from failure_log import read_log
+from netns_run import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, say
+
+LEAD = 1.0  # s from the first program's start to the time 0 of the steps
+
+
+class Stage:
+    """The hosts of a run, its programs and its capture."""
+
+    def __init__(self, job: dict[str, Any]) -> None:
+        self.job, self.out = job, Path(job["out"])
+        build_bridge()
+        self.holders = {number: build_host(number) for number in job["places"]}
+        self.running: dict[str, subprocess.Popen[str]] = {}
+        self.killed: set[str] = set()
+        self.dump: subprocess.Popen[bytes] | None = None
+
+    def start(self, name: str) -> None:
+        """Start a program; one of those that wait for a time begins at once."""
+        program = self.job["programs"][name]
+        inside = ("nsenter", f"--target={self.holders[program['host']]}", "--net", "--mount")
+        with (
+            self.out.with_suffix(f".{name}.log").open("a") as log,
+            self.out.with_suffix(f".{name}.err").open("a") as errors,
+        ):
+            self.running[name] = subprocess.Popen(
+                [*inside, *program["command"]],
+                stdin=subprocess.PIPE if program["waits"] else subprocess.DEVNULL,
+                stdout=log,
+                stderr=errors,
+                env=CLEAN | program["env"],
+                text=True,
+            )
+        if program["waits"]:
+            told = self.running[name].stdin
+            assert told is not None
+            told.write(f"{time.time()}\n")
+            told.close()
+        self.killed.discard(name)
+
+    def kill(self, name: str) -> None:
+        """Kill a program."""
+        self.running[name].kill()
+        self.running[name].wait()
+        self.killed.add(name)
+
+    def capture(self, where: dict[str, Any]) -> None:
+        """Begin to capture, on the bridge or in a host, with a filter or without."""
+        inside = self.holders.get(where.get("host"))
+        interface = "eth0" if inside else ""
+        self.dump = begin_capture(self.out, 32768, inside, interface, where.get("filter", ""))
+
+    def rules(self, told: dict[str, Any]) -> None:
+        """Drop what comes in to some hosts, by lines of nft."""
+        lines = "\n".join(told["drop"])
+        chain = f"type filter hook input priority 0;\n{lines}\n"
+        text = f"table inet ill {{ chain input {{ {chain}}}\n}}\n"
+        for host in told["hosts"]:
+            command = ["nsenter", f"--target={self.holders[host]}", "--net", "nft", "-f", "-"]
+            done = subprocess.run(
+                command, input=f"flush ruleset\n{text}", capture_output=True, text=True
+            )
+            if done.returncode:
+                raise SystemExit(f"nft: {done.stderr.strip()}")
+
+    def run(self, told: dict[str, Any]) -> None:
+        """Run commands in a host."""
+        for command in told["commands"]:
+            say(command, self.holders[told["host"]])
+
+    def cut(self, host: int) -> None:
+        """Take the link of a host down."""
+        say(f"ip link set port{host} down")
+
+    def join(self, host: int) -> None:
+        """Take the link of a host up again."""
+        say(f"ip link set port{host} up")
+
+    def end(self, _: object) -> None:
+        """End the capture."""
+        time.sleep(TAIL)
+        if self.dump is not None:
+            end_capture(self.out, self.dump)
+
+    def check(self) -> None:
+        """Fail if a program has ended by itself."""
+        for name, program in self.running.items():
+            if name not in self.killed and program.poll() is not None:
+                errors = self.out.with_suffix(f".{name}.err").read_text().strip()
+                raise SystemExit(f"{name} ended with {program.returncode}: {errors}")
+
+
+def main() -> None:
+    job: dict[str, Any] = json.loads(sys.argv[1])
+    out = Path(job["out"])
+    for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
+        path.unlink()
+    stage = Stage(job)
+    begin = time.monotonic() + LEAD
+    job["clock"] = time.time() - time.monotonic()
+    done = []
+    for step in job["steps"]:
+        time.sleep(max(0.0, begin + step["at"] - time.monotonic()))
+        done.append([time.time(), step["do"]])
+        if step["do"] != "end":
+            stage.check()
+        getattr(stage, step["do"])(step["what"])
+    for name in filter(str.isdigit, stage.running):
+        if not job["programs"][name]["waits"]:
+            late = [event for event in read_log(out, name) if event.what == "late"]
+            if late:
+                raise SystemExit(f"{name} was late {len(late)} times: machine too busy")
+    job["done"] = done
+    out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
+    for path in out.parent.glob(f"{out.name}.*.err"):
+        if not path.stat().st_size:
+            path.unlink()
+
+
+main()

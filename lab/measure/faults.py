@@ -1,0 +1,288 @@
+"""Capture fleets of real middleware with one fault each.
+
+Each run is a process tree of its own, as those of run_grid.py. `grids/faults.csv` lists the faults;
+`fault_findings.py` writes what the diagnosis finds in the captures.
+"""
+
+import argparse
+import csv
+import gzip
+import json
+import struct
+import sys
+from pathlib import Path
+from typing import Any
+
+from failures import CYCLONE_DDS as WATCH_CYCLONE, FAST_DDS as WATCH_FAST, ZENOH as WATCH_ZENOH
+from run_grid import (
+    ALONE,
+    BUILD,
+    CYCLONE_DDS,
+    DISCOVERY_SERVER,
+    FAST_DDS,
+    GRIDS,
+    MEASURE,
+    ZENOH,
+    ZENOH_ROUTER,
+    run,
+    start,
+)
+
+STAGE = [*ALONE, str(MEASURE / "fault_run.py")]
+SPACING, CROWD = 1.0, 24
+SERVER = 101  # the host of what serves the others
+MOST = 9
+LINK = "iif lo accept"
+UNICAST = "ip daddr != 224.0.0.0/4"
+DATA = "meta l4proto { udp, tcp }"
+#: What a firewall that lets out and nothing in drops; connections that it made go on.
+FIREWALL = [LINK, "meta l4proto udp drop", "tcp flags & (syn | ack) == syn drop"]
+Step = dict[str, Any]
+Job = dict[str, Any]
+
+
+def address(host: int) -> str:
+    return f"10.77.0.{host}"
+
+
+def step(at: float, do: str, what: Any = None) -> Step:
+    return {"at": at, "do": do, "what": what}
+
+
+def drop(at: float, hosts: list[int], *lines: str) -> Step:
+    return step(at, "rules", {"hosts": hosts, "drop": [LINK, *lines]})
+
+
+def lost(percent: int) -> str:
+    return f"{DATA} numgen random mod 100 < {percent} drop"
+
+
+def program(job: Job, host: int, number: int) -> dict[str, Any]:
+    """Return the program of a process: one that watches, or one with endpoints."""
+    product, _, configuration = job["product"].partition("-")
+    env: dict[str, str] = {}
+    endpoints, seconds = int(job["endpoints"]), float(job["seconds"])
+    fast = product == "fast_dds"
+    if fast and configuration == "server":
+        env["ROS_DISCOVERY_SERVER"] = f"{address(SERVER)}:11811"
+    if product.startswith("cyclone") and job["ill"] != "healthy":
+        # As on Wi-Fi, where Cyclone DDS multicasts nothing but announcements.
+        env["CYCLONEDDS_URI"] = "<General><AllowMulticast>spdp</AllowMulticast></General>"
+    if job["ill"] == "two domains" and host % 2 == 0:
+        env |= {"ROS_DOMAIN_ID": "7"} if fast else {}
+        if not fast:
+            env["CYCLONEDDS_URI"] += "<Discovery><ExternalDomainId>7</ExternalDomainId></Discovery>"
+    if job["ill"] == "wrong interface" and host == 2 and not fast:
+        env["CYCLONEDDS_URI"] = (
+            "<General><AllowMulticast>spdp</AllowMulticast>"
+            "<ExternalNetworkAddress>172.17.0.1</ExternalNetworkAddress></General>"
+        )
+    if endpoints:
+        command = {"fast_dds": FAST_DDS, "cyclone_dds_0.10": CYCLONE_DDS}.get(product, ZENOH)
+        variant = "tokens" if command is ZENOH else "udp"
+        told = [f"{seconds + 60:g}", str(host), str(number), str(endpoints), "matching", variant]
+        return {"host": host, "command": [*command, *told], "env": env, "waits": True}
+    settings: dict[str, Any] = {}
+    if product == "zenoh":
+        settings = {"mode": "client", "connect/endpoints": [f"tcp/{address(SERVER)}:7447"]}
+    zenoh = [*WATCH_ZENOH, str(host), str(MOST), json.dumps(settings)]
+    commands = {
+        "fast_dds": [WATCH_FAST, str(host)],
+        "cyclone_dds_0.10": [WATCH_CYCLONE, str(host)],
+    }
+    return {"host": host, "command": commands.get(product, zenoh), "env": env, "waits": False}
+
+
+def server(job: Job) -> dict[str, Any]:
+    """Return the program that serves the others."""
+    command = [word.replace("HOST", str(SERVER)) for word in ZENOH_ROUTER]
+    if job["product"].startswith("fast"):
+        command = [DISCOVERY_SERVER, "-i", "0", "-l", address(SERVER), "-p", "11811"]
+    return {"host": SERVER, "command": command, "env": {}, "waits": False}
+
+
+#: What is wrong from the start on: hosts and the rules of each, by what it is called.
+def rules(ill: str, hosts: list[int]) -> list[Step]:
+    others = [host for host in hosts if host != 2]
+    from_second, from_all = f"ip saddr {address(2)}", "ip saddr 10.77.0.0/24"
+    known: dict[str, list[Step]] = {
+        "multicast filtered": [drop(0, hosts, "ip daddr 224.0.0.0/4 drop")],
+        "firewall on one host": [drop(0, [2], *FIREWALL[1:])],
+        "firewall on all hosts": [drop(0, hosts, *FIREWALL[1:])],
+        "loss of 5 %": [drop(0, hosts, lost(5))],
+        "loss of 20 %": [drop(0, hosts, lost(20))],
+        "one direction of a host": [drop(0, others, f"{from_second} drop")],
+        "one direction of a pair": [drop(0, [3], f"{from_second} {DATA} drop")],
+        "client isolation": [drop(0, hosts, f"{from_all} {UNICAST} drop")],
+        "client isolation but for one": [
+            drop(0, hosts[1:], f"ip saddr != {address(1)} {UNICAST} drop")
+        ],
+        "storm without end": [
+            drop(0, hosts, f"{DATA} limit rate over 25/second burst 5 packets drop")
+        ],
+        "other subnet": [
+            step(
+                0,
+                "run",
+                {
+                    "host": 2,
+                    "commands": [
+                        "ip address flush dev eth0",
+                        "ip address add 10.78.0.2/24 brd + dev eth0",
+                        "ip route add 224.0.0.0/4 dev eth0",
+                    ],
+                },
+            ),
+            *(
+                step(
+                    0,
+                    "run",
+                    {
+                        "host": host,
+                        "commands": ["ip route del default", "ip route add 224.0.0.0/4 dev eth0"],
+                    },
+                )
+                for host in others
+            ),
+        ],
+    }
+    return known.get(ill, [])
+
+
+def script(job: Job) -> Job:
+    """Return programs and steps of a run."""
+    ill, hosts = job["ill"], list(range(1, int(job["hosts"]) + 1))
+    end = float(job["seconds"])
+    served = "-" in job["product"]
+    programs = {
+        f"{host}" if number == 1 else f"{host}.{number}": program(job, host, number)
+        for host in hosts
+        for number in range(1, int(job["processes"]) + 1)
+    }
+    seen_by = int(job.get("seen_by") or 0)
+    if ill == "view of one robot":
+        seen_by = 2
+    where: dict[str, Any] = {"host": seen_by} if seen_by else {}
+    if ill == "capture filter":
+        where["filter"] = "udp port 7446" if "zenoh" in job["product"] else "udp port 7400"
+    begin = 12.0 if ill == "capture began late" else 0.1
+    steps = [*rules(ill, hosts), step(begin, "capture", where)]
+    if served:
+        programs["server"] = server(job)
+        if ill != "server never there":
+            steps.append(step(0.2, "start", "server"))
+    first = 1.5
+    steps += [step(first, "start", name) for name in programs if name != "server"]
+    if ill == "wrong interface" and job["product"].startswith("fast"):
+        # It starts with an address that it has no longer afterwards.
+        steps += [
+            step(
+                0,
+                "run",
+                {
+                    "host": 2,
+                    "commands": [
+                        "ip address flush dev eth0",
+                        "ip address add 172.17.0.2/24 brd + dev eth0",
+                        "ip route add default dev eth0",
+                    ],
+                },
+            ),
+            step(
+                first + 0.3,
+                "run",
+                {
+                    "host": 2,
+                    "commands": [
+                        "ip address flush dev eth0",
+                        f"ip address add {address(2)}/24 brd + dev eth0",
+                        "ip route add default dev eth0",
+                    ],
+                },
+            ),
+        ]
+    if ill == "late joiner":
+        steps = [one for one in steps if one["what"] != str(hosts[-1])]
+        steps += [step(14.0, "start", str(hosts[-1]))]
+    if ill in ("crash", "restart"):
+        steps += [step(10.0, "kill", "2")]
+    if ill == "restart":
+        steps += [step(13.0, "start", "2")]
+    if ill == "crash loop":
+        for at in range(5, int(end), 3):
+            steps += [step(at, "kill", "2"), step(at + 0.5, "start", "2")]
+    if ill == "leases expire":
+        away = 25.0 if job["product"].startswith("fast") else 14.0
+        for number in range(3):
+            gone = 7.0 + number * (away + 4.0)
+            steps += [step(gone, "cut", 2), step(gone + away, "join", 2)]
+    if ill == "server dies":
+        steps += [step(10.0, "kill", "server")]
+    steps = [one for one in steps if one["at"] < end] + [step(end, "end")]
+    places = sorted({one["host"] for one in programs.values()})
+    return {
+        "programs": programs,
+        "steps": sorted(steps, key=lambda one: float(one["at"])),
+        "places": places,
+    }
+
+
+def jobs(grid: Path, only: list[str], runs: int | None) -> list[Job]:
+    """Return all runs, the first of each staging before the second of any."""
+    with grid.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    found = []
+    for number in range(1, (runs or max(int(row["runs"]) for row in rows)) + 1):
+        for row in rows:
+            if number > (runs or int(row["runs"])) or (only and row["ill"] not in only):
+                continue
+            name = "".join(
+                c if c.isalnum() or c == "-" else "_" for c in f"{row['ill']}-{row['product']}"
+            )
+            if row.get("seen_by"):
+                name += f"-by{row['seen_by']}-h{row['hosts']}"
+            name = f"{name}-r{number}"
+            size = {"hosts": int(row["hosts"]), "processes": int(row["processes"])}
+            found.append(row | script(row) | size | {"name": name, "run": number})
+    return found
+
+
+def finish(out: Path) -> str:
+    """Compress the capture of a run that went well, with another clock if that is what is wrong."""
+    job = json.loads(out.with_suffix(".json").read_text())
+    pcap = out.with_suffix(".pcap")
+    content = bytearray(pcap.read_bytes())
+    shift = {"clock set back": -30, "clock set forward": 3600}.get(job["ill"], 0)
+    at, first = 24, None
+    while shift and at + 16 <= len(content):
+        second, _, size = struct.unpack_from("<III", content, at)
+        first = second if first is None else first
+        if second >= first + 6:
+            struct.pack_into("<I", content, at, second + shift)
+        at += 16 + size
+    with out.with_suffix(".pcap.gz").open("wb") as file:
+        file.write(gzip.compress(bytes(content), mtime=0))
+    pcap.unlink()
+    return f"{len(content):>9,} bytes captured"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--grid", type=Path, default=GRIDS / "faults.csv", help="what to stage")
+    parser.add_argument("--runs", type=int, help="runs of each staging, not those of the table")
+    parser.add_argument("--only", action="append", default=[], metavar="ILL")
+    parser.add_argument("--out", type=Path, default=BUILD / "ills", help="folder for the captures")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
+    given = parser.parse_args()
+    if not (BUILD / ".ready").exists():
+        print("The lab is not set up: run it by make ills", file=sys.stderr)
+        return 1
+    given.out.mkdir(parents=True, exist_ok=True)
+    todo = jobs(given.grid, given.only, given.runs)
+    left = [job for job in todo if not (given.out / job["name"]).with_suffix(".pcap.gz").exists()]
+    print(f"{len(todo) - len(left)} of {len(todo)} runs are in {given.out} already", flush=True)
+    return 1 if run(left, given.out, given.crowd, SPACING, STAGE, finish) else 0
+
+
+if __name__ == "__main__":
+    start(main)

@@ -1,0 +1,53 @@
+"""One process of many restarts, and a host joins: what that costs beside a start of all.
+
+Runs of run_grid.py, each with more programs: all begin at once; much later the last process of the
+last host ends without a goodbye and begins again, before its lease has run out; and when that is
+over, one more host begins all of its processes. `count_messages.py --kind restart_` counts them.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from run_grid import BUILD, CROWD, GRIDS, PACKAGES, jobs, run, start, version
+
+#: When the one process ends, when it begins again, and when one more host joins [s].
+ENDS, AGAIN, JOINS = 36.0, 38.0, 62.0
+#: What is counted of these [s]: as long as the start-up window.
+WINDOWS = {"restart": (AGAIN, AGAIN + 12), "join": (JOINS, JOINS + 12)}
+
+
+def with_restart(job: dict[str, Any]) -> dict[str, Any]:
+    """Return a run of which one process restarts, and which one more host joins."""
+    hosts, processes = job["hosts"], job["processes"]
+    programs: list[dict[str, Any]] = [
+        {"host": host, "process": process, "after": 0.0}
+        for host in range(1, hosts + 1)
+        for process in range(1, processes + 1)
+    ]
+    last = programs[-1]
+    programs.append(last | {"after": AGAIN, "again": True})
+    last["seconds"] = ENDS
+    programs += [
+        {"host": hosts + 1, "process": process, "after": JOINS}
+        for process in range(1, processes + 1)
+    ]
+    more = {"programs": programs, "windows": WINDOWS}
+    return job | more | {"seconds": max(end for _, end in WINDOWS.values())}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--grid", type=Path, default=GRIDS / "restarts.csv", help="table of points")
+    parser.add_argument("--out", type=Path, default=BUILD / "restarts", help="for the captures")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
+    given = parser.parse_args()
+    given.out.mkdir(parents=True, exist_ok=True)
+    versions = {product: version(product) for product in PACKAGES}
+    todo = map(with_restart, jobs(given.grid, [], False, versions))
+    left = [job for job in todo if not (given.out / job["name"]).with_suffix(".pcap.gz").exists()]
+    return 1 if run(left, given.out, given.crowd, 4.0) else 0
+
+
+if __name__ == "__main__":
+    start(main)

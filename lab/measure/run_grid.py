@@ -1,0 +1,300 @@
+"""Run the lab's grid: real middleware on network namespaces, captured (see README.md).
+
+Each run is a process tree of its own, begun by `unshare --kill-child`: when this program ends,
+however it ends, the kernel ends the rest. What is there already is not run again.
+"""
+
+import argparse
+import csv
+import gzip
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NoReturn
+
+LAB = Path(__file__).resolve().parents[1]
+MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
+BUILD = LAB.parent / "build" / "lab"
+PYTHON = BUILD / "venv" / "bin" / "python"
+SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
+
+# Debian's package or PyPI's distribution whose version is the product's.
+PACKAGES = {
+    "fast_dds": "libfastrtps-dev",
+    "cyclone_dds_0.10": "cyclonedds-dev",
+    "cyclone_dds_11": "cyclonedds",
+    "zenoh": "eclipse_zenoh",
+    "zenoh_peer": "eclipse_zenoh",
+}
+# product, variant: the program and its environment. "default" is what the vendor ships.
+FAST_DDS = [str(BUILD / "bin" / "fast_dds")]
+CYCLONE_DDS = [str(BUILD / "bin" / "cyclone_dds")]
+CYCLONE_DDS_11 = [str(PYTHON), str(PROGRAMS / "cyclone_dds.py")]
+ZENOH = [str(PYTHON), str(PROGRAMS / "zenoh_peer.py")]
+PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
+    ("fast_dds", "default"): (FAST_DDS, {}),
+    ("fast_dds", "udp"): (FAST_DDS, {}),
+    ("cyclone_dds_0.10", "default"): (CYCLONE_DDS, {}),
+    ("cyclone_dds_0.10", "spdp"): (CYCLONE_DDS, {"CYCLONEDDS_URI": SPDP_ONLY}),
+    ("cyclone_dds_11", "default"): (CYCLONE_DDS_11, {}),
+    ("cyclone_dds_11", "spdp"): (CYCLONE_DDS_11, {"CYCLONEDDS_URI": SPDP_ONLY}),
+    ("zenoh_peer", "default"): (ZENOH, {}),
+    ("zenoh_peer", "tokens"): (ZENOH, {}),
+}
+# Of a grid with a column for the configuration: program, environment, and what serves the others,
+# each on the host of a number, or on every host if that is 0; HOST is then its number. Host 101
+# and 102 are behind the others, wired to the access point.
+ZENOH_ROUTER = [str(PYTHON), str(PROGRAMS / "zenoh_router.py"), "HOST"]
+# PEERS are all hosts. Without an index, 0.10 sends to fixed ports and listens on none of them.
+CYCLONE_PEERS = (
+    "<General><AllowMulticast>false</AllowMulticast></General><Discovery>"
+    "<ParticipantIndex>auto</ParticipantIndex><Peers>PEERS</Peers></Discovery>"
+)
+CYCLONE_MULTICAST = "<General><AllowMulticast>true</AllowMulticast></General>"
+DISCOVERY_SERVER = "/usr/bin/fast-discovery-server"
+ARRANGEMENTS: dict[
+    tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]
+] = {
+    ("fast_dds", "composed"): (FAST_DDS, {}, []),
+    **{
+        ("fast_dds", name): (
+            FAST_DDS,
+            {"ROS_DISCOVERY_SERVER": ";".join(f"10.77.0.{host}:11811" for host in hosts)},
+            [
+                (host, [DISCOVERY_SERVER, "-i", str(index), "-l", f"10.77.0.{host}", "-p", "11811"])
+                for index, host in enumerate(hosts)
+            ],
+        )
+        for name, hosts in {"server": [101], "server_robot": [1], "servers": [101, 102]}.items()
+    },
+    ("fast_dds", "static"): (FAST_DDS, {}, []),
+    ("cyclone_dds_0.10", "multicast"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_MULTICAST}, []),
+    ("cyclone_dds_0.10", "peers"): (CYCLONE_DDS, {"CYCLONEDDS_URI": CYCLONE_PEERS}, []),
+    ("zenoh_peer", "peers"): (ZENOH, {}, []),
+    ("zenoh", "router"): (ZENOH, {}, [(101, ZENOH_ROUTER)]),
+    ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
+    ("zenoh", "star"): (ZENOH, {}, [(101, ZENOH_ROUTER), (0, [*ZENOH_ROUTER, "star"])]),
+}
+# With DDS Security, by a governance of keystore.sh that says what is protected.
+KEYSTORE = BUILD / "keystore"
+SECURITY = {"secure": "ros2", "secure_discovery": "discovery"}
+SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]] = {
+    (product, variant): (command, {name: f"{scheme}{KEYSTORE}/{file}_{governance}.xml"}, [])
+    for product, command, name, scheme, file in (
+        ("fast_dds", FAST_DDS, "FASTRTPS_DEFAULT_PROFILES_FILE", "", "fast_dds"),
+        ("cyclone_dds_0.10", CYCLONE_DDS, "CYCLONEDDS_URI", "file://", "cyclone_dds"),
+    )
+    for variant, governance in SECURITY.items()
+}
+#: Who began it may have ended before the signal at its death was asked for.
+ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
+ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
+ALONE += [sys.executable]
+STAGE = [*ALONE, str(MEASURE / "netns_run.py")]
+
+SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
+CROWD = 40  # processes at a time, over all runs
+TRIES = 3
+
+
+def version(product: str) -> str:
+    package = PACKAGES[product]
+    if package.endswith("-dev"):
+        query = ["dpkg-query", "--show", "--showformat=${Version}", package]
+        return subprocess.run(query, capture_output=True, text=True, check=True).stdout
+    [found] = BUILD.glob(f"venv/lib/python*/site-packages/{package}-*.dist-info")
+    return found.name.removeprefix(f"{package}-").removesuffix(".dist-info")
+
+
+def staged(point: dict[str, str]) -> dict[tuple[str, str], Any]:
+    """Return what is run at a point: every product as shipped, or the one that it names."""
+    shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
+    if "configuration" not in point:
+        return shipped
+    product, _, variant = point["configuration"].partition("-")
+    return {(product, variant): (shipped | ARRANGEMENTS | SECURED)[product, variant]}
+
+
+def jobs(
+    grid: Path,
+    only: list[str],
+    trace: bool,
+    versions: dict[str, str],
+) -> list[dict[str, Any]]:
+    """All runs, the first of every point before the second of any."""
+    with grid.open(newline="") as file:
+        points = list(csv.DictReader(file))
+    found = []
+    for run in range(1, max(int(point["runs"]) for point in points) + 1):
+        for point in points:
+            if run > int(point["runs"]):
+                continue
+            for (product, variant), (command, env, servers) in staged(point).items():
+                if only and f"{product}-{variant}" not in only:
+                    continue
+                hosts, processes, endpoints = (
+                    int(point[name]) for name in ("hosts", "processes", "endpoints")
+                )
+                peers = "".join(f"<Peer Address='10.77.0.{host}'/>" for host in range(1, hosts + 1))
+                if trace and product == "zenoh_peer":
+                    env = env | {"RUST_LOG": "zenoh_transport=trace,zenoh=trace"}
+                found.append(
+                    {
+                        "name": f"{product.replace('.', '')}-{variant}-h{hosts}p{processes}"
+                        f"e{endpoints}-{point['names']}-r{run}",
+                        "product": product,
+                        "variant": variant,
+                        "version": versions[product],
+                        "kernel": os.uname().release,
+                        "command": command,
+                        "env": {key: told.replace("PEERS", peers) for key, told in env.items()},
+                        "servers": [
+                            (host, [word.replace("HOST", str(host)) for word in words])
+                            for number, words in servers
+                            for host in ([number] if number else range(1, hosts + 1))
+                        ],
+                        "mitigated": "configuration" in point,
+                        "hosts": hosts,
+                        "processes": processes,
+                        "endpoints": endpoints,
+                        "names": point["names"],
+                        "use": point["use"],
+                        "run": run,
+                        "seconds": float(point["seconds"]),
+                    }
+                )
+    return found
+
+
+def finish(out: Path) -> str:
+    """Compress the capture of a run that went well; a line about it."""
+    pcap, packed = out.with_suffix(".pcap"), out.with_suffix(".pcap.gz")
+    size = pcap.stat().st_size
+    with (
+        pcap.open("rb") as raw,
+        packed.open("wb") as file,
+        gzip.GzipFile(filename="", mode="wb", fileobj=file, mtime=0) as zipped,
+    ):
+        shutil.copyfileobj(raw, zipped)
+    pcap.unlink()
+    job = json.loads(out.with_suffix(".json").read_text())
+    return f"{size:>9,} bytes captured, {job['cpu_s']:5.2f} s of CPU"
+
+
+def remove(out: Path) -> None:
+    """Take away what a run left that did not go well."""
+    for path in out.parent.glob(f"{out.name}.*"):
+        path.unlink()
+
+
+def processes_of(job: dict[str, Any]) -> int:
+    """How many processes a run has."""
+    return int(job["hosts"] * job["processes"])
+
+
+def run(
+    todo: list[dict[str, Any]],
+    folder: Path,
+    crowd: int,
+    spacing: float,
+    stage_of: list[str] = STAGE,
+    finish: Callable[[Path], str] = finish,
+    weight: Callable[[dict[str, Any]], int] = processes_of,
+) -> int:
+    """Run all jobs, side by side what weighs no more than the crowd; how many failed for good."""
+    running: dict[subprocess.Popen[str], dict[str, Any]] = {}
+    waiting, failed, done, total = list(todo), 0, 0, len(todo)
+    begun, next_start = time.monotonic(), 0.0
+    try:
+        while waiting or running:
+            for stage in [stage for stage in running if stage.poll() is not None]:
+                job = running.pop(stage)
+                _, error = stage.communicate()
+                out = folder / job["name"]
+                if stage.returncode == 0:
+                    done += 1
+                    news = finish(out)
+                else:
+                    remove(out)
+                    news = f"tried again later: {error.strip()}"
+                    if job["tries"] < TRIES:
+                        waiting.append(job)
+                    else:
+                        done, failed = done + 1, failed + 1
+                        news = f"FAILED {TRIES} times: {error.strip()}"
+                left = (time.monotonic() - begun) / max(done, 1) * (total - done) / 60
+                print(f"[{done}/{total}] {job['name']}: {news}; {left:.0f} min left", flush=True)
+            here = sum(map(weight, running.values()))
+            if waiting and time.monotonic() >= next_start:
+                job = waiting[0]
+                if not running or here + weight(job) <= crowd:
+                    waiting.pop(0)
+                    job["tries"] = job.get("tries", 0) + 1
+                    told = json.dumps(job | {"out": str(folder / job["name"])})
+                    stage = subprocess.Popen(
+                        [*stage_of, told], stderr=subprocess.PIPE, text=True, start_new_session=True
+                    )
+                    running[stage] = job
+                    next_start = time.monotonic() + spacing
+            time.sleep(0.1)
+    finally:
+        for stage in running:  # its end is the end of all it has started
+            stage.kill()
+            stage.wait()
+        for job in running.values():
+            remove(folder / job["name"])
+    return failed
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--grid", type=Path, default=GRIDS / "grid.csv", help="table of points")
+    parser.add_argument("--runs", type=int, default=5, help="runs a point")
+    parser.add_argument(
+        "--seconds", type=float, default=36.0, help="from the start to the end of a run"
+    )
+    parser.add_argument("--only", action="append", default=[], metavar="PRODUCT-VARIANT")
+    parser.add_argument(
+        "--out", type=Path, default=BUILD / "captures", help="folder for the captures"
+    )
+    parser.add_argument("--trace", action="store_true", help="keep Zenoh's trace logs")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
+    parser.add_argument("--spacing", type=float, default=SPACING, help="s between two starts")
+    given = parser.parse_args()
+    known = {f"{product}-{variant}" for product, variant in PRODUCTS | ARRANGEMENTS | SECURED}
+    if unknown := set(given.only) - known:
+        parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(known))}")
+    if not (BUILD / ".ready").exists():
+        print("The lab is not set up: run it by make lab", file=sys.stderr)
+        return 1
+    given.out.mkdir(parents=True, exist_ok=True)
+    versions = {product: version(product) for product in PACKAGES}
+    todo = jobs(given.grid, given.only, given.trace, versions)
+    there = [job for job in todo if (given.out / job["name"]).with_suffix(".pcap.gz").exists()]
+    if there:
+        print(f"{len(there)} of {len(todo)} runs are in {given.out} already", flush=True)
+    return (
+        1
+        if run([job for job in todo if job not in there], given.out, given.crowd, given.spacing)
+        else 0
+    )
+
+
+def start(main: Callable[[], int]) -> NoReturn:
+    """Run a program of the lab, so that Ctrl-C and SIGTERM end what it has begun, too."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    start(main)

@@ -1,0 +1,81 @@
+"""What DDS Security adds to a startup: from counted swarms with it and without it to two tables.
+
+Reads `lab/data/security_runs.csv` and `security_counts.csv`, and needs neither root nor Debian.
+"""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from counted_airtime import airtime_counted
+from lab_data import BOOK, DATA, read, write
+
+from discostorm_book.lab_counts import Point, points_of
+
+#: Each product, and the variant that was run without security.
+PRODUCTS = {"Fast DDS": ("fast_dds", "default"), "Cyclone DDS": ("cyclone_dds_0.10", "spdp")}
+#: What is protected: all that SROS2 protects by default, or discovery alone.
+ALL, DISCOVERY = "secure", "secure_discovery"
+HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
+
+
+def secured_points(name: str, variant: str) -> tuple[Point, ...]:
+    """Return the points of a product and variant in the grid with and without security."""
+    return points_of(name, variant, 1, f"{DATA}/security_")
+
+
+def airtime(point: Point, window: str, *kinds: str) -> float:
+    """Return the airtime of some kinds, of all if none is named, in the median of the runs [s]."""
+    runs = {key: counts for key, counts in point.runs.items() if not kinds or key[1] in kinds}
+    some = Point(point.name, point.use, point.fleet, runs, point.ready)
+    return float(np.median(airtime_counted(some, window, zenoh=False)))
+
+
+def startups() -> Iterator[dict[str, Any]]:
+    """Yield a row for each product and swarm, with all digits."""
+    for product, (name, plain_variant) in PRODUCTS.items():
+        variants = (secured_points(name, each) for each in (plain_variant, ALL, DISCOVERY))
+        for plain, secured, discovery in zip(*variants, strict=True):
+            without, whole, some = (airtime(p, "startup") for p in (plain, secured, discovery))
+            yield {
+                "product": product,
+                "swarm": plain.name[:-1],
+                "matching": plain.name.endswith("m"),
+                "runs": sum(len(point.ready) for point in (plain, secured, discovery)),
+                "without_s": without,
+                "secured_s": whole,
+                "discovery_s": some,
+                "times": whole / without,
+                "times_discovery": some / without,
+                "handshake": airtime(secured, "startup", HANDSHAKE) / whole,
+                "keys": airtime(secured, "startup", KEYS) / whole,
+                "times_steady": airtime(secured, "steady") / airtime(plain, "steady"),
+            }
+
+
+def strangers() -> Iterator[dict[str, Any]]:
+    """Yield a row for each run with security: how many pairs never authenticated."""
+    names = {name: product for product, (name, _) in PRODUCTS.items()}
+    for run in read("security_runs.csv"):
+        if run["strangers"]:
+            hosts, processes = int(run["hosts"]), int(run["processes"])
+            yield {
+                "product": names[run["product"]],
+                "processes": hosts * processes,
+                "pairs": hosts * (hosts - 1) * processes**2,
+                "strangers": run["strangers"],
+            }
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=BOOK, help="folder")
+    given = parser.parse_args()
+    write(given.out / "security.csv", startups())
+    write(given.out / "security_strangers.csv", strangers())
+
+
+if __name__ == "__main__":
+    main()

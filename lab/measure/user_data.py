@@ -1,0 +1,136 @@
+r"""Bytes and frames of samples on the wire: one writer, one reader, a few samples, captured.
+
+    unshare --net --mount --pid --fork --mount-proc build/lab/venv/bin/python \
+        lab/measure/user_data.py build/lab/bin/fast_dds_data [test] > rows.csv
+
+As root, with tcpdump, beside a venv with the middleware of `requirements.lock`; it takes ten
+seconds a row. Of each run it counts IP packets between the two hosts from the first sample to the
+last, but those of discovery: multicast, and Fast DDS's ports for it (Cyclone DDS has the same for
+both). Packets of TCP without payload are rows of their own. A run on a busy machine is none.
+"""
+
+import csv
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from netns_run import (
+    IDLE,
+    TAIL,
+    begin_capture,
+    build_bridge,
+    build_host,
+    end_capture,
+    idle_since,
+    processor,
+)
+
+PROGRAM = Path(__file__).parents[1] / "programs" / "user_data_process.py"
+FAST_DDS = Path(sys.argv[1]).resolve()
+#: Bytes of a sample, rate [Hz] and samples: what the framing is taken from, in part, and what it is
+#: only tested with.
+SIZES = {
+    "fit": [(size, 10, 10) for size in (100, 1400, 6000, 100_000)],
+    "test": [(300, 50, 100), (1100, 30, 60), (3_000, 20, 40), (20_000, 15, 30), (150_000, 4, 12)],
+}
+USE = sys.argv[2] if len(sys.argv) > 2 else "fit"
+#: Product, bytes of a sample, rate [Hz], samples, reliable.
+POINTS = [
+    (product, *size, how)
+    for product in ("fast_dds", "cyclone_dds", "zenoh_peer")
+    for size in SIZES[USE]
+    for how in ("best-effort", "reliable")
+]
+COLUMNS = (
+    *("product", "bytes", "hz", "samples", "reliability", "use"),
+    *("direction", "packets", "ip_bytes"),
+)
+ETHERNET, UDP, TCP = 14, 17, 6
+
+
+def packets(path: Path) -> Iterator[tuple[float, bytes]]:
+    """Yield time and IP packet of each record of a capture of Ethernet."""
+    content = path.read_bytes()
+    place = 24
+    while place < len(content):
+        seconds, micro, kept, _ = struct.unpack_from("<IIII", content, place)
+        frame = content[place + 16 : place + 16 + kept]
+        place += 16 + kept
+        if frame[12:14] == b"\x08\x00":
+            total = struct.unpack_from(">H", frame, 16)[0]
+            yield seconds + micro / 1e6, frame[ETHERNET : ETHERNET + total]
+
+
+def counted(path: Path, begin: float, end: float, ports: bool) -> dict[str, list[int]]:
+    """Return packets and bytes by direction; answers of TCP without payload apart."""
+    found: dict[str, list[int]] = {}
+    discovery: set[tuple[bytes, bytes]] = set()
+    for moment, packet in packets(path):
+        header, protocol, target = 4 * (packet[0] & 15), packet[9], packet[16:20]
+        flags = struct.unpack_from(">H", packet, 6)[0]
+        if not begin <= moment <= end or target[0] >= 224 or target[3] == 255:
+            continue
+        first, key = not flags & 0x1FFF, (packet[12:16], packet[4:6])
+        if protocol == UDP and first:
+            port = struct.unpack_from(">H", packet, header + 2)[0]
+            if ports and port % 2 == 0:  # of discovery: 7410 + 2 n
+                if flags & 0x2000:  # more fragments follow
+                    discovery.add(key)
+                continue
+        if protocol == UDP and not first and key in discovery:
+            continue
+        name = "to reader" if target[3] == 2 else "to writer"
+        if protocol == TCP:
+            offset = 4 * (packet[header + 12] >> 4)
+            if len(packet) == header + offset:
+                name += ", TCP ACK"
+        row = found.setdefault(name, [0, 0])
+        row[0] += 1
+        row[1] += len(packet)
+    return found
+
+
+def main() -> None:
+    build_bridge()
+    hosts = [build_host(number) for number in (1, 2)]
+    rows = csv.writer(sys.stdout)
+    rows.writerow(COLUMNS)
+    for product, size, rate, samples, how in POINTS:
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "run"
+            dump = begin_capture(out, 32768)
+            before = processor()
+            running, times = [], []
+            for host, role in zip(hosts, ("write", "read"), strict=True):
+                program = [FAST_DDS] if product == "fast_dds" else [sys.executable, PROGRAM]
+                command = [*program, product, role, size, rate, samples, how]
+                inside = ["nsenter", f"--target={host}", "--net", "--mount"]
+                running.append(
+                    subprocess.Popen(
+                        [*inside, *map(str, command)], stdout=subprocess.PIPE, text=True
+                    )
+                )
+            for _ in range(2):
+                line = running[0].stdout.readline()  # type: ignore[union-attr]
+                times.append(float(line.split()[1]))
+            begin, end = times
+            if (idle := idle_since(before)) < IDLE:
+                raise SystemExit(f"{product}: the processor was idle for {idle:.0%}")
+            time.sleep(TAIL)
+            for process in running:
+                process.kill()
+                process.wait()
+            end_capture(out, dump)
+            for name, (number, octets) in sorted(
+                counted(out.with_suffix(".pcap"), begin, end, product == "fast_dds").items()
+            ):
+                rows.writerow([product, size, rate, samples, how, USE, name, number, octets])
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+"""What the figures of the chapters share: words at marks, named rows, round ticks, legends."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+
+from discostorm.figures import WIDTH, headline, style
+
+#: Numbers as they are, without powers of ten.
+PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
+#: Options of Matplotlib.
+Look = dict[str, Any]
+#: The look of a reference line, such as a lease.
+LIMIT: Look = {"color": "gray", "linewidth": 0.8}
+
+
+@contextmanager
+def drawn(height: float, title: str = "") -> Iterator[Figure]:
+    """Give an empty figure as wide as the text, to draw on in the book's style."""
+    with style():
+        figure = Figure(figsize=(WIDTH, height))
+        yield figure
+        if title:
+            headline(figure, title)
+
+
+def write(
+    axis: Axes, text: str, at: tuple[float, float], offset: tuple[float, float], **look: Any
+) -> None:
+    """Write small words beside a point of a panel, so many points of type off it."""
+    axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
+
+
+def white(pad: float) -> Look:
+    """Return the box that hides what is behind words."""
+    return {"facecolor": "white", "edgecolor": "none", "pad": pad}
+
+
+def clear_rows(axis: Axes, places: Sequence[Any] | None = None, names: Any = None) -> None:
+    """Name the rows of a panel, if names are given, without ticks and lines."""
+    if places is not None:
+        axis.set_yticks(places, names)
+    axis.grid(axis="y", visible=False)
+    axis.tick_params(axis="y", length=0)
+
+
+def set_ticks(along: Axis, values: Sequence[float]) -> None:
+    """Put ticks at some values of an axis, and none between them."""
+    along.set_ticks(values, [f"{value:,g}" for value in values])
+    along.set_ticks([], minor=True)
+
+
+def legend_below(figure: Figure, handles: Sequence[Artist], columns: int, **options: Any) -> None:
+    """Put a legend below the panels of a figure."""
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns, **options)

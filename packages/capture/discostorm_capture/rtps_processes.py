@@ -1,0 +1,102 @@
+"""The processes of RTPS: what their messages and announcements say of them."""
+
+from collections import Counter, defaultdict
+
+import numpy as np
+
+from discostorm_capture import ip, rtps
+from discostorm_capture._bytes import Array, Bytes, Columns, IdTable, factorize, numbers
+from discostorm_capture.tables import RTPS, Dissection, Process, first_seen
+from discostorm_capture.transport import Transport
+
+#: A prefix of zeros, by which an INFO_DST speaks to all.
+_EVERYBODY = bytes(12)
+#: The bits of an entity id that mark entities that are built in, or a vendor's.
+_NOT_USER = 0xC0
+
+
+def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Dissection:
+    """Return the messages in RTPS datagrams, and the processes that they show."""
+    data, addresses, prefixes = transport.data, transport.addresses, IdTable()
+    messages, announcements = rtps.messages(data, datagrams, prefixes, notes)
+    datagram = messages.pop("datagram")
+    _, first = factorize(messages["process"], messages["source"])
+    senders, frames, sources, vendors = (
+        column.tolist()
+        for column in (
+            messages["process"][first],
+            messages["frame"][first],
+            messages["source"][first],
+            numbers(data, datagrams["at"][datagram[first]] + 6, ">u2"),
+        )
+    )
+    vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
+    sightings = list(zip(frames, senders, sources, strict=True))
+    domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
+    # What is announced of each process.
+    endpoints: dict[int, set[int]] = defaultdict(set)
+    own_addresses: dict[int, list[int]] = defaultdict(list)
+    servers: set[int] = set()
+    for id_, entity, frame, last, begin, sender, is_participant, is_server in _resolved(
+        data, announcements, prefixes, addresses
+    ):
+        endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
+        servers.update((id_,) if is_server else ())
+        if is_participant and id_ == sender:
+            own_addresses[id_] += [begin, last]
+        elif is_participant and id_ not in vendor_of and last >= 0:
+            sightings.append((frame, id_, last))  # known from others alone
+    seen = first_seen(sightings, ip.is_loopback(addresses))
+    names = list(prefixes.ids)
+    processes = {}
+    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
+        vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
+        product = "" if vendor is None else rtps.VENDORS.get(vendor, f"vendor 0x{vendor:04x}")
+        processes[id_] = Process(
+            protocol=RTPS,
+            name=names[id_].hex(),
+            product=product + " Discovery Server" * (id_ in servers),
+            host=host,
+            first_frame=first_frame,
+            endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
+            announced=id_ in endpoints,
+            server=id_ in servers,
+            domain=domains.get(id_, -1),
+            announced_addresses=tuple(dict.fromkeys(a for a in own_addresses[id_] if a >= 0)),
+        )
+    return Dissection(messages, processes)
+
+
+def _resolved(
+    data: Bytes, announcements: Columns, prefixes: IdTable, addresses: IdTable
+) -> list[tuple[int, ...]]:
+    """Return announcements row by row, with numbers for GUID prefixes and addresses, else -1."""
+    guid = announcements["guid"]
+    last, first = np.full((2, len(guid)), -1)
+    for ids, name in ((last, "last_address"), (first, "first_address")):
+        there = announcements[name] > 0
+        ids[there] = addresses.ids_of(data, announcements[name][there], 4)
+    columns = (
+        *(prefixes.ids_of(data, guid, 12), numbers(data, guid + 12, ">u4")),
+        *(announcements["frame"], last, first),
+        *(announcements[name] for name in ("sender", "is_participant", "is_server")),
+    )
+    return list(zip(*(column.tolist() for column in columns), strict=True))
+
+
+def _domains(
+    messages: Columns, to_port: Array, addresses: IdTable, notes: Counter[str]
+) -> list[tuple[int, int]]:
+    """Return processes and their domains, as multicast messages of SPDP say; note if several."""
+    domain = rtps.domains_from_ports(messages["kind"], to_port)
+    rows = np.flatnonzero((domain >= 0) & ip.is_multicast(addresses)[messages["target"]])
+    process, domain = messages["process"][rows], domain[rows]
+    _, first = factorize(process, domain)
+    different = np.unique(domain).tolist()
+    if len(different) > 1:
+        which = ", ".join(map(str, different))
+        notes[
+            f"domains of RTPS ({which}): only processes of the same one find each other, which "
+            "the fleet does not know"
+        ] = len(different)
+    return sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True))

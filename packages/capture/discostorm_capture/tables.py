@@ -1,0 +1,109 @@
+"""The tables that all protocols fill: messages by number and processes by name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from discostorm_capture._bytes import Array, Columns
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+RTPS, ZENOH, TCP = range(3)
+PROTOCOLS = ("RTPS", "Zenoh", "TCP")
+#: The columns of messages: the type of each, and its value where a protocol has none.
+_COLUMNS: dict[str, tuple[Any, int]] = {
+    "frame": (np.int32, 0),
+    "protocol": (np.uint8, 0),
+    "kind": (np.uint16, 0),
+    "submessage": (np.uint8, 0),
+    "entity": (np.uint8, 0),
+    "size": (np.int32, 0),
+    "reader": (np.uint32, 0),
+    "writer": (np.uint32, 0),
+    "number": (np.int32, 0),
+    "missing": (np.int16, 0),
+    "bytes": (np.int32, 0),
+    "process": (np.int32, -1),
+    "peer": (np.int32, -1),
+    "source": (np.int32, 0),
+    "target": (np.int32, 0),
+    "way": (np.uint8, 0),
+    "udp": (bool, 0),
+    "ends": (bool, 0),
+    "frames": (np.float32, 0),
+}
+
+
+@dataclass(frozen=True)
+class Process:
+    """A process of RTPS or Zenoh; addresses are numbers."""
+
+    protocol: int
+    name: str
+    product: str
+    #: Its address, and the frame that shows it first; -1 if unknown.
+    host: int
+    first_frame: int
+    endpoints: int
+    #: Whether it announced anything, and whether it is a server or router of others.
+    announced: bool
+    server: bool
+    domain: int = -1
+    announced_addresses: tuple[int, ...] = ()
+    #: Whether its endpoints include publishers.
+    publishers: bool = True
+
+
+@dataclass(frozen=True)
+class Dissection:
+    """The messages of a protocol as `message_table`, and by their numbers the processes."""
+
+    messages: Columns
+    processes: dict[int, Process]
+
+
+def message_table(protocol: int, packets: Columns, rows: Array, **columns: Array) -> Columns:
+    """Return a table of messages, each of which a row of packets completed."""
+    table = {name: packets[name][rows] for name in ("frame", "source", "target", "way")} | columns
+    return {
+        name: table[name].astype(dtype) if name in table else np.full(len(rows), default, dtype)
+        for name, (dtype, default) in _COLUMNS.items()
+    } | {"protocol": np.full(len(rows), protocol, np.uint8)}
+
+
+def first_seen(
+    sightings: Iterable[tuple[int, int, int]], loopback: Array
+) -> dict[int, tuple[int, int]]:
+    """Return the host and first frame of each process from frames, processes and sources.
+
+    The host is the first address that is not a loopback, if there is one.
+    """
+    first: dict[int, tuple[int, int]] = {}
+    for frame, process, source in sorted(sightings, key=itemgetter(0)):
+        host, since = first.get(process, (source, frame))
+        first[process] = (source if loopback[host] else host), since
+    return first
+
+
+def categories(numbers: Array, names: Sequence[str]) -> Any:
+    """Return names by their numbers, -1 for the last; only used names remain."""
+    import pandas as pd
+
+    dtype, number_of = _distinct(tuple(names))
+    return pd.Categorical.from_codes(number_of[numbers], dtype=dtype).remove_unused_categories()
+
+
+@lru_cache(maxsize=16)
+def _distinct(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
+    """Return each name once, and the number among these of each given name."""
+    import pandas as pd
+
+    index = {name: index for index, name in enumerate(dict.fromkeys(names))}
+    return pd.CategoricalDtype([*index]), np.array([index[name] for name in names], np.int32)

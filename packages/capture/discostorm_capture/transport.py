@@ -1,0 +1,125 @@
+"""From captured packets to UDP datagrams and TCP segments, and which of them are duplicates."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from discostorm_capture import fragments, ip, link, network_events
+from discostorm_capture._bytes import (
+    Array,
+    Bytes,
+    Columns,
+    IdTable,
+    factorize,
+    numbers,
+    stack,
+    take,
+)
+from discostorm_capture.pcap import Packets
+
+#: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
+SEEN_AGAIN_WITHIN = 1_000_000_000
+AGAIN = "packets seen again, on another interface or way, or mirrored; they are not compared"
+
+
+@dataclass(frozen=True)
+class Transport:
+    """What the packets of a capture carry.
+
+    Parameters
+    ----------
+    data : numpy.ndarray
+        The bytes of the file and of reassembled datagrams, and padding.
+    addresses : IdTable
+        The numbers of IP addresses.
+    datagrams, segments : dict
+        UDP datagrams and TCP segments in the order of the capture; see `ip.datagrams`,
+        `ip.segments`.
+    events : dict
+        What else tells why discovery fails; see `network_events`.
+    packets : dict of str to int
+        How many packets are "ARP", "UDP", "TCP" and "other" [1].
+    """
+
+    data: Bytes
+    addresses: IdTable
+    datagrams: Columns
+    segments: Columns
+    events: Columns
+    packets: dict[str, int]
+
+
+def carried(packets: Packets, notes: Counter[str]) -> Transport:
+    """Return what packets carry; what cannot be read is counted in the notes."""
+    data, addresses = packets.data, IdTable()
+    network = link.network_packets(packets, notes)
+    arp = network_events.arp(data, network, addresses)
+    network = take(network, network["ethertype"] != link.ARP)
+    network = ip.parse(data, network, addresses, notes)
+    data, network = fragments.reassemble(data, network, packets.table["time"], notes)
+    datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
+    if count := int(np.count_nonzero(network["protocol"] == ip.ENCRYPTED)):
+        notes["encrypted IP packets"] += count
+    tunnels = int(np.count_nonzero(np.isin(network["protocol"], ip.TUNNELS)))
+    tunnels += int(np.count_nonzero(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS)))
+    if tunnels:
+        notes["packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"] += tunnels
+    events = stack([arp, network_events.unreachable(data, network, addresses)])
+    counts = {"ARP": len(arp["frame"])} | {
+        name: int(network["parts"][network["protocol"] == protocol].sum())
+        for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
+    }
+    counts["other"] = len(packets.table["at"]) - sum(counts.values())
+    return Transport(data, addresses, datagrams, segments, events, counts)
+
+
+def note_encrypted(data: Bytes, datagrams: Columns, notes: Counter[str]) -> None:
+    """Count datagrams that look like DTLS, QUIC or WireGuard."""
+    at, size = datagrams["at"], datagrams["size"]
+    first = data[at]
+    dtls = (first >= 20) & (first <= 25) & (numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
+    quic = (first >= 0xC0) & (numbers(data, at + 1, ">u4") == 1) & (size > 20)
+    guard = (datagrams["from_port"] == ip.WIREGUARD_PORT) | (
+        datagrams["to_port"] == ip.WIREGUARD_PORT
+    )
+    guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
+    for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
+        if count := int(np.count_nonzero(mask)):
+            notes[f"datagrams of {name}, which are encrypted"] += count
+
+
+def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> Array:
+    """Return whether each frame, captured at a time [ns], shows what an earlier frame showed.
+
+    Another interface or direction may show a packet again, and so may a mirror port or a merged
+    file: a sender does not use an IP id again that soon (RFC 6864, 4.1).
+    """
+    keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
+    tables = [
+        {name: table[name] for name in (*keys, "frame", "view", "retry")}
+        # At least eight bytes of a header precede an empty payload.
+        | {"tail": numbers(transport.data, table["at"] + table["size"] - 8, "=u8")}
+        for table in (transport.datagrams, transport.segments)
+    ]
+    packets = stack(tables)
+    code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
+    repeated = np.flatnonzero(np.bincount(code)[code] > 1)
+    repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
+    packets = take(packets, repeated)
+    # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
+    identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
+    columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]
+    duplicates = np.zeros(len(time), bool)
+    last_packet, since, last_view = -1, 0, 0
+    for packet, when, view, is_identified, frame in zip(
+        *(column.tolist() for column in columns), strict=True
+    ):
+        in_time = packet == last_packet and when - since <= SEEN_AGAIN_WITHIN
+        if in_time and (view != last_view or is_identified):
+            duplicates[frame] = True
+        else:
+            last_packet, since, last_view = packet, when, view
+    if count := int(np.count_nonzero(duplicates)):
+        notes[AGAIN] += count
+    return duplicates

@@ -1,0 +1,305 @@
+"""Zenoh: how every message of scouting, transport and network is laid out.
+
+A layout names the parts of a message in order, behind its head, the first byte. A part with ``?``
+is there if the head has a flag, with ``!`` if it has not: ``A`` 0x20, ``M`` 0x40, ``Z`` 0x80.
+``=int`` is the number of a message; ``@`` takes the offset of the next part as this number.
+"""
+
+import re
+from collections.abc import Callable
+from functools import cache, partial
+from typing import NamedTuple
+
+import numpy as np
+
+from discostorm.data import read_data
+from discostorm_capture._bytes import Array, Bytes, Columns, Offsets
+
+ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
+NAMES = [row["name"] for row in ROWS] + ["unreadable"]
+KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
+UNREADABLE = len(ROWS)
+#: The code of a message, which is its row in the data file, by layer and id.
+CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
+for _code, _row in enumerate(ROWS):
+    CODES[_row["layer"]][int(_row["id"], 16)] = _code
+PORT, SCOUTING_PORT = 7447, 7446
+#: The versions of the protocol that are alike in what is read here.
+VERSIONS = (8, 9)
+_SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
+_OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
+#: Extensions of an Init, and of a Put: its payload is in shared memory.
+_LOW_LATENCY, _COMPRESSION, _SHARED = 5, 6, 2
+#: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
+ANSWER, MORE, EXTENDED = 0x20, 0x40, 0x80
+_FLAGS = {"A": ANSWER, "M": MORE, "Z": EXTENDED}
+
+_MESSAGES = {
+    _OAM: "=int ext?Z body",
+    INIT: "zid 3?M block?A @ ext?Z",
+    OPEN: "int int block!A ext?Z",
+    CLOSE: "1 ext?Z",
+    KEEP_ALIVE: "ext?Z",
+    FRAME: "=int ext?Z",
+    FRAGMENT: "int ext?Z @ rest",
+    JOIN: "zid 3?M int int int ext?Z",
+    0x19: "=int options ext?Z",  # Interest
+    0x1A: "=int ext?Z",  # ResponseFinal
+    0x1B: "=int int block?A ext?Z answer",  # Response
+    0x1C: "=int int block?A ext?Z query",  # Request
+    0x1D: "int block?A ext?Z content",  # Push
+    _DECLARE: "int?A ext?Z @ declaration",
+    0x1F: "=int ext?Z body",  # the network's OAM
+}
+#: Messages in messages, with heads of their own: queries, replies and errors, declarations.
+_QUERIES = {3: "int?A block?M ext?Z"}
+_ANSWERS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
+_DECLARATIONS = {0x1A: "ext?Z"} | {
+    kind: "=int ext?Z" if kind % 2 else "=int int block?A ext?Z" for kind in range(8)
+}
+
+
+def _read(
+    layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array
+) -> tuple[Offsets, Array]:
+    """Return where messages end, one behind their end if they do not fit, and their numbers."""
+    at, number = at.copy(), np.full(len(at), -1, np.int64)
+    for name, sign, flag in _parts(layout):
+        if name == "@":
+            number = at.copy()
+            continue
+        has_flag = head & flag > 0
+        rows = np.flatnonzero((at <= end) & (has_flag if sign == "?" else ~has_flag))
+        if name == "=int":
+            number[rows], at[rows] = _integer(data, at[rows], end[rows])
+        else:
+            at[rows] = _PARTS[name](data, at[rows], end[rows], head[rows])
+    return at, number
+
+
+@cache
+def _parts(layout: str) -> list[tuple[str, str, int]]:
+    """Return a layout as name, sign and flag of each part; without a flag, none is set."""
+    parts = re.findall(r"(=?\w+|@)(?:([?!])(\w+))?", layout)
+    return [(name, sign, _FLAGS.get(flag) or int(flag or 0)) for name, sign, flag in parts]
+
+
+def _one_of(
+    layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
+) -> tuple[Offsets, Array]:
+    """Read messages, each by the layout of its kind."""
+    head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
+    for kind, layout in layouts.items():
+        rows = np.flatnonzero(head & 0x1F == kind)
+        if len(rows):
+            after[rows], number[rows] = _read(layout, data, at[rows] + 1, end[rows], head[rows])
+    return after, number
+
+
+# Each part takes where it starts in many messages, where these end, and their heads.
+
+
+def _skip(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
+    return np.minimum(at + np.minimum(count, 1 << 30), end + 1)
+
+
+def _integer(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets]:
+    """Read integers of seven bits per byte, the lowest first; return them, too."""
+    byte = data[at].astype(np.int64)
+    value, after, shift = byte & 0x7F, at + 1, 7
+    rows = np.flatnonzero((byte > 0x7F) & (at < end))
+    while len(rows):
+        byte = data[after[rows]].astype(np.int64)
+        # The ninth byte has all its bits; such numbers are not needed exactly.
+        value[rows] |= (byte & (0x7F if shift < 56 else 0x3F)) << shift
+        after[rows] += 1
+        shift += 7
+        rows = rows[(byte > 0x7F) & (after[rows] < end[rows])] if shift < 63 else rows[:0]
+    return value, np.minimum(after, end + 1)
+
+
+def _block(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    length, at = _integer(data, at, end)
+    return _skip(at, end, length)
+
+
+def _encoding(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    id_, at = _integer(data, at, end)
+    return _read("block?1", data, at, end, id_)[0]
+
+
+def _body(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
+    """Read what bits 5 and 6 of a head say: nothing, an integer or a block."""
+    encoding = head >> 5 & 3
+    after, _ = _read("int?1 block?2", data, at, end, np.where(encoding == 3, 0, encoding))
+    return np.where(encoding == 3, end + 1, after)
+
+
+def _extensions(
+    data: Bytes, at: Offsets, end: Offsets, _: Array, ids: Array | None = None
+) -> Offsets:
+    """Read extensions, each of which says whether another follows; add their numbers' bits."""
+    at, rows = at.copy(), np.flatnonzero(at <= end)
+    while len(rows):
+        head, last = data[at[rows]], end[rows]
+        if ids is not None:
+            ids[rows] |= 1 << (head & 0x0F).astype(np.int64)
+        at[rows] = _body(data, np.minimum(at[rows] + 1, last + 1), last, head)
+        rows = rows[(head & EXTENDED > 0) & (at[rows] < last)]
+    return at
+
+
+def _has_extension(data: Bytes, at: Offsets, end: Offsets, wanted: int) -> Array:
+    """Return whether one of the extensions has that number."""
+    ids = np.zeros(len(at), np.int64)
+    _extensions(data, np.where(at < end, at, end + 1), end, at, ids)
+    return ids >> wanted & 1 > 0
+
+
+def _content(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    """Read a Put or a Del; a Put may be in shared memory, as an extension then says."""
+    head, kind = data[at], data[at] & 0x1F
+    start = np.where((kind == _PUT) | (kind == _DEL), at + 1, end + 1)
+    flags = np.where(kind == _PUT, head, head & ~np.uint8(MORE))
+    start, _ = _read("int?A block?A encoding?M", data, start, end, flags)
+    after, _ = _read("ext?Z", data, start, end, head)
+    shared = (head & EXTENDED > 0) & _has_extension(data, start, after, _SHARED)
+    return _read("block?1 slices?2", data, after, end, (kind == _PUT) * (1 + shared))[0]
+
+
+def _options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
+    options = np.where(head & 0x60 > 0, data[at], 0)
+    flags = np.where(options & 0x10 > 0, options & 0x30, 0)
+    return _read("int?16 block?32", data, _skip(at, end, (head & 0x60 > 0) * 1), end, flags)[0]
+
+
+def _times(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    """Read a count, and as many repetitions of a layout."""
+    count, at = _integer(data, at, end)
+    while len(rows := np.flatnonzero((count > 0) & (at < end))):
+        at[rows], _ = _read(layout, data, at[rows], end[rows], rows)
+        count[rows] -= 1
+    return np.where(count > 0, end + 1, at)
+
+
+_PARTS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
+    "1": lambda _data, at, end, _head: _skip(at, end, 1),
+    "3": lambda _data, at, end, _head: _skip(at, end, 3),
+    # A version, a role with the length of an identity, and that.
+    "zid": lambda data, at, end, _head: _skip(at, end, (data[at + 1] >> 4).astype(np.int64) + 3),
+    "int": lambda data, at, end, _head: _integer(data, at, end)[1],
+    "encoding": _encoding,
+    "rest": lambda _data, _at, end, _head: end,
+    "ext": _extensions,
+    "block": _block,
+    "body": _body,
+    "options": _options,
+    "content": _content,
+    "slices": partial(_times, "1 block"),
+    "locators": partial(_times, "block"),
+    "query": lambda *given: _one_of(_QUERIES, *given)[0],
+    "answer": lambda *given: _one_of(_ANSWERS, *given)[0],
+    "declaration": lambda *given: _one_of(_DECLARATIONS, *given)[0],
+}
+
+
+def parse(data: Bytes, at: Offsets, end: Offsets) -> Columns:
+    """Return the messages in batches, given the first byte and the end of each batch.
+
+    One row per message: its ``batch``; ``at`` and ``end``; its ``code``, an index of `NAMES`;
+    ``head``, its first byte; ``number``. What cannot be read is a message, too.
+    """
+    batch = np.arange(len(at))
+    steps: list[tuple[Array, ...]] = [(batch[:0], at[:0], at[:0], batch[:0], batch[:0], batch[:0])]
+    while len(at):
+        head = data[at]
+        kind = head & 0x1F
+        after, value = _one_of(_MESSAGES, data, at, end, head)
+        flag = np.where((kind == INIT) | (kind == OPEN), head & ANSWER, 0)
+        code = np.where(kind < 8, CODES["transport"][kind | flag], CODES["network"][kind])
+        declares = np.flatnonzero((kind == _DECLARE) & (after <= end))
+        body = value[declares]
+        code[declares] = CODES["declare"][data[body] & 0x1F]
+        value[declares] = _one_of(_DECLARATIONS, data, body, end[declares], body)[1]
+        bad = after > end
+        code[bad] = UNREADABLE
+        after = np.minimum(after, end)
+        steps.append((batch, at, after, code, head, value))
+        go_on = (after < end) & ~bad
+        batch, at, end = batch[go_on], after[go_on], end[go_on]
+    columns = [np.concatenate(parts) for parts in zip(*steps, strict=True)]
+    order = np.argsort(columns[0], kind="stable")
+    names = ("batch", "at", "end", "code", "head", "number")
+    return {name: column[order] for name, column in zip(names, columns, strict=True)}
+
+
+def scopes(data: Bytes, at: Offsets, end: Offsets) -> Array:
+    """Return the number of the key expression that each declaration refers to, 0 if to none."""
+    return _read("int?A ext?Z 1 int =int", data, at + 1, end, data[at])[1]
+
+
+def scouting(data: Bytes, at: Offsets, size: Array, to_all: Array) -> tuple[Array, Offsets, Array]:
+    """Return each datagram's code, `UNREADABLE` if it is no Scout or Hello, and its identity.
+
+    ``to_all`` says which go to a group or to the port of scouting. The identity is an offset and
+    a length, 0 if there is none.
+    """
+    role, kind, end = data[at + 2], data[at] & 0x1F, at + size
+    scout = (kind == _SCOUT) & to_all
+    possible = (scout | (kind == _HELLO)) & np.isin(data[at + 1], VERSIONS) & (size >= 3)
+    length = ((role >> 4).astype(np.int64) + 1) * (~scout | (role & 8 > 0))
+    head = np.where(scout, data[at] & ~np.uint8(ANSWER), data[at])
+    after, _ = _read("locators?A ext?Z", data, _skip(at, end, 3 + length), end, head)
+    good = possible & (after == end) & ((role & 0x0C == 0) | scout)
+    code = np.where(good, CODES["scouting"][kind], UNREADABLE).astype(np.uint8)
+    return code, at + 3, np.where(good, length, 0)
+
+
+def may_open(data: Bytes, at: Offsets, size: Array) -> Array:
+    """Return which batches may open a session."""
+    known: Array = np.isin(data[at] & 0x1F, (INIT, JOIN)) & np.isin(data[at + 1], VERSIONS)
+    return known & (size > 4)
+
+
+class Opening(NamedTuple):
+    """What one side says when it opens a session."""
+
+    #: The identity of the process, and whether it is a router, a peer or a client.
+    zid: bytes
+    role: int
+    #: Whether it answers the other side's opening.
+    acknowledges: bool
+    #: What makes the session unreadable if both sides want it; "" if nothing.
+    special: str
+
+
+def openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Opening]:
+    """Return the openings of sessions among batches, by the batch's index."""
+    rows = np.flatnonzero(may_open(data, at, end - at))
+    at, end = at[rows], end[rows]
+    head = data[at]
+    after, extensions = _one_of(_MESSAGES, data, at, end, head)
+    is_init = head & 0x1F == INIT
+    extensions = np.where(is_init & (head & EXTENDED > 0), extensions, end)
+    compression, low_latency = (
+        _has_extension(data, extensions, end, which) for which in (_COMPRESSION, _LOW_LATENCY)
+    )
+    special = np.select([compression, low_latency], ["compression", "low latency"], "")
+    found = {}
+    for index in np.flatnonzero(after <= end).tolist():
+        begin = int(at[index])
+        length = (int(data[begin + 2]) >> 4) + 1
+        found[int(rows[index])] = Opening(
+            zid=data[begin + 3 : begin + 3 + length].tobytes(),
+            role=int(data[begin + 2]) & 3,
+            acknowledges=bool(is_init[index] and head[index] & ANSWER),
+            special=str(special[index]),
+        )
+    return found
+
+
+def special_of(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
+    """Return what makes a session unreadable, if anything: both sides must have agreed on it."""
+    sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
+    answers = [side for side in sides if side.acknowledges]
+    return next((side.special for side in answers or sides if side.special), "")

@@ -1,0 +1,130 @@
+"""Zenoh over TCP: which streams are its own, and where batches are in them."""
+
+from array import array
+from collections import Counter
+
+import numpy as np
+
+from discostorm_capture import zenoh_messages
+from discostorm_capture._bytes import Array, Bytes, Columns, Offsets, as_memory, numbers
+from discostorm_capture.tcp import GAPS, Content, Streams, content
+from discostorm_capture.zenoh_messages import Opening, openings, special_of
+
+_HTTPS = 443
+#: The share of a stream's segments that must look like batches if its start was not captured, and
+#: how many must at other ports than Zenoh's.
+_MIN_ALIKE, _MIN_SEGMENTS = 0.8, 3
+#: Batches that open a session on each side, which can be read in any case: Init and Open.
+_TO_OPEN = 2
+
+
+def is_batch(data: Bytes, at: Offsets, size: Array) -> Array:
+    """Return which segments look as if they started with a batch."""
+    length = numbers(data, at, "<u2").astype(np.int64)
+    head = data[at + 2]
+    kind, plain = head & 0x1F, head & zenoh_messages.EXTENDED == 0
+    alike: Array = (
+        ((kind == zenoh_messages.KEEP_ALIVE) & plain & (length == 1))
+        | ((kind == zenoh_messages.CLOSE) & plain & (length == 2))
+        | ((kind == zenoh_messages.FRAME) & (length > 3))
+        | ((kind == zenoh_messages.FRAGMENT) & (length > 3))
+        | ((kind == zenoh_messages.OPEN) & (length > 3) & (length + 2 == size))
+    )
+    return alike & (size > 2)
+
+
+def is_init(data: Bytes, at: Offsets, size: Array) -> Array:
+    """Return which segments are an Init, the first batch of each side."""
+    length = numbers(data, at, "<u2").astype(np.int64)
+    opens = zenoh_messages.may_open(data, at + 2, length)
+    opens &= (data[at + 2] & 0x1F == zenoh_messages.INIT) & (length + 2 == size)
+    opens &= data[at + 4] & 0x0C == 0
+    return opens
+
+
+def streams_of_zenoh(data: Bytes, streams: Streams) -> Array:
+    """Return the numbers of the streams that are Zenoh's."""
+    table, count = streams.table, len(streams.first)
+    rows = np.flatnonzero(table["size"] > 0)
+    at, size, stream = table["at"][rows], table["size"][rows], table["stream"][rows]
+    has_content, first = np.unique(stream, return_index=True)
+    opens = np.zeros(count, bool)
+    opens[has_content] = is_init(data, at[first], size[first])
+    # Most of what a stream that was open before the capture sends must look like Zenoh.
+    alike = np.bincount(stream, is_batch(data, at, size), count)
+    segments = np.bincount(stream, minlength=count)
+    at_port = _at_port(streams)
+    is_open = ~streams.complete & (alike >= _MIN_ALIKE * segments)
+    is_open &= alike >= np.where(at_port, 1, _MIN_SEGMENTS)
+    is_zenoh = opens | is_open
+    is_zenoh |= is_zenoh[streams.reverse]
+    # The first segment of other streams at Zenoh's port may be too short to tell.
+    short = np.flatnonzero(at_port & streams.complete & (segments > 0) & ~is_zenoh)
+    if len(short):
+        begun = [*stream_openings(content(data, streams, short))]
+        is_zenoh[begun] = is_zenoh[streams.reverse[begun]] = True
+    return np.flatnonzero(is_zenoh)
+
+
+def _at_port(streams: Streams) -> Array:
+    """Return which streams are from or to Zenoh's port."""
+    from_port, to_port = (streams.table[name][streams.first] for name in ("from_port", "to_port"))
+    at_port: Array = (from_port == zenoh_messages.PORT) | (to_port == zenoh_messages.PORT)
+    return at_port
+
+
+def stream_openings(content_: Content) -> dict[int, Opening]:
+    """Return the opening of each stream of which the start was captured."""
+    begun = [run[:3] for run in content_.runs if run[3] and run[1] - run[0] > 5]
+    at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
+    end = np.minimum(at + 2 + numbers(content_.data, at, "<u2"), last)
+    found = openings(content_.data, at + 2, end)
+    return {int(stream[index]): opening for index, opening in found.items()}
+
+
+def batches(
+    content_: Content, streams: Streams, opened: dict[int, Opening], notes: Counter[str]
+) -> Columns:
+    """Return where each batch in streams starts and ends, and its ``stream``."""
+    data, reverse = as_memory(content_.data), streams.reverse.tolist()
+    rows, unread = array("q"), 0
+    for begin, end, stream, is_start in content_.runs:
+        at, special, count = begin, special_of(stream, reverse, opened), 0
+        if not is_start:
+            at = end if special else _aligned(content_, begin, end)
+            unread += at - begin
+        while at + 3 <= end and not (special and count == _TO_OPEN):
+            after = at + 2 + data[at] + 256 * data[at + 1]
+            if after > end or after == at + 2:
+                break
+            rows.extend((at + 2, after, stream))
+            at, count = after, count + 1
+        if special:
+            notes[f"bytes of Zenoh sessions with {special}"] += end - at
+        else:
+            unread += end - at
+    if unread:
+        notes["bytes of Zenoh streams next to gaps or to their ends"] += unread
+    if gaps := len(content_.runs) - len({stream for _, _, stream, _ in content_.runs}):
+        notes[GAPS] += gaps
+    columns = np.array(rows, np.int64).reshape(-1, 3).T
+    return dict(zip(("at", "end", "stream"), columns, strict=True))
+
+
+def _aligned(content_: Content, begin: int, end: int) -> int:
+    """Return where the first batch after a gap starts: where a segment does."""
+    first, last = np.searchsorted(content_.parts["at"], (begin, end))
+    at, size = content_.parts["at"][first:last], content_.parts["size"][first:last]
+    data = content_.data
+    good = np.flatnonzero(is_batch(data, at, size) | is_init(data, at, size))
+    return int(at[good[0]]) if len(good) else end
+
+
+def note_tls(data: Bytes, streams: Streams, notes: Counter[str]) -> None:
+    """Count the connections that start with TLS, but for those of the web."""
+    table = streams.table
+    at = table["at"]
+    hello = (table["size"] > 5) & (data[at] == 22) & (data[at + 1] == 3) & (data[at + 2] <= 4)
+    hello &= (data[at + 5] == 1) & (table["to_port"] != _HTTPS)
+    if count := len(np.unique(table["stream"][hello])):
+        notes["TCP connections with TLS, which is encrypted"] += count
