@@ -164,8 +164,10 @@ serve: book ## show the book at http://localhost:8000, or below it (BASE=/discos
 	@$(BIN)/python scripts/serve.py _build/html --base "$$BASE"
 
 lock: $(READY) ## resolve the versions anew (needs uv)
-	uv pip compile --upgrade pyproject.toml --extra book --extra simulation --group book --group dev --universal --fork-strategy fewest \
-		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
+	printf -- '-e %s\n' . packages/*/ | uv pip compile --upgrade - --group book --group dev --universal --fork-strategy fewest \
+		--python-version 3.11 --generate-hashes --no-header --no-annotate \
+		--no-emit-package discostorm --no-emit-package discostorm-simulation --no-emit-package discostorm-planner \
+		--no-emit-package discostorm-capture --no-emit-package discostorm-book -o requirements.lock
 	$(BIN)/python scripts/generate/write_environment.py
 
 clean: ## remove what was built, but not .venv

@@ -209,11 +209,6 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("utilization of a swarm / a check by NumPy", on_numbers, 38),
     ("utilization, 1000 groups / 100", on_groups, 11),
     (
-        "discostorm --help / import click, lazy_loader",
-        lambda: ratio(command("--help"), python("import click, lazy_loader"), rounds=7),
-        1.2,
-    ),
-    (
         "discostorm plan / import sympy, numpy",
         lambda: ratio(command("plan", str(FLEET)), python("import sympy, numpy"), rounds=5),
         2.5,

@@ -132,7 +132,7 @@ def mixed(runs: int = 40) -> list[dict[str, object]]:
             runs=runs,
             seed=SEED,
             until=4.0,
-            agreements="in place",
+            block_ack="established",
         )
         own = {"lost": found.lost, "drain_time_s": found.drain_time, "busy_s": found.busy_time}
         of = {"burst": (own, found.counts)} | {
@@ -178,7 +178,7 @@ def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
             recovery=False,
             runs=one.runs,
             seed=SEED,
-            agreements="in place",
+            block_ack="established",
             **unlike,
         )
         multicast = sum(

@@ -46,13 +46,6 @@ def test_too_little_memory_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         assert result.output.startswith("Error: there is not enough memory")
 
 
-def test_a_missing_extra_is_wrong_usage(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_simulation.find_spec", lambda _: None)
-    result = run("simulate", FLEET)
-    assert result.exit_code == 2
-    assert "pip install 'discostorm[simulation]'" in result.output
-
-
 def test_messages_shorten_long_names(folder: Path) -> None:
     group = "[[groups]]\nprocesses = 1\nendpoints = 5\n"
     files = {

@@ -27,23 +27,23 @@ def timers(trips, least, most):
 )
 def test_timer_of_tcp_is_that_of_rfc_6298(least, most):
     trips = np.random.default_rng(0).integers(10_000, 50_000, 40).tolist()
-    cell = SimpleNamespace(repairs=[SimpleNamespace(rto_least=least, rto_most=most)])
-    pair = SimpleNamespace(round_trip=0, spread=0, rto=0)
+    cell = SimpleNamespace(repairs=[SimpleNamespace(rto_min=least, rto_max=most)])
+    pair = SimpleNamespace(srtt=0, rttvar=0, rto=0)
     for trip, expected in zip(trips, timers(trips, least, most), strict=True):
-        recovery.measure.py_func(cell, pair, trip)
+        recovery.update_rto.py_func(cell, pair, trip)
         # Whole ticks: what is cut off adds up to less than 8 of each sum, 4 times for the spread.
         assert pair.rto == pytest.approx(expected, abs=24)
 
 
 def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     arrived, sent = {0, 1, 2, 4}, []
-    monkeypatch.setattr(recovery, "items", lambda *_: 9)
-    monkeypatch.setattr(recovery, "has_item", lambda *given: given[-1] in arrived)
-    monkeypatch.setattr(recovery, "send_item", lambda *given: sent.append(given[-2]))
-    pairs = np.zeros((2, 2), [("missing", int), ("due", int), ("rto", int)])
+    monkeypatch.setattr(recovery, "announcement_count", lambda *_: 9)
+    monkeypatch.setattr(recovery, "has_received", lambda *given: given[-1] in arrived)
+    monkeypatch.setattr(recovery, "resend_announcement", lambda *given: sent.append(given[-2]))
+    pairs = np.zeros((2, 2), [("missing", int), ("expires_at", int), ("rto", int)])
     pairs["rto"], pairs["missing"] = 30, 5
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
-    recovery.acknowledge_tcp.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
+    recovery.on_tcp_ack.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
     assert sent == [3, 5]
     assert pairs["expires_at"][0, 1] == 130  # and the timer starts anew
 
@@ -59,8 +59,8 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
-    monkeypatch.setattr(recovery, "later", lambda *given: looks.append(given[1]))
+    monkeypatch.setattr(recovery, "schedule_event", lambda *given: looks.append(given[1]))
     rows = {name: getattr(cell, name).view(np.recarray) for name in ("repairs", "pairs")}
-    recovery.expire.py_func(cell._replace(**rows), 0, lease + 5)
+    recovery.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
     assert forgotten == [(0, 1), (1, 0)][: 1 + both]
     assert looks == [2 * lease]
