@@ -108,7 +108,7 @@ def made_with() -> str:
 def head() -> str:
     """Return the first lines of the page's script: what it was made with, and of which sources."""
     return (
-        "// The simulator's inner loop, discostorm_simulation/data/engine.wasm; made by `make live`; "
+        "// The simulator's inner loop, engine.wasm of discostorm_simulation; made by `make live`; "
         f"do not edit.\n// {made_with()}; sources {sources()}\n"
     )
 

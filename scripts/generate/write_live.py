@@ -1,8 +1,9 @@
 """Write what pages simulate with: `make live`.
 
 ``engine.wasm`` of the package is the simulator's inner loop, see `compile_live`, and
-``book/_static/live/engine.js`` the same for pages; ``tables.js`` is what a run is set up from: records of the cell, and of each table
-and channel what depends on neither fleet nor seed. With ``--tables`` only the latter.
+``book/_static/live/engine.js`` the same for pages; ``tables.js`` is what a run is set up from:
+records of the cell, and of each table and channel what depends on neither fleet nor seed. With
+``--tables`` only the latter.
 """
 
 import base64

@@ -56,22 +56,17 @@ def simulate(
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
-    All hosts hear each other and the access point, at equal strength unless `power` says
-    otherwise. Every frame goes up to
-    the access point as unicast, waits there and goes down again, multicast once at the basic
-    rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
-    DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
-    With aggregation, block acknowledgements are agreed on before; one that is missing
-    is asked for, and frames are repeated until they arrive or are too old. The access point passes
-    on in order what a host sends (hosts do not put in order what comes down), and sends
-    next to whoever has waited longest.
+    Every frame goes up to the access point as unicast, waits there and goes down again, multicast
+    once at the basic rate without acknowledgement. Stations contend by EDCA, best effort (802.11a
+    and g: by DCF): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
+    With aggregation, frames are repeated until they arrive or are too old. The access point passes
+    on in order what a host sends, and sends next to whoever has waited longest.
 
     Parameters
     ----------
     fleet : Fleet
-        At least two hosts; hosts, processes and endpoints must be whole numbers. Data of its groups
-        (`HostGroup.data`) are sent beside discovery, as `discostorm_simulation.user_data` says;
-        for the same without them simulate ``fleet.without_data()`` as well.
+        At least two hosts, and whole numbers. Data of its groups (`HostGroup.data`) are sent beside
+        discovery, as `discostorm_simulation.user_data` says.
     protocol : Protocol
         Its messages, schedules, answers and lease; for recovery also roles and timers.
     wifi : Wifi

@@ -1,4 +1,4 @@
-"""Run the inner loop: `data/engine.wasm`, which `make live` compiles from `kernels`, in wasmtime."""
+"""Run `data/engine.wasm`, the inner loop that `make live` compiles from `kernels`, in wasmtime."""
 
 from functools import cache
 from math import prod

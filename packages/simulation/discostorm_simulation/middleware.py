@@ -25,7 +25,16 @@ HOST_BY_HOST = UNITS["process and other host"]
 _ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKNACK}
 
 
-def check_table(protocol: Protocol) -> None:
+def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
+    """Say in the rows of a table how a middleware recovers, and return its timers."""
+    _check_table(protocol)
+    _check_ports(protocol, shares)
+    _fill_kinds(protocol, kinds)
+    _check_items(protocol, kinds, shares)
+    return _repair_record(protocol)
+
+
+def _check_table(protocol: Protocol) -> None:
     """Refuse a table that does not say all that recovery takes."""
     for message in protocol.messages:
         if message.role is None:
@@ -103,7 +112,7 @@ def spread(protocol: Protocol) -> list[int]:
     ]
 
 
-def check_ports(protocol: Protocol, shares: Shares) -> None:
+def _check_ports(protocol: Protocol, shares: Shares) -> None:
     """Refuse more processes on a host than are announced to it: these would not be found."""
     for row in spread(protocol):
         if (least := shares.each[:, row].min()) < 1:
@@ -153,7 +162,7 @@ def _when(message: Message, answered: Message) -> int:
     return st.LATER if own.starts[0] > other.starts[0] else st.FIRST
 
 
-def fill_kinds(protocol: Protocol, kinds: Records) -> None:
+def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
     announcements = _announcements(protocol)
@@ -195,7 +204,7 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
             chain.append(row)
 
 
-def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
+def _check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
     """Refuse more announcements of endpoints for a process than are told apart."""
     for row in np.flatnonzero(kinds["role"] == st.DATA):
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
@@ -206,7 +215,7 @@ def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
             )
 
 
-def repair_record(protocol: Protocol) -> Records:
+def _repair_record(protocol: Protocol) -> Records:
     """Return the timers of a middleware."""
     if protocol.lease < TICK:
         raise ValueError(
@@ -214,7 +223,7 @@ def repair_record(protocol: Protocol) -> Records:
             f"got {protocol.lease:g}"
         )
     timers = protocol.timers
-    assert timers is not None  # see `check_table`
+    assert timers is not None  # see `_check_table`
     seconds = {
         "lease": protocol.lease,
         "rto_first": RTO_FIRST,

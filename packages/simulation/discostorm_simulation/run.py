@@ -11,40 +11,14 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Hosts, Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import (
-    Bursts,
-    Shares,
-    bursts_of,
-    from_decibels,
-    hosts_of,
-    kind_records,
-    radio_record,
-    shares_of,
-    ticks,
-)
+from discostorm_simulation import cell_setup, middleware, state as st, user_data
+from discostorm_simulation.cell_setup import Bursts, Shares, ticks
 from discostorm_simulation.engine import finish
 from discostorm_simulation.initial_state import ALIKE, new_cell
-from discostorm_simulation.middleware import (
-    check_items,
-    check_ports,
-    check_table,
-    clock_only,
-    fill_kinds,
-    repair_record,
-    spread,
-)
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, delays
 from discostorm_simulation.state import CellState, Records
-from discostorm_simulation.user_data import (
-    UserData,
-    found_of,
-    topics_of,
-    user_data_of,
-    with_user_data,
-)
 
 #: Time that a transmission takes to simulate, and transmissions for each frame and hop: about.
 _PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
@@ -82,7 +56,7 @@ class Setup:
     loss: NDArray[np.float64]
     #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
     power: NDArray[np.float64]
-    user_data: UserData | None
+    user_data: user_data.UserData | None
     #: Of each row of `CellState.delays` the topic, and whether its frames are the last of a sample.
     topics: tuple[tuple[str, bool], ...]
 
@@ -145,28 +119,30 @@ class Setup:
 def set_up(scenario: Scenario) -> Setup:
     """Check a scenario and return what its runs share."""
     fleet, discovery, wifi = scenario.fleet, scenario.protocol, scenario.wifi
-    hosts = hosts_of(fleet)
+    hosts = cell_setup.hosts_of(fleet)
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, below=True))
     if errors.ndim and errors.shape != (count,):
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
-    radio = radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
-    protocol = with_user_data(discovery, fleet)
-    ports = spread(protocol) if scenario.recovery else ()
-    kinds, shares = kind_records(protocol, wifi, hosts, ports), shares_of(protocol, hosts, ports)
+    radio = cell_setup.radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
+    protocol = user_data.with_user_data(discovery, fleet)
+    ports = middleware.spread(protocol) if scenario.recovery else ()
+    kinds = cell_setup.kind_records(protocol, wifi, hosts, ports)
+    shares = cell_setup.shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
     if scenario.recovery:
-        check_table(protocol)
-        check_ports(protocol, shares)
-        fill_kinds(protocol, kinds)
-        check_items(protocol, kinds, shares)
-        repairs, table = repair_record(protocol), clock_only(discovery)
+        repairs = middleware.add_recovery(protocol, kinds, shares)
+        table = middleware.clock_only(discovery)
     names = [message.name for message in protocol.messages]
-    bursts = bursts_of(table, [names.index(message.name) for message in table.messages])
-    bursts, user_data = user_data_of(
-        protocol, bursts, kinds, float(scenario.queue[1]), scenario.until
+    rows = [names.index(message.name) for message in table.messages]
+    bursts, data = user_data.user_data_of(
+        protocol,
+        cell_setup.bursts_of(table, rows),
+        kinds,
+        float(scenario.queue[1]),
+        scenario.until,
     )
     delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad one before all runs
     return Setup(
@@ -179,8 +155,8 @@ def set_up(scenario: Scenario) -> Setup:
         repairs=repairs,
         loss=np.broadcast_to(errors, count),
         power=_power(scenario.power, count),
-        user_data=user_data,
-        topics=topics_of(protocol),
+        user_data=data,
+        topics=user_data.topics_of(protocol),
     )
 
 
@@ -194,7 +170,7 @@ def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
             f"power must be of shape {(hosts + 1, hosts + 1)}, for the {hosts} hosts and the "
             f"access point; got {power.shape}"
         )
-    return from_decibels(power)
+    return cell_setup.from_decibels(power)
 
 
 def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
@@ -231,5 +207,7 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
         cell.log[: state["logged"]].copy(),
-        {} if setup.user_data is None else found_of(setup.topics, cell, setup.user_data.stamp),
+        {}
+        if setup.user_data is None
+        else user_data.found_of(setup.topics, cell, setup.user_data.stamp),
     )

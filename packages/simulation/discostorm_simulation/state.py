@@ -1,4 +1,4 @@
-"""What a simulated cell consists of, as arrays; chance; and the heap of what will happen.
+"""What a simulated cell consists of, as arrays that the engine and Python share.
 
 Time is counted in whole ticks of 100 ns. Stations are the hosts, then the access point.
 """
@@ -49,9 +49,9 @@ def _record(
 
 
 #: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
-#: begun; `heard`: how much longer who heard a frame with errors waits (EIFS - AIFS). By what factor
-#: the power of a frame must exceed that of all that overlap it: at the top rate, and at the basic
-#: rate, of which the begin of each frame is.
+#: begun; `eifs_extra`: how much longer who heard a frame with errors waits (EIFS - AIFS). By what
+#: factor the power of a frame must exceed that of all that overlap it: at the top rate, and at the
+#: basic rate, of which the begin of each frame is.
 RADIO = _record(
     *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "eifs_extra"),
     *("ack", "block_ack", "bar", "preamble", "symbol", "grid", "bits", "added"),
@@ -60,13 +60,14 @@ RADIO = _record(
     floats=("capture_threshold", "capture_threshold_basic"),
 )
 
-#: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
-#: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
+#: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends before;
+#: the medium is idle from ``idle`` on; the first deferred station sends at ``deferred_time``; then
 #: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
-#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
-#: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
-#: is received though others overlap it, how many these are with itself, until when they last, and
-#: how many MPDUs it loses to them. ``stamp``: ticks between two stamps of user data.
+#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on;
+#: ``addba_frames``: how many frames for it there were. ``unlike``: stations are heard at unlike
+#: strength; of a frame that is received though others overlap it, how many these are with itself,
+#: until when they last, and how many MPDUs it loses to them. ``stamp``: ticks between two stamps of
+#: user data.
 STATE = _record(
     *("clock", "base", "slot", "idle", "ahead", "waiting", "deferred", "deferred_time", "events"),
     *("free", "spare"),
@@ -79,7 +80,7 @@ STATE = _record(
     "stamp",
 )
 
-#: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
+#: Causes of losses, for `count_drop`. (Of plain numbers numba would compile a function for each.)
 QUEUE_FULL, EXPIRED, RETRY_LIMIT, LOST_ON_AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it or sends; failures in a row;
@@ -134,12 +135,12 @@ SENDER = _record("station", "end", "base", "slots", "frame")
 #: What happens later.
 EVENT = _record("time", "what")
 
-#: A row of the protocol's table; see `cell_setup`. ``to_all``: it is counted by
-#: its sender, not by who receives it; ``set``: who receives it, a row of `CellState.before`; ``whole``:
-#: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
-#: ``of_host``: a process sends it for all of its host. ``when``: of what
-#: it answers all, only what comes later than ``since`` after the other's start, or only before.
-#: ``user``: the row of `CellState.delays` of user data, from 1 on; 0 for all else.
+#: A row of the protocol's table; see `cell_setup`. ``to_all``: it is counted by its sender, not by
+#: its receivers; ``set``: its receivers, a row of `CellState.receivers_before`; ``whole``: nobody
+#: sends a fraction of one; ``to_unknown``: it goes to undiscovered processes, too; ``of_host``: a
+#: process sends it for all of its host. ``when``: it answers all messages, only those that come
+#: later than ``since`` after the other's start, or only earlier ones. ``user``: the row of
+#: `CellState.delays` of user data, from 1 on; 0 for all else.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
     *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
@@ -151,7 +152,7 @@ OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
 CLOCK, ANSWER, DISCOVERY = range(3)
 ALWAYS, LATER, FIRST = range(3)
 
-#: How the middleware repairs, in ticks; see `discostorm_simulation.recovery`.
+#: How the middleware repairs, in ticks; see `kernels.recovery`.
 REPAIRS = _record(
     *(
         "announce_interval_initial",

@@ -185,7 +185,12 @@ def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
             limit = DRAIN_AGGREGATED if ampdu else DRAIN
             drained = np.array([run.drain_time for run in runs])
             agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
-            agree(row, "busy_s", np.array([run.busy for run in runs]), BUSY * float(row["busy_s"]))
+            agree(
+                row,
+                "busy_s",
+                np.array([run.busy_time for run in runs]),
+                BUSY * float(row["busy_s"]),
+            )
         else:
             counts = [run.data[f"{row['what']} of robots"] for run in runs]
             counts = [one | {"expected": one["frames"]} for one in counts]

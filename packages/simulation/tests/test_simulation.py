@@ -564,7 +564,7 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
         while not cell.pairs["discovered"][1, 0]:
             loaded.advance(ticks(1e6), what.reserve, 1)
             cell = loaded.cell
-        begin = int(cell.pairs["offered"][1, 0])
+        begin = int(cell.pairs["announced_at"][1, 0])
         cell.stations["loss"] = loss
         while not cell.pairs["completed_at"][0, 1]:
             loaded.advance(ticks(1e6), what.reserve, 1)

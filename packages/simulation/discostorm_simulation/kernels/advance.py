@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import next_slot, synchronize
 from discostorm_simulation.kernels.decorators import entry, njit, shared
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import collide, send
 from discostorm_simulation.kernels.primitives import next_event
 from discostorm_simulation.kernels.recovery import dispatch_event, is_converged
-from discostorm_simulation.state import GO_ON, MEMORY, NEVER, OVER
 
 
 @shared
@@ -57,7 +57,7 @@ def transmit(cell, time, slot):
             count = add_sender(cell, station, time, count)
             station = following
     if time >= state.deferred_time:
-        state.deferred_time = NEVER
+        state.deferred_time = st.NEVER
         for place in range(state.deferred):
             waiting_station = cell.deferred[place]
             if waiting_station.station >= 0:
@@ -85,10 +85,10 @@ def advance(cell, until, reserve, steps):
     state, slot_ticks = cell.state[0], cell.radio[0].slot
     while steps > 0:
         if state.open == 0 and state.coming == 0 and is_converged(cell):
-            return OVER
+            return st.OVER
         if state.spare < reserve or state.events + reserve > cell.events.size:
-            return MEMORY
-        time, slot = NEVER, np.int64(-1)
+            return st.MEMORY
+        time, slot = st.NEVER, np.int64(-1)
         if state.waiting > 0:
             slot = next_slot(cell)
             time = state.base + (slot - state.slot) * slot_ticks
@@ -98,7 +98,7 @@ def advance(cell, until, reserve, steps):
         if happens:
             time = cell.events[0].time
         if time > until:
-            return OVER
+            return st.OVER
         sample_queues(cell, time)
         state.clock = time
         if happens:
@@ -106,4 +106,4 @@ def advance(cell, until, reserve, steps):
         else:
             transmit(cell, time, slot)
         steps -= 1
-    return GO_ON
+    return st.GO_ON

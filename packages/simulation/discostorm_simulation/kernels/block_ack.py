@@ -8,20 +8,11 @@ passed to ask again (IEEE Std 802.11-2020, 10.25.2 and 11.5; the two times are n
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import request_access
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import schedule_event
 from discostorm_simulation.kernels.queues import change_length, receiving_host
-from discostorm_simulation.state import (
-    ADDBA_TIMEOUT,
-    DOWNWARD,
-    ESTABLISHED,
-    NEVER,
-    NO_BLOCK_ACK,
-    REQUESTED,
-    UNANSWERED,
-    UPWARD,
-)
 
 #: How long a response may take after the acknowledgement of its request, and how long frames then
 #: go one by one, in ticks of 100 ns: 5 ms and 0.2 s.
@@ -32,14 +23,14 @@ RESPONSE_TIMEOUT, RETRY_PAUSE = np.int64(50_000), np.int64(2_000_000)
 def is_established(cell, station, frame):
     """Return whether a station may send A-MPDUs to the receiver of a frame."""
     if station < cell.state[0].hosts:
-        return cell.block_acks[station, UPWARD].state == ESTABLISHED
-    return cell.block_acks[receiving_host(cell, frame), DOWNWARD].state == ESTABLISHED
+        return cell.block_acks[station, st.UPWARD].state == st.ESTABLISHED
+    return cell.block_acks[receiving_host(cell, frame), st.DOWNWARD].state == st.ESTABLISHED
 
 
 @njit
 def is_addba_request(cell, station, direction):
     """Return whether what a station sends for an agreement is the request, not the response."""
-    return (direction == UPWARD) == (station < cell.state[0].hosts)
+    return (direction == st.UPWARD) == (station < cell.state[0].hosts)
 
 
 @njit
@@ -68,7 +59,7 @@ def choose_addba(cell, station):
     first, last = station, station + 1
     if station == state.hosts:
         first, last = np.int64(0), state.hosts
-    least = NEVER
+    least = st.NEVER
     for host in range(first, last):
         for direction in range(2):
             block_ack = cell.block_acks[host, direction]
@@ -84,8 +75,8 @@ def choose_addba(cell, station):
 @shared
 def request_block_ack(cell, host, direction):
     """Let a station that may send now ask for an agreement."""
-    station = host if direction == UPWARD else cell.state[0].hosts
-    cell.block_acks[host, direction].state = REQUESTED
+    station = host if direction == st.UPWARD else cell.state[0].hosts
+    cell.block_acks[host, direction].state = st.REQUESTED
     queue_addba(cell, station, host, direction)
     cell.addba[station].sends = 2 * host + direction
 
@@ -113,9 +104,9 @@ def addba_failed(cell, station, time):
         block_ack.request_tries += 1
         if block_ack.request_tries < cell.radio[0].attempts:
             return
-        if block_ack.state == REQUESTED:
-            block_ack.state = UNANSWERED
-            schedule_event(cell, time + RETRY_PAUSE, ADDBA_TIMEOUT | sends)
+        if block_ack.state == st.REQUESTED:
+            block_ack.state = st.UNANSWERED
+            schedule_event(cell, time + RETRY_PAUSE, st.ADDBA_TIMEOUT | sends)
     else:
         block_ack.response_tries += 1
         if block_ack.response_tries < cell.radio[0].attempts:
@@ -131,10 +122,10 @@ def addba_arrived(cell, station, acknowledged):
     dequeue_addba(cell, station, host, direction)
     other = cell.state[0].hosts if station == host else host
     if is_addba_request(cell, station, direction):
-        schedule_event(cell, acknowledged + RESPONSE_TIMEOUT, ADDBA_TIMEOUT | sends)
+        schedule_event(cell, acknowledged + RESPONSE_TIMEOUT, st.ADDBA_TIMEOUT | sends)
         queue_addba(cell, other, host, direction)
     else:
-        cell.block_acks[host, direction].state = ESTABLISHED
+        cell.block_acks[host, direction].state = st.ESTABLISHED
     return other
 
 
@@ -143,11 +134,11 @@ def on_addba_timeout(cell, sends, time):
     """Go on without an agreement that has not come, or ask for it anew."""
     host, direction = sends // 2, sends % 2
     block_ack = cell.block_acks[host, direction]
-    if block_ack.state == UNANSWERED:
-        block_ack.state = NO_BLOCK_ACK
-    elif block_ack.state == REQUESTED:
-        block_ack.state = UNANSWERED
-        schedule_event(cell, time + RETRY_PAUSE, ADDBA_TIMEOUT | sends)
-        station = host if direction == UPWARD else cell.state[0].hosts
+    if block_ack.state == st.UNANSWERED:
+        block_ack.state = st.NO_BLOCK_ACK
+    elif block_ack.state == st.REQUESTED:
+        block_ack.state = st.UNANSWERED
+        schedule_event(cell, time + RETRY_PAUSE, st.ADDBA_TIMEOUT | sends)
+        station = host if direction == st.UPWARD else cell.state[0].hosts
         if cell.stations[station].length > 0:
             request_access(cell, station, time, time <= cell.state[0].idle)

@@ -11,6 +11,7 @@ The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access 
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import below, kind_of
 from discostorm_simulation.kernels.queues import (
@@ -27,7 +28,6 @@ from discostorm_simulation.kernels.queues import (
     receiver_count,
     source_host,
 )
-from discostorm_simulation.state import NEVER, QUEUE_FULL, STEADY
 
 
 @njit
@@ -115,7 +115,7 @@ def first_to_send(cell, base):
     Who counts from that tick on only may stand in the wheel at once, behind that slot.
     """
     state, radio = cell.state[0], cell.radio[0]
-    if not radio.edca or radio.lifetime < NEVER or state.deferred > 0 or state.waiting == 0:
+    if not radio.edca or radio.lifetime < st.NEVER or state.deferred > 0 or state.waiting == 0:
         return np.int64(-1)
     slot = next_slot(cell)
     time = state.base + (slot - state.slot) * radio.slot
@@ -136,7 +136,7 @@ def synchronize(cell, time, sent_slot):
         state.slot = sent_slot + radio.edca
     elif time >= state.base:
         state.slot += (time - state.base) // radio.slot + radio.edca
-    base, gone = NEVER, np.int64(0)
+    base, gone = st.NEVER, np.int64(0)
     for place in range(state.deferred):
         waiting_station = cell.deferred[place]
         if waiting_station.base != base:  # most have waited since the same time: divide once
@@ -147,7 +147,7 @@ def synchronize(cell, time, sent_slot):
             enter_backoff_wheel(
                 cell, waiting_station.station, state.slot + waiting_station.left - gone
             )
-    state.deferred, state.deferred_time = 0, NEVER
+    state.deferred, state.deferred_time = 0, st.NEVER
 
 
 # ---------------------------------------------------------------- what comes to be sent
@@ -166,7 +166,7 @@ def free_slots(cell, station, time):
 def enqueue_or_drop(cell, station, frame, time):
     """Put one frame into a queue; return whether there was room."""
     if free_slots(cell, station, time) <= 0:
-        count_drop(cell, frame, station, QUEUE_FULL)
+        count_drop(cell, frame, station, st.QUEUE_FULL)
         return False
     append(cell, station, frame, time)
     change_length(cell, station, 1)
@@ -177,7 +177,7 @@ def enqueue_or_drop(cell, station, frame, time):
 def submit_frame(cell, frame, time):
     """Hand a new frame of a process to its host, or to the access point if that is wired."""
     state = cell.state[0]
-    if not frame & STEADY:
+    if not frame & st.STEADY:
         state.open += 1
         state.expected += receiver_count(cell, frame)
         cell.stations[source_host(cell, frame)].sought += receiver_count(cell, frame)
@@ -210,7 +210,9 @@ def submit_burst(cell, host, burst, time):
         state.open += fits
         state.expected += total + multicast * (state.links - 1)
         cell.stations[host].sought += total + multicast * (state.links - 1)
-        count_lost_receptions(cell, total - fits + cut * (state.links - 1), host, host, QUEUE_FULL)
+        count_lost_receptions(
+            cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
+        )
     if fits > 0:
         append(cell, host, burst_entry(burst, fits), time)
         change_length(cell, host, fits)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
 from discostorm_simulation.kernels.channel_access import enqueue_or_drop, request_access
 from discostorm_simulation.kernels.decorators import njit, shared
@@ -22,17 +23,6 @@ from discostorm_simulation.kernels.queues import (
 )
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
-from discostorm_simulation.state import (
-    DOWNWARD,
-    ESTABLISHED,
-    EXPIRED,
-    LOST_ON_AIR,
-    NEVER,
-    NO_BLOCK_ACK,
-    REQUESTED,
-    STEADY,
-    UPWARD,
-)
 
 #: Marks a frame of an A-MPDU that has not arrived, in the time at which it came.
 MISSING = np.int64(2**62)
@@ -79,7 +69,7 @@ def deliver(cell, station, frame, time, alone):
             # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
             request_access(cell, state.hosts, time, not alone)
         return
-    burst = not frame & STEADY
+    burst = not frame & st.STEADY
     state.open -= burst
     if station < state.hosts or not row.multicast:
         state.arrived += burst
@@ -100,7 +90,7 @@ def deliver(cell, station, frame, time, alone):
             state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:
-                count_user_data_drop(cell, frame, 1, station, LOST_ON_AIR)
+                count_user_data_drop(cell, frame, 1, station, st.LOST_ON_AIR)
             continue
         state.arrived += burst
         if row.user:
@@ -134,7 +124,7 @@ def drop_expired(cell, station, time):
     for place in range(its.held):
         held = cell.window[station, place]
         if time - held.came > cell.radio[0].lifetime:
-            count_drop(cell, held.frame, station, EXPIRED)
+            count_drop(cell, held.frame, station, st.EXPIRED)
             change_length(cell, station, -1)
         else:
             move_forward(cell, station, place, kept)
@@ -158,7 +148,7 @@ def first_free(cell, node):
         frames = frames_of(cell.pool[node].frame)
         if frames:
             to = receiving_host(cell, cell.pool[node].frame)
-            if to == state.hosts or cell.block_acks[to, DOWNWARD].state != REQUESTED:
+            if to == state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
         node = np.int64(cell.pool[node].next)
     return np.int64(-1)
@@ -184,11 +174,11 @@ def fill_window_for_one(cell, time):
         return False
     to, most = receiving_host(cell, cell.pool[node].frame), radio.mpdus
     if state.cold and to < state.hosts:
-        block_ack = cell.block_acks[to, DOWNWARD].state
-        if block_ack == NO_BLOCK_ACK and cell.pool[node].same >= 0:
-            request_block_ack(cell, to, DOWNWARD)
+        block_ack = cell.block_acks[to, st.DOWNWARD].state
+        if block_ack == st.NO_BLOCK_ACK and cell.pool[node].same >= 0:
+            request_block_ack(cell, to, st.DOWNWARD)
             return True
-        if block_ack != ESTABLISHED:
+        if block_ack != st.ESTABLISHED:
             most = np.int64(1)
     first = np.int64(cell.pool[node].number)
     while node >= 0 and its.held < most and cell.pool[node].number < first + radio.window:
@@ -212,7 +202,7 @@ def fill_window(cell, station, time):
         return True
     if aggregates(cell, station):
         return fill_window_for_one(cell, time)
-    if its.held and radio.lifetime < NEVER:
+    if its.held and radio.lifetime < st.NEVER:
         drop_expired(cell, station, time)
     while its.held < radio.mpdus:
         if its.held and its.following - cell.window[station, 0].number >= radio.window:
@@ -235,11 +225,11 @@ def fill_window(cell, station, time):
         its.following += 1
         its.held += 1
     if cold and not its.bar_pending:
-        state = cell.block_acks[station, UPWARD].state
-        if state == REQUESTED:
+        state = cell.block_acks[station, st.UPWARD].state
+        if state == st.REQUESTED:
             return False
-        if state == NO_BLOCK_ACK and its.length > 1:
-            request_block_ack(cell, station, UPWARD)
+        if state == st.NO_BLOCK_ACK and its.length > 1:
+            request_block_ack(cell, station, st.UPWARD)
             return True
     return its.held > 0 or its.bar_pending > 0
 

@@ -5,6 +5,7 @@ What a station sends before its data, such as an RTS, would belong into `tx_dura
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
 from discostorm_simulation.kernels.capture_effect import captured_station
 from discostorm_simulation.kernels.channel_access import (
@@ -32,19 +33,6 @@ from discostorm_simulation.kernels.queues import (
     dequeue_after,
     receiving_host,
 )
-from discostorm_simulation.state import (
-    COLLISION,
-    DOWN,
-    ERROR,
-    FAILED,
-    LOST_ON_AIR,
-    NEVER,
-    PARTS,
-    RETRY_LIMIT,
-    STEADY,
-    SUCCESS,
-    UP,
-)
 
 
 @njit
@@ -64,7 +52,7 @@ def is_addba(cell, station):
 def log_transmission(cell, station, start, end, outcome):
     """Record a transmission."""
     state, sent = cell.state[0], cell.stations[station].sent
-    column = FAILED if outcome != SUCCESS else (UP if station < state.hosts else DOWN)
+    column = st.FAILED if outcome != st.SUCCESS else (st.UP if station < state.hosts else st.DOWN)
     # Beside user data requests go on when the burst is through.
     burst = sent == 0 and (state.stamp == 0 or state.open > 0)
     if sent == 1:  # by far the most
@@ -72,20 +60,20 @@ def log_transmission(cell, station, start, end, outcome):
         state.ppdus += 1
         state.mpdus += 1
         state.retried += held.tries > 0
-        cell.airtime[kind_of(held.frame), column] += (end - start) * PARTS
-        burst = not held.frame & STEADY
+        cell.airtime[kind_of(held.frame), column] += (end - start) * st.PARTS
+        burst = not held.frame & st.STEADY
     elif sent == 0:
         state.requests += 1
-        cell.airtime[state.kinds, column] += (end - start) * PARTS
+        cell.airtime[state.kinds, column] += (end - start) * st.PARTS
     else:
         state.ppdus += 1
         state.mpdus += sent
-        each = (end - start) * PARTS // sent
+        each = (end - start) * st.PARTS // sent
         for place in range(sent):
             held = cell.window[station, place]
             state.retried += held.tries > 0
             cell.airtime[kind_of(held.frame), column] += each
-            burst |= not held.frame & STEADY
+            burst |= not held.frame & st.STEADY
     if burst:
         state.drained = max(state.drained, end)
     if state.logged < cell.log.size:
@@ -105,7 +93,7 @@ def drop_after_last_attempt(cell, station):
     tries = cell.pool[held.number].tries if station == state.hosts else held.tries
     if tries < cell.radio[0].attempts or is_established(cell, station, held.frame):
         return
-    count_drop(cell, held.frame, station, RETRY_LIMIT)
+    count_drop(cell, held.frame, station, st.RETRY_LIMIT)
     change_length(cell, station, -1)
     if station == state.hosts:
         dequeue_after(cell, receiving_host(cell, held.frame), np.int64(-1))
@@ -136,7 +124,7 @@ def on_failure(cell, station, time):
         drop_after_last_attempt(cell, station)
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
     elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
-        count_drop(cell, cell.window[station, 0].frame, station, RETRY_LIMIT)
+        count_drop(cell, cell.window[station, 0].frame, station, st.RETRY_LIMIT)
         its.held = 0
         change_length(cell, station, -1)
 
@@ -148,7 +136,7 @@ def send_bar(cell, station, time, end):
     state.idle = max(end + radio.sifs + radio.block_ack, state.others)
     state.base = state.idle + radio.aifs
     state.busy += end - time + radio.block_ack
-    log_transmission(cell, station, time, state.idle, SUCCESS)
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
     its.bar_pending, its.failures = 0, 0
     back_off(cell, station, state.base)
 
@@ -160,7 +148,7 @@ def send_addba(cell, station, time, end):
     state.idle = max(end + radio.sifs + radio.basic_ack, state.others)
     state.base = state.idle + radio.aifs
     state.busy += end - time + radio.basic_ack
-    log_transmission(cell, station, time, state.idle, SUCCESS)
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
     cell.stations[station].failures = 0
     other = addba_arrived(cell, station, state.idle)
     back_off(cell, station, state.base)
@@ -191,7 +179,7 @@ def send_multicast(cell, time, end):
     state.idle = max(end, state.others)
     state.base = state.idle + cell.radio[0].aifs
     state.busy += end - time
-    log_transmission(cell, station, time, end, SUCCESS)
+    log_transmission(cell, station, time, end, st.SUCCESS)
     its.held, its.failures = 0, 0
     change_length(cell, station, -1)
     back_off(cell, station, state.base)
@@ -225,12 +213,12 @@ def send_unicast(cell, station, time, end):
         for place in range(its.sent):
             cell.window[station, place].came &= ~MISSING
         state.busy += end - time
-        log_transmission(cell, station, time, end, ERROR)
+        log_transmission(cell, station, time, end, st.ERROR)
         on_failure(cell, station, end)
         back_off(cell, station, max(end + radio.timeout, state.others) + radio.aifs)
         return
     state.busy += end - time + answer
-    log_transmission(cell, station, time, state.idle, SUCCESS)
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
     its.failures = 0
     if aggregates(cell, station):
         dequeue_arrived(cell, link)
@@ -315,18 +303,18 @@ def collide(cell, count, time):
     state.collided += count
     state.busy += busy
     state.wasted += busy
-    least = NEVER
+    least = st.NEVER
     for place in range(count):
         sender = cell.senders[place]
         station, base = sender.station, quiet + radio.aifs
         if station == winner:
-            sender.base = NEVER
+            sender.base = st.NEVER
             continue
         its, held = cell.stations[station], cell.window[station, 0]
-        log_transmission(cell, station, time, sender.end, COLLISION)
+        log_transmission(cell, station, time, sender.end, st.COLLISION)
         if is_multicast(cell, station):
             # Nobody would have acknowledged it: the sender does not know.
-            count_drop(cell, held.frame, station, LOST_ON_AIR)
+            count_drop(cell, held.frame, station, st.LOST_ON_AIR)
             its.held, its.failures = 0, 0
             change_length(cell, station, -1)
         else:
@@ -337,14 +325,14 @@ def collide(cell, count, time):
         sender.slots, sender.base = draw_backoff(cell, station), base
         if its.length == 0 or base == state.base:
             start_backoff(cell, station, base, sender.slots)
-            sender.base = NEVER
+            sender.base = st.NEVER
         least = min(least, sender.base)
-    if least == NEVER:
+    if least == st.NEVER:
         return winner
     slot = first_to_send(cell, least) if winner < 0 else np.int64(-1)
     for place in range(count):
         sender = cell.senders[place]
-        if sender.base < NEVER:
+        if sender.base < st.NEVER:
             if slot >= 0:
                 enter_backoff_wheel(cell, sender.station, slot + radio.edca + sender.slots)
             else:

@@ -2,15 +2,8 @@
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.state import (
-    DESTINATION_SHIFT,
-    ITEM_SHIFT,
-    ITEMS,
-    KIND_MASK,
-    PROCESS_MASK,
-    SOURCE_SHIFT,
-)
 
 
 @njit
@@ -18,34 +11,34 @@ def compose(kind, source, destination, item):
     """Return a frame."""
     return (
         kind
-        | (destination << DESTINATION_SHIFT)
-        | (source << SOURCE_SHIFT)
-        | ((item & ITEMS) << ITEM_SHIFT)
+        | (destination << st.DESTINATION_SHIFT)
+        | (source << st.SOURCE_SHIFT)
+        | ((item & st.ITEMS) << st.ITEM_SHIFT)
     )
 
 
 @njit
 def kind_of(frame):
     """Return the row of the protocol's table that a frame carries."""
-    return frame & KIND_MASK
+    return frame & st.KIND_MASK
 
 
 @njit
 def destination_of(frame):
     """Return the process that a unicast frame is for."""
-    return (frame >> DESTINATION_SHIFT) & PROCESS_MASK
+    return (frame >> st.DESTINATION_SHIFT) & st.PROCESS_MASK
 
 
 @njit
 def source_of(frame):
     """Return the process that a frame is from."""
-    return (frame >> SOURCE_SHIFT) & PROCESS_MASK
+    return (frame >> st.SOURCE_SHIFT) & st.PROCESS_MASK
 
 
 @njit
 def item_of(frame):
     """Return which of the like messages of a pair of processes it is."""
-    return (frame >> ITEM_SHIFT) & ITEMS
+    return (frame >> st.ITEM_SHIFT) & st.ITEMS
 
 
 # ---------------------------------------------------------------- chance

@@ -6,17 +6,9 @@ their turn.
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, destination_of, kind_of, source_of
-from discostorm_simulation.state import (
-    EXPIRED,
-    ITEMS,
-    LOSSES,
-    NEXT_ITEM,
-    QUEUE_FULL,
-    RETRY_LIMIT,
-    STEADY,
-)
 
 #: An entry whose frame has been taken already.
 _TAKEN = np.int64(2**62)
@@ -66,7 +58,7 @@ def source_host(cell, frame):
 @shared
 def count_drop(cell, frame, station, cause):
     """Count a frame as lost for good."""
-    if not frame & STEADY:
+    if not frame & st.STEADY:
         cell.state[0].open -= 1
         count_lost_receptions(
             cell, receiver_count(cell, frame), source_host(cell, frame), station, cause
@@ -78,7 +70,7 @@ def count_drop(cell, frame, station, cause):
 @shared
 def count_user_data_drop(cell, frame, times, station, cause):
     """Count receptions of user data that will not be, in the order of `result.CAUSES`."""
-    place = LOSSES + cause + 3 * (station == cell.state[0].hosts)
+    place = st.LOSSES + cause + 3 * (station == cell.state[0].hosts)
     cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
@@ -88,17 +80,17 @@ def count_lost_receptions(cell, times, source, station, cause):
     state = cell.state[0]
     cell.stations[source].missed += times
     host = station < state.hosts
-    if cause == QUEUE_FULL:
+    if cause == st.QUEUE_FULL:
         if host:
             state.host_full += times
         else:
             state.ap_full += times
-    elif cause == EXPIRED:
+    elif cause == st.EXPIRED:
         if host:
             state.host_age += times
         else:
             state.ap_age += times
-    elif cause == RETRY_LIMIT:
+    elif cause == st.RETRY_LIMIT:
         if host:
             state.host_retry += times
         else:
@@ -201,7 +193,7 @@ def oldest_entry(cell, station, time):
             if entry < 0:
                 drop_burst(cell, station, entry)
             else:
-                count_drop(cell, entry, station, EXPIRED)
+                count_drop(cell, entry, station, st.EXPIRED)
         drop_head(cell, station)
     return np.int64(-1)
 
@@ -219,7 +211,7 @@ def drop_burst(cell, station, entry):
     if not is_steady(cell, burst_of(entry)):
         cell.state[0].open -= left
         count_lost_receptions(
-            cell, left + multicast * (cell.state[0].links - 1), station, station, EXPIRED
+            cell, left + multicast * (cell.state[0].links - 1), station, station, st.EXPIRED
         )
 
 
@@ -323,7 +315,7 @@ def count_next(cell, host, burst):
 def repeats_last(generator):
     """Return whether the next frame of a burst is like the last but for its number."""
     # The number must not run over.
-    return generator.begun and generator.times < generator.number and generator.times & ITEMS
+    return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
 
 
 @njit
@@ -331,7 +323,7 @@ def repeat_last(generator):
     """Return the next frame of a burst, which is like the last but for its number."""
     generator.times += 1
     generator.made += 1
-    generator.last += NEXT_ITEM
+    generator.last += st.NEXT_ITEM
     return generator.last
 
 
@@ -384,4 +376,4 @@ def advance_frame(cell, host, burst):
     )
     generator.times += 1
     generator.made += 1
-    return frame | STEADY if is_steady(cell, burst) else frame
+    return frame | st.STEADY if is_steady(cell, burst) else frame

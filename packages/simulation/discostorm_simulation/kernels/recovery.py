@@ -11,6 +11,7 @@ with all that it sent, and may be discovered again.
 
 import numpy as np
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import submit_burst, submit_frame
 from discostorm_simulation.kernels.decorators import njit, shared
@@ -24,39 +25,17 @@ from discostorm_simulation.kernels.primitives import (
 )
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
-from discostorm_simulation.state import (
-    ACKNACK,
-    ADDBA_TIMEOUT,
-    ANNOUNCE,
-    ANSWER,
-    CLOCK,
-    DATA,
-    DISCOVERY,
-    FIRST,
-    HEARTBEAT,
-    HEARTBEAT_DUE,
-    ITEMS,
-    LATER,
-    LEASE_CHECK,
-    OTHER,
-    PROCESS_BITS,
-    REPAIR,
-    REPEAT,
-    RTO,
-    SEND,
-    STEADY,
-)
 
-_MASK = (1 << PROCESS_BITS) - 1
+_MASK = (1 << st.PROCESS_BITS) - 1
 _WORD = 64
 #: Item of an acknowledgement that says nothing new.
-EMPTY = np.int64(ITEMS)
+EMPTY = np.int64(st.ITEMS)
 
 
 @njit
 def pair_event(what, one, other, row):
     """Return an event of one process about another and a row of the table."""
-    return what | one | (other << PROCESS_BITS) | (row << (2 * PROCESS_BITS))
+    return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
 
 
 @shared
@@ -64,7 +43,7 @@ def announcements_before(cell, source, to, row):
     """Return how many items of the rows before one a process sends to another."""
     total = np.int64(0)
     for before in range(row):
-        if cell.kinds[before].role == DATA:
+        if cell.kinds[before].role == st.DATA:
             total += messages_to(cell, source, to, before)
     return total
 
@@ -99,10 +78,10 @@ def resend_announcement(cell, source, to, item, time):
     """Send one item again."""
     place = item
     for row in range(cell.state[0].kinds):
-        if cell.kinds[row].role == DATA:
+        if cell.kinds[row].role == st.DATA:
             times = messages_to(cell, source, to, row)
             if 0 <= place < times:
-                submit_frame(cell, compose(row, source, to, place) | REPAIR, time)
+                submit_frame(cell, compose(row, source, to, place) | st.REPAIR, time)
             place -= times
 
 
@@ -125,7 +104,7 @@ def start_heartbeats(cell, writer, time):
         its.heartbeat = repairs.heartbeat_period_initial
         if not its.heartbeat_active:
             its.heartbeat_active = 1
-            schedule_event(cell, time + its.heartbeat, HEARTBEAT_DUE | writer)
+            schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
 @shared
@@ -141,11 +120,11 @@ def send_heartbeats(cell, writer, time):
             for topic in range(repairs.topics):
                 if not (pair.acknowledged >> topic) & 1:
                     frame = compose(repairs.heartbeat, writer, reader, topic)
-                    submit_frame(cell, frame | REPAIR, time)
+                    submit_frame(cell, frame | st.REPAIR, time)
     its.heartbeat_active = waiting
     if waiting:
         its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
-        schedule_event(cell, time + its.heartbeat, HEARTBEAT_DUE | writer)
+        schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
 @shared
@@ -157,7 +136,7 @@ def start_rto_timer(cell, source, to, time):
     pair.expires_at = time + pair.rto
     if not pair.timer_running:
         pair.timer_running = 1
-        schedule_event(cell, pair.expires_at, pair_event(RTO, source, to, 0))
+        schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
 
 
 @shared
@@ -169,7 +148,7 @@ def on_rto(cell, source, to, time):
         return
     if pair.expires_at > time:
         pair.timer_running = 1
-        schedule_event(cell, pair.expires_at, pair_event(RTO, source, to, 0))
+        schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
         return
     for item in range(announcement_count(cell, source, to)):
         if not has_received(cell, to, source, item):
@@ -197,7 +176,7 @@ def update_rto(cell, pair, sent_for):
 def on_tcp_ack(cell, source, to, place, frame, time):
     """Let the sender of an item know that it has arrived."""
     pair = cell.pairs[source, to]
-    if frame & REPAIR:
+    if frame & st.REPAIR:
         again = 0
         for item in range(place + 1, announcement_count(cell, source, to)):
             if again < 2 and not has_received(cell, to, source, item):
@@ -219,11 +198,11 @@ def discover(cell, finder, found, time):
     tcp = False
     for row in range(state.kinds):
         kind = cell.kinds[row]
-        if kind.trigger == DISCOVERY:
+        if kind.trigger == st.DISCOVERY:
             send_messages(cell, row, finder, found, time, np.int64(0))
-            tcp |= kind.tcp > 0 and kind.role == DATA
+            tcp |= kind.tcp > 0 and kind.role == st.DATA
             if kind.gap_number > 0:
-                what = pair_event(REPEAT, finder, found, row)
+                what = pair_event(st.REPEAT, finder, found, row)
                 for number in range(1, kind.gap_number + 1):
                     schedule_event(cell, time + number * kind.gap_first, what)
     if announcement_count(cell, finder, found) > 0:
@@ -266,7 +245,7 @@ def expire_leases(cell, reader, time):
                     forget(cell, writer, reader, time)
             else:
                 following = min(following, pair.last_heard + lease)
-    schedule_event(cell, following, LEASE_CHECK | reader)
+    schedule_event(cell, following, st.LEASE_CHECK | reader)
 
 
 @shared
@@ -276,11 +255,11 @@ def send_by_clock(cell, host, burst, time):
     User data go to those of whom everything is known, as a writer must have found the reader.
     """
     state, its = cell.state[0], cell.stations[host]
-    flag = STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
+    flag = st.STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
     for process in range(its.first, its.first + its.processes):
         for row in range(state.kinds):
             kind = cell.kinds[row]
-            if not cell.bursts[burst, row] or kind.trigger != CLOCK:
+            if not cell.bursts[burst, row] or kind.trigger != st.CLOCK:
                 continue
             if kind.to_all and kind.user:
                 send_user_data(cell, row, process, process, time)
@@ -303,11 +282,11 @@ def announce_again(cell, process, time):
     its, repairs = cell.processes[process], cell.repairs[0]
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
-        if kind.to_all and kind.trigger == CLOCK:
+        if kind.to_all and kind.trigger == st.CLOCK:
             for item in range(multicast_count(cell, process, row)):
-                submit_frame(cell, compose(row, process, process, item) | STEADY, time)
+                submit_frame(cell, compose(row, process, process, item) | st.STEADY, time)
     its.announce = min(2 * its.announce, repairs.announce_interval_max)
-    schedule_event(cell, time + its.announce, ANNOUNCE | process)
+    schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
 
 
 @shared
@@ -336,14 +315,14 @@ def send_answers(cell, frame, process, time):
     row, source = kind_of(frame), source_of(frame)
     for other in range(cell.state[0].kinds):
         kind = cell.kinds[other]
-        if kind.trigger != ANSWER or kind.answers != row or kind.role == ACKNACK:
+        if kind.trigger != st.ANSWER or kind.answers != row or kind.role == st.ACKNACK:
             continue
         early = time < cell.processes[source].start + kind.since
-        if kind.when == (LATER if early else FIRST):
+        if kind.when == (st.LATER if early else st.FIRST):
             continue
         for item in range(answer_count(cell, other, process, source)):
             reply = compose(other, process, source, item)
-            submit_frame(cell, reply | (frame & STEADY), time)
+            submit_frame(cell, reply | (frame & st.STEADY), time)
 
 
 @shared
@@ -358,8 +337,8 @@ def send_acknack(cell, frame, process, time):
     ):
         missing |= not has_received(cell, process, source, item)
     reply = compose(repairs.acknack, process, source, 2 * topic + (not missing))
-    submit_frame(cell, reply | (frame & REPAIR), time)
-    if not frame & REPAIR:
+    submit_frame(cell, reply | (frame & st.REPAIR), time)
+    if not frame & st.REPAIR:
         for _ in range(1, answer_count(cell, repairs.acknack, process, source)):
             submit_frame(cell, compose(repairs.acknack, process, source, EMPTY), time)
 
@@ -419,15 +398,15 @@ def receive_message(cell, frame, process, time):
         return
     refresh_lease(cell, frame, process, time)
     # What is not matched yet is not taken.
-    if kind.role != OTHER and not cell.pairs[process, source].discovered:
+    if kind.role != st.OTHER and not cell.pairs[process, source].discovered:
         return
-    if not frame & REPAIR:
+    if not frame & st.REPAIR:
         send_answers(cell, frame, process, time)
-    if kind.role == DATA:
+    if kind.role == st.DATA:
         receive_announcement(cell, frame, process, time)
-    elif kind.role == HEARTBEAT:
+    elif kind.role == st.HEARTBEAT:
         send_acknack(cell, frame, process, time)
-    elif kind.role == ACKNACK:
+    elif kind.role == st.ACKNACK:
         receive_acknack(cell, frame, process, time)
 
 
@@ -445,8 +424,8 @@ def is_converged(cell):
 def dispatch_event(cell, time, what):
     """Let happen what was to happen now."""
     kind, one = what & ~np.int64(2**56 - 1), what & _MASK
-    other, row = (what >> PROCESS_BITS) & _MASK, (what >> (2 * PROCESS_BITS)) & 63
-    if kind == SEND:
+    other, row = (what >> st.PROCESS_BITS) & _MASK, (what >> (2 * st.PROCESS_BITS)) & 63
+    if kind == st.SEND:
         period = cell.bursts[other, cell.state[0].kinds]
         if period > 0:
             schedule_event(cell, time + period, what)
@@ -456,15 +435,15 @@ def dispatch_event(cell, time, what):
             send_by_clock(cell, one, other, time)
         else:
             submit_burst(cell, one, other, time)
-    elif kind == ANNOUNCE:
+    elif kind == st.ANNOUNCE:
         announce_again(cell, one, time)
-    elif kind == HEARTBEAT_DUE:
+    elif kind == st.HEARTBEAT_DUE:
         send_heartbeats(cell, one, time)
-    elif kind == LEASE_CHECK:
+    elif kind == st.LEASE_CHECK:
         expire_leases(cell, one, time)
-    elif kind == RTO:
+    elif kind == st.RTO:
         on_rto(cell, one, other, time)
-    elif kind == ADDBA_TIMEOUT:
+    elif kind == st.ADDBA_TIMEOUT:
         on_addba_timeout(cell, one, time)
     elif cell.pairs[one, other].discovered:
-        send_messages(cell, row, one, other, time, STEADY)
+        send_messages(cell, row, one, other, time, st.STEADY)

@@ -1,16 +1,16 @@
 """User data on the air: who sends a sample to whom, and how late its frames arrive."""
 
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import submit_frame
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count, receiver_count
-from discostorm_simulation.state import ITEMS, SENT_FRAMES, STEADY
 
 
 @njit
 def stamp(cell, time):
     """Return the time in stamps, as user data carry it in the place of a number."""
-    return (time // cell.state[0].stamp) & ITEMS
+    return (time // cell.state[0].stamp) & st.ITEMS
 
 
 @shared
@@ -20,8 +20,8 @@ def send_user_data(cell, row, source, to, time):
         multicast_count(cell, source, row) if to == source else messages_to(cell, source, to, row)
     )
     for _ in range(times):
-        frame = compose(row, source, to, stamp(cell, time)) | STEADY
-        cell.delays[cell.kinds[row].user - 1, SENT_FRAMES] += receiver_count(cell, frame)
+        frame = compose(row, source, to, stamp(cell, time)) | st.STEADY
+        cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += receiver_count(cell, frame)
         submit_frame(cell, frame, time)
 
 
@@ -29,7 +29,7 @@ def send_user_data(cell, row, source, to, time):
 def receive_user_data(cell, frame, time):
     """Note how late a frame of user data has arrived."""
     row = cell.kinds[kind_of(frame)].user - 1
-    cell.delays[row, (stamp(cell, time) - item_of(frame)) & ITEMS] += 1
+    cell.delays[row, (stamp(cell, time) - item_of(frame)) & st.ITEMS] += 1
 
 
 @shared
