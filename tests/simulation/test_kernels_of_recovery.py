@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import discostorm as ds
+from discostorm_simulation import state as st
 from discostorm_simulation.kernels import recovery
 from discostorm_simulation.run import Scenario, set_up
 
@@ -43,7 +44,7 @@ def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     pairs = np.zeros((2, 2), [("missing", int), ("expires_at", int), ("rto", int)])
     pairs["rto"], pairs["missing"] = 30, 5
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
-    recovery.on_tcp_ack.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
+    recovery.on_tcp_ack.py_func(cell, 0, 1, 2, st.REPAIR, 100)
     assert sent == [3, 5]
     assert pairs["expires_at"][0, 1] == 130  # and the timer starts anew
 
