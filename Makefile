@@ -54,6 +54,7 @@ test: $(READY) ## test packages and notebooks, and visit each page once
 
 test-all: test ## run all tests: pages in all modes, PDF, lab, and each package alone
 	@$(BIN)/pytest -n 2 -m thorough
+	@$(BIN)/python scripts/generate/check_live.py
 	@$(BIN)/python scripts/checks/check_dist.py --alone all
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
@@ -85,10 +86,10 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/generate/calculator.py
 
-live: $(READY) ## compile the simulator for the pages and write what its runs are set up from (needs lld)
+live: $(READY) ## compile the simulator, engine.wasm, and write what runs of the pages are set up from (needs lld)
 	@$(BIN)/python scripts/generate/write_live.py
 
-live-check: $(READY) ## compare the pages' simulator with Python's, in 1000 settings (needs Chromium)
+live-check: $(READY) ## compare the engine with its source and in the browser, in 1000 settings (needs Chromium)
 	@$(BIN)/python scripts/generate/check_live.py $(ARGS)
 
 palette: $(READY) ## write the colors of the pages from the palette
@@ -164,8 +165,10 @@ serve: book ## show the book at http://localhost:8000, or below it (BASE=/discos
 	@$(BIN)/python scripts/serve.py _build/html --base "$$BASE"
 
 lock: $(READY) ## resolve the versions anew (needs uv)
-	uv pip compile --upgrade pyproject.toml --extra book --extra simulation --group book --group dev --universal --fork-strategy fewest \
-		--python-version 3.11 --generate-hashes --no-header --no-annotate -o requirements.lock
+	printf -- '-e %s\n' . packages/*/ | uv pip compile --upgrade - --group book --group dev --universal --fork-strategy fewest \
+		--python-version 3.11 --generate-hashes --no-header --no-annotate \
+		--no-emit-package discostorm --no-emit-package discostorm-simulation --no-emit-package discostorm-planner \
+		--no-emit-package discostorm-capture --no-emit-package discostorm-book -o requirements.lock
 	$(BIN)/python scripts/generate/write_environment.py
 
 clean: ## remove what was built, but not .venv

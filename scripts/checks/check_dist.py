@@ -42,7 +42,7 @@ for cell in cells:
         shell.run_cell("".join(cell["source"])).raise_error()
 """
 #: What the tests themselves need.
-TEST_TOOLS = ("hypothesis", "pytest", "pytest-regressions", "pytest-xdist")
+TEST_TOOLS = ("hypothesis", "pytest", "pytest-xdist")
 
 
 def packages() -> list[dict[str, str]]:

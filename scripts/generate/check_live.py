@@ -3,14 +3,15 @@
 Random settings (tables, fleets of several groups, matching and shared endpoints, channels with and
 without aggregation, queues, frame errors, starts in turn, ...) run in Python and in headless
 Chromium, from a file, with the network off. All arrays of a run have to be the same, bit for bit,
-at its start and at its end. Before that the inner loop is compiled anew, and its bytes are compared
-where the versions are those of the committed file.
+at its start and at its end; at its end also in numba's machine code. Before that the inner loop
+is compiled anew, and its bytes are compared where the versions are those of the committed file.
 """
 
 import argparse
 import csv
 import hashlib
 import json
+import os
 import platform
 import random
 import re
@@ -24,18 +25,20 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import compile_live
 import numpy as np
-from write_live import ENGINE, RADIOS, behavior
+from write_live import ENGINE, RADIOS, WASM, behavior
 
 import discostorm as ds
-from discostorm_simulation import cell_setup, state as _cell
-from discostorm_simulation.run import finish, one_run, set_up
+from discostorm_simulation import cell_setup, state as st
+from discostorm_simulation.engine import finish
+from discostorm_simulation.run import Scenario, Setup, one_run, set_up
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "tests" / "live.html"
+PAGE = ROOT / "tests" / "helpers" / "live.html"
 #: What the page on checks tells of it.
 TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv"
 
@@ -87,7 +90,7 @@ def settings(count: int, seed: int) -> Iterator[Setting]:
             "loss": rng.choice((0, 0, 0.03, [rng.uniform(0, 0.3) for _ in range(hosts)])),
             "until": rng.choice((0.3, 3.0, 12.5)),
             "eifs": rng.random() < 0.3,
-            "agreements": rng.choice(("cold", "in place")),
+            "block_ack": rng.choice(("negotiate", "established")),
             "seed": rng.choice((0, 7, rng.getrandbits(31), rng.getrandbits(53))),
             "run": rng.randint(0, 3),
         }
@@ -99,26 +102,27 @@ def settings(count: int, seed: int) -> Iterator[Setting]:
         yield setting
 
 
-def _setup(setting: Setting) -> Any:
+def _setup(setting: Setting) -> Setup:
     """Return what Python simulates for a setting of a page."""
     queue = setting.get("queue", [500, 0.5]) or [None, None]
     frames, seconds = (np.inf if limit is None else limit for limit in queue)
-    return set_up(
+    scenario = Scenario(
         ds.Fleet(
             tuple(ds.HostGroup(**group) for group in setting["fleet"]["groups"]),
             setting["fleet"].get("matching", 0.0),
         ),
         ds.PROTOCOLS[setting["table"]],
         RADIOS[setting["radio"]],
-        (frames, seconds),
-        setting.get("start", 0),
-        setting.get("loss", 0),
-        setting.get("recovery", True),
-        setting.get("until", 120.0),
-        setting.get("eifs", False),
-        setting.get("agreements", "cold") == "cold",
-        setting.get("decibels"),
+        queue=(frames, seconds),
+        start=setting.get("start", 0),
+        loss=setting.get("loss", 0),
+        recovery=setting.get("recovery", True),
+        until=setting.get("until", 120.0),
+        eifs=setting.get("eifs", False),
+        block_ack=setting.get("block_ack", "negotiate"),
+        power=setting.get("decibels"),
     )
+    return set_up(scenario)
 
 
 def _digests(cell: Any) -> dict[str, str]:
@@ -128,6 +132,16 @@ def _digests(cell: Any) -> dict[str, str]:
     }
 
 
+def _seed(setting: Setting) -> np.random.SeedSequence:
+    return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
+
+
+def _begin(setup: Setup, seed: np.random.SeedSequence) -> tuple[st.CellState, int]:
+    """Return a cell at the start of a run, and when it ends at last [ticks]."""
+    cell, starts = setup.cell(seed)
+    return cell, min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
+
+
 def natively(setting: Setting) -> dict[str, Any]:
     """Return what Python makes of a setting: digests of all arrays at start and end, the result."""
     try:
@@ -135,21 +149,17 @@ def natively(setting: Setting) -> dict[str, Any]:
     except ValueError as error:
         return {"refused": str(error)}
 
-    def seed() -> np.random.SeedSequence:
-        return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
-
-    cell, starts = setup.cell(seed())
-    until = min(cell_setup.ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
+    cell, until = _begin(setup, _seed(setting))
     found: dict[str, Any] = {"start": _digests(cell)}
     found["end"] = _digests(finish(cell, until, setup.reserve))
-    run = one_run(setup, seed())
+    run = one_run(setup, _seed(setting))
     found["result"] = {
         "drained": run.drain_time,
         "converged": run.convergence_time,
         "lost": run.lost,
         "expected": run.counts["expected"],
         "arrived": run.counts["arrived"],
-        "busy": run.busy,
+        "busy": run.busy_time,
     }
     return found
 
@@ -278,22 +288,49 @@ def by_firefox(program: str, tried: list[Setting]) -> Answers:
 
 def check_bytes() -> str:
     """Compile the inner loop and compare it; return what was found."""
-    import compile_live
-    from write_live import engine_text
-
     if compile_live.linker() is None:
         return "no wasm-ld here: the committed engine is compared by its results alone"
-    kept, made = ENGINE.read_text(encoding="utf-8"), engine_text()
-    if made == kept:
-        return f"engine: the same bytes with {compile_live.made_with()}"
-    (versions, _, sources), (others, _, todays) = (
-        text.splitlines()[1].rpartition("; sources ") for text in (kept, made)
-    )
-    if sources != todays:
+    kept, versions = ENGINE.read_text(encoding="utf-8").splitlines()[1], compile_live.made_with()
+    if not kept.endswith(f"sources {compile_live.sources()}"):
         raise SystemExit("discostorm: the engine is of other sources: make live")
-    if versions == others:
+    if compile_live.webassembly() == WASM.read_bytes():
+        return f"engine: the same bytes with {versions}"
+    if f" {versions};" in kept:
         raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
-    return f"engine: of other versions than here, {others[3:]}; its results are compared instead"
+    return f"engine: of other versions than here, {kept[3:]}; its results are compared instead"
+
+
+def by_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list[str]:
+    """Return in what the engine differs from its source, compiled by numba for this machine."""
+    # numba looks at one file only to see whether what it has kept is of today's sources.
+    os.environ["NUMBA_CACHE_DIR"] = str(ROOT / "build" / "numba" / compile_live.sources()[:16])
+    from discostorm_simulation.kernels.advance import advance
+
+    loop: Any = advance
+    wrong = []
+    for setting, found in zip(tried, here, strict=True):
+        if "refused" in found:
+            continue
+        setup = _setup(setting)
+        cell, until = _begin(setup, _seed(setting))
+        while (state := loop(cell, until, setup.reserve, 10**7)) != st.OVER:
+            cell = _grown(cell) if state == st.MEMORY else cell
+        there = _digests(cell)
+        differing = [name for name, digest in found["end"].items() if there[name] != digest]
+        if differing:
+            wrong.append(f"{', '.join(differing)} differ from numba's in {setting}")
+    return wrong
+
+
+def _grown(cell: st.CellState) -> st.CellState:
+    """Return a cell with twice the room for waiting frames and events."""
+    pool, events = (np.concatenate([old, np.zeros_like(old)]) for old in (cell.pool, cell.events))
+    size = cell.pool.size
+    pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
+    pool["next"][-1] = cell.state["free"][0]
+    cell.state["free"] = size
+    cell.state["spare"] += size
+    return cell._replace(pool=pool, events=events)
 
 
 def compared(
@@ -309,7 +346,7 @@ def compared(
         "settings": len(tried),
         "same": len(tried) - len(wrong),
         "refused": sum("refused" in one for one in here),
-        "arrays": len(_cell.Cell._fields),
+        "arrays": len(st.CellState._fields),
         **{f"robots_{hosts}_ms": round(time) for hosts, time in there.times.items()},
     }
     return told, wrong + [f"{hosts} robots take over {TIMED[hosts]:g} ms" for hosts in slow]
@@ -328,6 +365,9 @@ def main() -> None:
         print(check_bytes(), flush=True)
     tried = list(settings(given.settings, given.seed))
     here = [natively(setting) for setting in tried]
+    if beside := by_numba(tried, here):
+        raise SystemExit("\n".join(["discostorm: the engine differs from its source", *beside[:5]]))
+    print(f"engine: as numba's in {len(tried)} settings", flush=True)
     answers = [by_chromium(tried)]
     if given.firefox:
         answers.append(by_firefox(given.firefox, tried))

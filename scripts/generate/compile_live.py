@@ -1,8 +1,11 @@
 """Compile the simulator's inner loop to WebAssembly: numba's LLVM IR, llvmlite, and LLVM's linker.
 
-It is the IR of `discostorm_simulation.engine.advance` for a processor without anything special, so
+It is the IR of `discostorm_simulation.kernels.advance` for a processor without anything special, so
 that every machine makes the same. LLVM optimizes it anew for size, for wasm32, and `wasm-ld` links
 it: the same versions of numba, llvmlite and lld give the same bytes.
+
+The module exports its memory, `advance` of three numbers, `__heap_base`, from where on memory is
+free, and `arrays`, where the caller writes what numba would pass for each array of the cell.
 """
 
 import os
@@ -11,35 +14,75 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from functools import cache
+from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
+
+from discostorm.data import data_path
 
 #: LLVM's release whose linker the committed file was made with, as Debian names its package.
 LLD = 14
 #: The linker: Debian's name of that release, or the newest.
 LINKERS = (f"wasm-ld-{LLD}", "wasm-ld")
-#: What is exported beside the memory: the loop, and where a page may put its arrays.
-NAME, FREE = "advance", "__heap_base"
+#: What is exported beside the memory: the loop, its table of arrays, and where free memory begins.
+NAME, ARRAYS, FREE = "advance", "arrays", "__heap_base"
+#: The package that is compiled.
+PACKAGE = data_path("", "discostorm_simulation").parent
 
 TRIPLE = "wasm32-unknown-unknown"
 #: Filling memory is one instruction (in all browsers since 2021) instead of a function to import.
 FEATURES = "+bulk-memory"
 
 #: Compile the loop and write its IR. What is called inside becomes functions, which LLVM
-#: inlines where that is worth it: a third of the code, as fast in a browser.
+#: inlines where that is worth it: a third of the code, as fast.
 _IR = """
 import sys
 from pathlib import Path
-import discostorm_simulation._compile as how
+import numba
+import numpy as np
+import discostorm as ds
+from discostorm_simulation.kernels import decorators
+from discostorm_simulation.run import Scenario, set_up
 
-how.njit = how.shared
-from discostorm_simulation.engine import advance
-from discostorm_simulation.run import compiled
+decorators.njit = decorators.shared
+from discostorm_simulation.kernels.advance import advance
 
-compiled()
+setup = set_up(Scenario(ds.Fleet.swarm(2, 1, 0), ds.DDS, ds.PAPER))
+cell, _ = setup.cell(np.random.SeedSequence(0))
+advance.compile((numba.typeof(cell), numba.int64, numba.int64, numba.int64))
 (signature,) = advance.signatures
 Path(sys.argv[1]).write_text(advance.inspect_llvm(signature), encoding="utf-8")
 """
+
+#: A loop without the cell's arrays as arguments; numba's returns whether it has failed.
+_WRAPPER = """
+@{arrays} = global [{count} x i64] zeroinitializer, align 64
+
+define i32 @{name}(i64 %arg.until, i64 %arg.reserve, i64 %arg.steps) {{
+  %ret = alloca i64
+  %exc = alloca ptr
+  %failed = call i32 @{loop}({given})
+  %good = icmp eq i32 %failed, 0
+  br i1 %good, label %answer, label %trap
+answer:
+  %state = load i32, ptr %ret
+  ret i32 %state
+trap:
+  call void @llvm.trap()
+  unreachable
+}}
+
+declare void @llvm.trap()
+!9999 = !{{}}
+"""
+
+
+@cache
+def sources() -> str:
+    """Return a digest of all that is compiled."""
+    files = [*sorted((PACKAGE / "kernels").glob("*.py")), PACKAGE / "state.py"]
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
 def linker() -> str | None:
@@ -63,12 +106,10 @@ def made_with() -> str:
 
 
 def head() -> str:
-    """Return the first lines of the committed file: what it was made with, and of which sources."""
-    from discostorm_simulation._compile import sources
-
+    """Return the first lines of the page's script: what it was made with, and of which sources."""
     return (
-        "// The simulator's inner loop, discostorm_simulation/engine.py, as WebAssembly; made by "
-        f"`make live`; do not edit.\n// {made_with()}; sources {sources()}\n"
+        "// The simulator's inner loop, engine.wasm of discostorm_simulation; made by `make live`; "
+        f"do not edit.\n// {made_with()}; sources {sources()}\n"
     )
 
 
@@ -79,6 +120,43 @@ def _ir(folder: Path) -> str:
     environment = os.environ | generic | {"NUMBA_CACHE_DIR": str(folder)}
     subprocess.run([sys.executable, "-c", _IR, str(target)], check=True, env=environment)
     return target.read_text(encoding="utf-8")
+
+
+def _without_arrays(ir: str) -> str:
+    """Return IR whose functions read what describes the cell's arrays from memory.
+
+    numba passes it, more than 200 numbers, to each function, and WebAssembly would copy them for
+    each call: that takes longer than all else.
+    """
+    slots: dict[str, int] = {}
+
+    def kind(argument: str) -> str:
+        # Of an array: owner, parent, number of items, size of one, data, then shape and strides.
+        return "ptr" if argument.split(".")[3] in ("0", "1", "4") else "i64"
+
+    def reading(found: re.Match[str]) -> str:
+        arguments = re.findall(r"%arg\.cell\.[0-9.]+", found[1])
+        slots.update({argument: slot for slot, argument in enumerate(arguments)})
+        reads = [
+            f"  {argument} = load {kind(argument)}, "
+            f"ptr getelementptr (i64, ptr @{ARRAYS}, i32 {slot}), !invariant.load !9999\n"
+            for slot, argument in enumerate(arguments)
+        ]
+        return found[1].replace("%arg.cell.", "%unused.cell.") + found[2] + "".join(reads)
+
+    # Its head, and where its first block begins.
+    function = r"(?m)^(define [^\n]*%arg\.cell\.[^\n]*\n)((?:[\w.\"$-]+:[^\n]*\n)?)"
+    ir = re.sub(function, reading, ir)
+    ir = re.sub(r"memory\([^)]*\)", "", ir)  # what it says of arguments is not true any more
+    # Others of that name are what Python and C would call.
+    loop = re.search(rf"(?m)^define [^\n]*@(_ZN\S*kernels7{NAME}7{NAME}[^\s(]*)\(.*", ir)
+    assert loop is not None
+    unused = ", ".join(f"{kind(argument)} undef" for argument in slots)
+    numbers = "i64 %arg.until, i64 %arg.reserve, i64 %arg.steps"
+    given = f"ptr %ret, ptr %exc, {unused}, {numbers}"
+    return ir + _WRAPPER.format(
+        arrays=ARRAYS, count=len(slots), name=NAME, loop=loop[1], given=given
+    )
 
 
 def _for_wasm(ir: str, layout: str) -> str:
@@ -99,19 +177,11 @@ def _object(ir: str) -> bytes:
     llvm.initialize_all_asmprinters()
     target = llvm.Target.from_triple(TRIPLE)
     machine = target.create_target_machine(opt=2, cpu="mvp", features=FEATURES)
-    module = llvm.parse_assembly(_for_wasm(ir, str(machine.target_data)))
+    module = llvm.parse_assembly(_for_wasm(_without_arrays(ir), str(machine.target_data)))
     module.verify()
-    defined = [function for function in module.functions if not function.is_declaration]
-    # Others of that name are what Python and C would call.
-    (loop,) = (
-        function
-        for function in defined
-        if re.match(r"_ZN10discostorm10simulation6engine8_advance.*7advance", function.name)
-    )
-    for function in defined:
-        if function.name != loop.name:
+    for function in module.functions:
+        if not function.is_declaration and function.name != NAME:
             function.linkage = "internal"
-    loop.name = NAME
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = options.slp_vectorization = options.loop_unrolling = False
     builder = llvm.create_pass_builder(machine, options)
@@ -133,7 +203,7 @@ def webassembly() -> bytes:
         folder = Path(name)
         (folder / "advance.o").write_bytes(_object(_ir(folder)))
         options = ["--no-entry", "--gc-sections", "--stack-first", "--strip-all"]
-        exports = [f"--export={NAME}", f"--export={FREE}"]
+        exports = [f"--export={name}" for name in (NAME, ARRAYS, FREE)]
         command = [program, *options, *exports, "advance.o", "-o", "advance.wasm"]
         subprocess.run(command, check=True, cwd=folder)
         return (folder / "advance.wasm").read_bytes()

@@ -29,10 +29,16 @@ def pins(lock: str) -> list[str]:
     ]
 
 
+def packages() -> list[Path]:
+    """Return the files of the five packages, the core's first."""
+    return [ROOT / "pyproject.toml", *sorted(ROOT.glob("packages/*/pyproject.toml"))]
+
+
 def environment(lock: str) -> str:
     """Return the text of environment.yml for the text of a lock file."""
     # In quotes, as a marker contains characters that mean something in YAML.
-    lines = [*pins(lock), "-e ."]
+    own = (f"-e {path.parent.relative_to(ROOT).as_posix()}" for path in packages())
+    lines = [*pins(lock), *own]
     return HEAD + "".join(f'      - "{line}"\n' for line in lines)
 
 

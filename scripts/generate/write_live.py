@@ -1,8 +1,9 @@
 """Write what pages simulate with: `make live`.
 
-``book/_static/live/engine.js`` is the simulator's inner loop as WebAssembly, see
-`compile_live`; ``tables.js`` is what a run is set up from: records of the cell, and of each table
-and channel what depends on neither fleet nor seed. With ``--tables`` only the latter.
+``engine.wasm`` of the package is the simulator's inner loop, see `compile_live`, and
+``book/_static/live/engine.js`` the same for pages; ``tables.js`` is what a run is set up from:
+records of the cell, and of each table and channel what depends on neither fleet nor seed. With
+``--tables`` only the latter.
 """
 
 import base64
@@ -11,9 +12,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import compile_live
 import numpy as np
 
 import discostorm as ds
+from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
 from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
@@ -21,13 +24,14 @@ from discostorm.wifi.radio import both_ends
 from discostorm_book import sweeps
 from discostorm_planner.calculator.inputs import CHANNELS
 from discostorm_planner.calculator.javascript import Code, Value, said_once, written
-from discostorm_simulation import cell_setup, engine, state as _cell
+from discostorm_simulation import cell_setup, initial_state, state as st
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Setup, set_up
+from discostorm_simulation.run import Scenario, Setup, set_up
 
 LIVE = Path(__file__).parents[2] / "book" / "_static" / "live"
 TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
+WASM = data_path("engine.wasm", "discostorm_simulation")
 
 #: A channel whose frames to all go at a rate of their own, with few frames in an A-MPDU.
 FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
@@ -43,12 +47,12 @@ OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
 #: What is not of the radio, but of a run's settings.
 OF_SETTING = ("queue", "lifetime")
 #: What happens first in a run.
-FIRST_EVENTS = ("SEND", "ANNOUNCE", "EXPIRE")
+FIRST_EVENTS = ("SEND", "ANNOUNCE", "LEASE_CHECK")
 
 
 def plan(protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER) -> Setup:
     """Return the set-up of a run of any fleet."""
-    return set_up(ANY, protocol, wifi, (500, 0.5), 0.0, 0.0, recovery, 120.0, eifs)
+    return set_up(Scenario(ANY, protocol, wifi, recovery=recovery, eifs=eifs))
 
 
 def layouts() -> tuple[dict[str, Value], dict[str, Value]]:
@@ -74,20 +78,20 @@ def layouts() -> tuple[dict[str, Value], dict[str, Value]]:
 
 def constants() -> dict[str, Value]:
     """Return the numbers that set-up and loop share."""
-    events: dict[str, Value] = {name: Code(f"{getattr(_cell, name)}n") for name in FIRST_EVENTS}
+    events: dict[str, Value] = {name: Code(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
     return events | {
-        "NEVER": int(_cell.NEVER),
+        "NEVER": int(st.NEVER),
         "TICK": TICK,
-        "KIND_BITS": _cell.KIND_BITS,
-        "PROCESS_BITS": _cell.PROCESS_BITS,
-        "ITEM_BITS": _cell.ITEM_BITS,
+        "KIND_BITS": st.KIND_BITS,
+        "PROCESS_BITS": st.PROCESS_BITS,
+        "ITEM_BITS": st.ITEM_BITS,
         "OCTETS": cell_setup._MOST_OCTETS,
-        "DATA": _cell.DATA,
-        "SAMPLES": cell_setup._SAMPLES,
-        "LOG": cell_setup._LOG,
-        "POOL": cell_setup._POOL,
-        "OVER": engine.OVER,
-        "MEMORY": engine.MEMORY,
+        "DATA": st.DATA,
+        "QUEUE_SAMPLES": initial_state.QUEUE_SAMPLES,
+        "LOG": initial_state.LOG_ROWS,
+        "POOL": initial_state.POOL_ENTRIES,
+        "OVER": st.OVER,
+        "MEMORY": st.MEMORY,
         "CAUSES": list(CAUSES),
     }
 
@@ -197,15 +201,13 @@ def tables() -> str:
     return f"{head}const LIVE_TABLES = (() => {{\n{body}\n}})();\n"
 
 
-def engine_text() -> str:
-    """Return the text of engine.js: compile the inner loop, which takes a minute."""
-    from compile_live import head, webassembly
-
-    code = base64.b64encode(webassembly()).decode()
-    return f'{head()}const LIVE_ENGINE = "{code}";\n'
+def engine_text(code: bytes) -> str:
+    """Return the text of engine.js."""
+    return f'{compile_live.head()}const LIVE_ENGINE = "{base64.b64encode(code).decode()}";\n'
 
 
 if __name__ == "__main__":
     TABLES.write_text(tables(), encoding="utf-8")
     if "--tables" not in sys.argv:
-        ENGINE.write_text(engine_text(), encoding="utf-8")
+        WASM.write_bytes(compile_live.webassembly())  # which takes a minute or two
+        ENGINE.write_text(engine_text(WASM.read_bytes()), encoding="utf-8")

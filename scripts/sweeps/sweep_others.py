@@ -15,9 +15,10 @@ from discostorm.data import data_path
 from discostorm_book import landing, sweeps, trace
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.engine import finish
 from discostorm_simulation.propagation import THRESHOLD
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import finish, set_up
+from discostorm_simulation.run import Scenario, set_up
 
 
 def events() -> list[dict[str, object]]:
@@ -91,24 +92,22 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
     for count, rules in product(stations, ("standard", "Bianchi")):
         starts = np.zeros(count + 1)
         starts[-1] = 1e4  # is there only to be sent to
-        what = set_up(
+        scenario = Scenario(
             ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
             ds.Protocol("saturation", (sedp,)),
             Setting("DDS", 2).wifi,
-            (np.inf, np.inf),
-            starts,
-            0.0,
+            queue=(np.inf, np.inf),
+            start=starts,
             recovery=False,
-            until=1e5,
-            eifs=False,
         )
+        what = set_up(scenario)
         if rules == "Bianchi":
             what.radio["timeout"], what.radio["attempts"] = 0, 10**6
         arrived = []
         for seed in np.random.SeedSequence(SEED).spawn(TRIES):
             cell = finish(what.cell(seed)[0], ticks(LASTING), what.reserve)
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
-            arrived.append(int(cell.now["arrived"][0]) / LASTING)
+            arrived.append(int(cell.state["arrived"][0]) / LASTING)
         row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
         rows.append(row | {"runs": TRIES} | spread("frames_per_s", np.array(arrived)))
     return rows
@@ -178,7 +177,7 @@ def mixed(runs: int = 40) -> list[dict[str, object]]:
             runs=runs,
             seed=SEED,
             until=4.0,
-            agreements="in place",
+            block_ack="established",
         )
         own = {"lost": found.lost, "drain_time_s": found.drain_time, "busy_s": found.busy_time}
         of = {"burst": (own, found.counts)} | {
@@ -224,7 +223,7 @@ def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
             recovery=False,
             runs=one.runs,
             seed=SEED,
-            agreements="in place",
+            block_ack="established",
             **unlike,
         )
         multicast = sum(

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import discostorm as ds
+from discostorm.data import data_path
 from discostorm.messages import Protocol, Schedule
 from discostorm.robots import laptop, robots
 from discostorm_book.ladder import MOST_RUNS
 from discostorm_simulation import staggered
-from discostorm_simulation._compile import sources
 from discostorm_simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[2]
@@ -53,6 +53,8 @@ MANY, SURE = 100, Fraction("0.975")
 #: asks for have `MANY` runs, and four times as many until it is decided or they have `MOST`; then
 #: the number has the range of those that may be right.
 MOST = MOST_RUNS
+#: What simulates: others must not be answered by its results.
+ENGINE = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
 #: Radios of ready-made robots, by what the column ``radio`` calls them.
 READY_RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
@@ -85,7 +87,7 @@ class Setting:
     recovery: int = 0
     until_s: float = 120.0
     runs: int = 20
-    #: Of block acknowledgements, as `ds.simulate` takes it; matters with aggregation only.
+    #: On block acknowledgements: "cold", negotiated after the start, or "in place" before it.
     agreements: str = "cold"
 
     @property
@@ -140,7 +142,7 @@ class Setting:
             runs=self.runs,
             seed=SEED,
             until=self.until_s,
-            agreements=self.agreements,  # type: ignore[arg-type]
+            block_ack="negotiate" if self.agreements == "cold" else "established",
         )
         expected = found.counts["expected"].sum()
         row: dict[str, object] = {"begun_s": rounded(self.window)}
@@ -235,7 +237,7 @@ def path_of(setting: Setting) -> Path:
     """Return where the result of a setting is kept."""
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
     own = (setting.fleet, setting.table) if isinstance(setting, Ready) else ()
-    text = repr((of_setting, SEED, sources(), *own))
+    text = repr((of_setting, SEED, ENGINE, *own))
     table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 

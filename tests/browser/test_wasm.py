@@ -15,9 +15,9 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_simulation import cell_setup
-from discostorm_simulation._compile import sources
-from discostorm_simulation.run import finish, set_up
+from discostorm_simulation import cell_setup, initial_state
+from discostorm_simulation.engine import finish
+from discostorm_simulation.run import Scenario, set_up
 
 pytestmark = pytest.mark.book
 
@@ -51,7 +51,9 @@ def test_tables_are_fresh() -> None:
 
 def test_the_engine_was_compiled_from_these_sources() -> None:
     head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
-    assert head.endswith(f"sources {sources()}"), "make live"
+    assert head.endswith(f"sources {compile_live.sources()}"), "make live"
+    engine = write_live.WASM.read_bytes()
+    assert write_live.ENGINE.read_text(encoding="utf-8") == write_live.engine_text(engine)
 
 
 def test_the_engine_was_compiled_with_the_locked_versions() -> None:
@@ -80,7 +82,7 @@ def test_another_seed_is_seen(page: Page) -> None:
     setting = check_live.swarm(3)
     (there,) = check_live.in_browser(page, [setting | {"seed": 1}])
     differing = check_live.differences(check_live.natively(setting), there)
-    assert {"start now", "start part", "end log"} <= set(differing)
+    assert {"start state", "start part", "end log"} <= set(differing)
 
 
 def test_memory_grows_as_pythons_does(page: Page) -> None:
@@ -88,7 +90,7 @@ def test_memory_grows_as_pythons_does(page: Page) -> None:
     setup = check_live._setup(setting)
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     grown = finish(cell, cell_setup.ticks(1e9), setup.reserve)
-    assert grown.pool.size > cell_setup._POOL
+    assert grown.pool.size > initial_state.POOL_ENTRIES
     (there,) = check_live.in_browser(page, [setting])
     assert check_live.differences(check_live.natively(setting), there) == []
 
@@ -117,11 +119,11 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
     setting = check_live.swarm(4)
     told = page.evaluate(IN_WORKER, [setting, {"steps": 100, "looks": 3, "log": True}])
     fleet = ds.Fleet.swarm(4, 2, 10)
-    setup = set_up(fleet, ds.DDS, ds.PAPER, (500, 0.5), 0.0, 0.0, True, 120.0, False, True)
+    setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER))
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     cell = cell._replace(log=np.zeros(100_000, cell.log.dtype))
     cell = finish(cell, cell_setup.ticks(120.0), setup.reserve)
-    sent = cell.log[: cell.now["logged"][0]]
+    sent = cell.log[: cell.state["logged"][0]]
     rows = np.concatenate([share["rows"] for share in told["shares"]]).reshape(-1, 6)
     np.testing.assert_array_equal(rows, np.array(sent.tolist(), dtype=float))
     assert len(told["shares"]) > 3

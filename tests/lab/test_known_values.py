@@ -23,7 +23,8 @@ from discostorm.robots import robots
 from discostorm.wifi.aggregation import mpdus as frames_of
 from discostorm_capture.compare import window
 from discostorm_capture.rtps import INFO_SRC
-from discostorm_simulation.run import finish, one_run, set_up as simulation_of
+from discostorm_simulation.engine import finish
+from discostorm_simulation.run import Scenario, one_run, set_up
 
 SPDP_WRITER = 0x100C2
 
@@ -96,7 +97,8 @@ def test_a_captures_window_ends_half_a_period_after_the_last_message(
 def test_what_a_host_lost_is_a_whole_number_of_what_it_sent() -> None:
     fleet = ds.Fleet((ds.HostGroup(3, 2, 5), ds.HostGroup(2, 1, 8)))
     for recovery in (False, True):
-        setup = simulation_of(fleet, ds.DDS, ds.PAPER, (20.0, 0.5), 0.0, 0.2, recovery, 2.0, False)
+        given = {"queue": (20.0, 0.5), "loss": 0.2, "recovery": recovery, "until": 2.0}
+        setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER, **given))
         cell, _ = setup.cell(np.random.SeedSequence(3))
         hosts = finish(cell, 20_000_000 if recovery else 10**12, setup.reserve).stations[:5]
         run = one_run(setup, np.random.SeedSequence(3))

@@ -28,9 +28,14 @@ def test_environment_yml_has_the_versions_of_the_lock() -> None:
     """The same comparison, without the code that made the file."""
     with (ROOT / "environment.yml").open(encoding="utf-8") as file:
         pip = yaml.safe_load(file)["dependencies"][-1]["pip"]
-    assert pip[-1] == "-e ."
+    own = [
+        path.parent.relative_to(ROOT).as_posix() for path in ROOT.glob("packages/*/pyproject.toml")
+    ]
+    assert pip[-len(own) - 1 :] == [f"-e {path}" for path in (".", *sorted(own))]
     locked = re.findall(r"^([\w.-]+==[^\s;]+)(?: ; (.+?))? \\$", LOCK, flags=re.MULTILINE)
-    assert pip[:-1] == [f"{pin} ; {marker}" if marker else pin for pin, marker in locked]
+    assert pip[: -len(own) - 1] == [
+        f"{pin} ; {marker}" if marker else pin for pin, marker in locked
+    ]
 
 
 def test_the_lock_has_every_dependency_and_a_hash_for_each() -> None:

@@ -16,7 +16,6 @@ function liveRun(module, data) {
       this.top = exports.__heap_base.value;
       this.cell = {};
       const { arrays, until, reserve } = setUp(setting);
-      this.answer = this.place(LINE);
       // What grows comes last: frames that wait, then events.
       const grows = (name) => (name === "pool" ? 1 : 0) + (name === "events" ? 2 : 0);
       for (const name of Object.keys(arrays).sort((one, other) => grows(one) - grows(other))) {
@@ -26,6 +25,8 @@ function liveRun(module, data) {
         this.cell[name] = { at, shape, size };
       }
       this.limits = [until, BigInt(reserve)];
+      this.table = exports.arrays.value;
+      this.describe();
     }
 
     // Return where so many bytes begin; the memory grows as far as needed.
@@ -38,7 +39,7 @@ function liveRun(module, data) {
       return at;
     }
 
-    // Double what holds waiting frames and events: discostorm_simulation.cell_setup.grown.
+    // Double what holds waiting frames and events.
     grow() {
       const { pool, events } = this.cell;
       const [frames, [count]] = [pool.shape[0], events.shape];
@@ -52,28 +53,28 @@ function liveRun(module, data) {
       this.cell.pool = { ...pool, shape: [2 * frames] };
       this.cell.events = { at, size: events.size, shape: [2 * count] };
       for (let entry = frames; entry < 2 * frames - 1; entry++) this.put("pool", entry, "next", entry + 1);
-      this.put("pool", 2 * frames - 1, "next", this.get("now", 0, "free"));
-      this.put("now", 0, "free", frames);
-      this.put("now", 0, "spare", this.get("now", 0, "spare") + BigInt(frames));
+      this.put("pool", 2 * frames - 1, "next", this.get("state", 0, "free"));
+      this.put("state", 0, "free", frames);
+      this.put("state", 0, "spare", this.get("state", 0, "spare") + BigInt(frames));
+      this.describe();
     }
 
-    // Return what numba passes for the arrays: no owner, how many of what size, where, shape, strides.
-    passed() {
-      return Object.keys(TYPES).flatMap((name) => {
+    // Tell the engine of the arrays as numba would: no owner, how many of what size, where, shape, strides.
+    describe() {
+      const numbers = Object.keys(TYPES).flatMap((name) => {
         const { at, shape, size } = this.cell[name];
         const strides = shape.map((_, axis) => shape.slice(axis + 1).reduce((product, length) => product * length, size));
         const count = shape.reduce((product, length) => product * length, 1);
-        return [0, 0, BigInt(count), BigInt(size), at, ...shape.map(BigInt), ...strides.map(BigInt)];
+        return [0, 0, count, size, at, ...shape, ...strides];
       });
+      new BigInt64Array(this.memory.buffer, this.table).set(numbers.map(BigInt));
     }
 
     // Go on by so many steps; return whether the run is over.
     go(steps) {
       for (;;) {
-        const failed = this.compiled(this.answer, this.answer + 16, ...this.passed(), ...this.limits, BigInt(steps));
-        if (failed) throw new Error("the simulator has failed");
-        const found = new DataView(this.memory.buffer).getInt32(this.answer, true);
-        if (found !== MEMORY) return found === OVER;
+        const state = this.compiled(...this.limits, BigInt(steps));
+        if (state !== MEMORY) return state === OVER;
         this.grow();
       }
     }
@@ -101,7 +102,7 @@ function liveRun(module, data) {
     }
 
     now(field) {
-      return Number(this.get("now", 0, field));
+      return Number(this.get("state", 0, field));
     }
 
     // Return the transmissions since the last call, six numbers each: start and end [ticks], station,
@@ -109,7 +110,7 @@ function liveRun(module, data) {
     sent() {
       const rows = new BigInt64Array(this.memory.buffer, this.cell.log.at, 6 * this.now("logged"));
       const found = Float64Array.from(rows, Number);
-      this.put("now", 0, "logged", 0);
+      this.put("state", 0, "logged", 0);
       return found;
     }
 

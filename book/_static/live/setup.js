@@ -1,4 +1,4 @@
-// The arrays of a run at its start: what discostorm_simulation.run and .traffic make of a setting.
+// The arrays of a run at its start: what discostorm_simulation.initial_state makes of a setting.
 // What depends on neither fleet nor seed comes from the package, as data (tables.js).
 "use strict";
 
@@ -13,7 +13,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     loss: 0, // of all hosts, or one of each [1]
     until: 120, // after the last host's start [s]
     eifs: false,
-    agreements: "cold",
+    block_ack: "negotiate",
     power: null, // at [sender][receiver], the access point last, as factors; null: all heard alike
     seed: 0,
     run: 0,
@@ -130,7 +130,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       const { announce_interval_initial: first = 0, lease } = repairs;
       processes.forEach(({ host }, i) => {
         if (first) due.push([ticks(starts[host]) + first, constants.ANNOUNCE | BigInt(i)]);
-        if (lease < NEVER) due.push([ticks(starts[host]) + lease, constants.EXPIRE | BigInt(i)]);
+        if (lease < NEVER) due.push([ticks(starts[host]) + lease, constants.LEASE_CHECK | BigInt(i)]);
       });
     }
     return due.sort(([one, what], [other, that]) => one - other || (what < that ? -1 : 1));
@@ -168,7 +168,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const [frames, seconds] = setting.queue ?? [null, null];
     const radio = {
       ...wifi.record,
-      heard: setting.eifs ? wifi.record.heard : 0,
+      eifs_extra: setting.eifs ? wifi.record.eifs_extra : 0,
       queue: Math.min(frames ?? NEVER, NEVER),
       lifetime: ticks(seconds ?? Infinity),
     };
@@ -177,17 +177,17 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const draw = bits(setting.seed, [setting.run, 2]);
     const part = sent.each.map(() => (draw() >>> 12) / 2 ** 20);
     const due = firstEvents(recovering, starts, processes);
-    const now = {
+    const cell = {
       base: radio.slot,
       idle: -1,
-      stray_time: NEVER,
+      deferred_time: NEVER,
       step: ticks(1e-3),
       spare: constants.POOL,
       hosts,
       links: hosts - 1,
       kinds: rows,
       per_receiver: Number(mpdus > 1),
-      cold: Number(setting.agreements === "cold" && mpdus > 1),
+      cold: Number(setting.block_ack === "negotiate" && mpdus > 1),
       unlike: Number(Boolean(setting.power)),
       // As xorshift must not begin at zero.
       random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),
@@ -217,18 +217,18 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     });
     const kinds = array("kinds", rows);
     sent.rows.forEach((columns, row) => Object.entries(columns).forEach(([name, value]) => kinds.put(row, name, value)));
-    const members = array("processes", count);
+    const own = array("processes", count);
     processes.forEach(({ host }, i) => {
-      members.put(i, "host", host);
-      members.put(i, "start", ticks(starts[host]));
-      members.put(i, "announce", repairs?.announce_interval_initial ?? 0);
+      own.put(i, "host", host);
+      own.put(i, "start", ticks(starts[host]));
+      own.put(i, "announce", repairs?.announce_interval_initial ?? 0);
     });
     const plain = (name, values, ...shape) => {
       const found = array(name, ...shape);
       found.fill(values);
       return found;
     };
-    const batches = bursts.messages.map((burst, number) => [
+    const members = bursts.messages.map((burst, number) => [
       ...sent.rows.map((_, row) => Number(burst.includes(row))),
       bursts.periods[number],
     ]);
@@ -244,32 +244,32 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
 
     const made = {
       radio: record("radio", radio),
-      now: record("now", now),
+      state: record("state", cell),
       stations,
       window: array("window", hosts + 1, mpdus),
       ordered: plain("ordered", Array(hosts * window).fill(-1), hosts, window),
       wheel: plain("wheel", Array(wheel).fill(-1), wheel),
       behind: plain("behind", Array(hosts + 1).fill(-1), hosts + 1),
-      strays: array("strays", hosts + 1),
+      deferred: array("deferred", hosts + 1),
       senders: array("senders", Math.max(hosts + 1, mpdus)),
       pool,
-      agreements: array("agreements", hosts, 2),
-      actions: array("actions", hosts + 1),
+      block_acks: array("block_acks", hosts, 2),
+      addba: array("addba", hosts + 1),
       events,
       kinds,
-      batches: plain("batches", batches.flat(), Math.max(1, batches.length), rows + 1),
-      processes: members,
+      bursts: plain("bursts", members.flat(), Math.max(1, members.length), rows + 1),
+      processes: own,
       each: plain("each", sent.each, count, rows),
       to_all: plain("to_all", sent.toAll, count, rows),
       part: plain("part", part, count, rows),
-      before: plain("before", before.flat(), before.length, count + 1),
+      receivers_before: plain("receivers_before", before.flat(), before.length, count + 1),
       power: setting.power ? plain("power", setting.power.flat(), hosts + 1, hosts + 1) : array("power", 1, 1),
       repairs: record("repairs", repairs ?? {}),
       pairs,
-      has: repairs ? array("has", count, count, items) : array("has", 1, 1, 1),
+      received_bitmap: repairs ? array("received_bitmap", count, count, items) : array("received_bitmap", 1, 1, 1),
       delays: array("delays", 1, 1), // pages have no user data
       airtime: array("airtime", rows + 1, 3),
-      samples: array("samples", constants.SAMPLES),
+      queue_samples: array("queue_samples", constants.QUEUE_SAMPLES),
       log: array("log", setting.log),
     };
     const arrays = Object.fromEntries(Object.keys(TYPES).map((name) => [name, made[name]]));

@@ -114,20 +114,18 @@ def rows(start: Start) -> NDArray[np.float64]:
 
     Of radios that send one message in a frame, as a station then sends what its window begins with.
     """
-    from discostorm_simulation.cell_setup import grown
-    from discostorm_simulation.engine import MEMORY, OVER, advance
-    from discostorm_simulation.run import set_up
+    from discostorm_simulation.engine import LoadedCell
+    from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS
 
     queue = start.queue or (np.inf, np.inf)
-    given = (start.fleet, start.protocol, sweeps.channel(), queue)
-    setup = set_up(*given, 0.0, 0.0, False, 120.0, False)
+    channel = sweeps.channel()
+    setup = set_up(Scenario(start.fleet, start.protocol, channel, queue=queue, recovery=False))
     (seed,) = np.random.SeedSequence(SEED).spawn(1)
-    cell, _ = setup.cell(seed)
-    now, found = cell.now[0], []
-    while (state := advance(cell, int(NEVER) - 1, setup.reserve, 1)) != OVER:
-        if state == MEMORY:
-            cell = grown(cell)
+    loaded, found = LoadedCell(setup.cell(seed)[0]), []
+    while not loaded.advance(int(NEVER) - 1, setup.reserve, 1):
+        cell = loaded.cell
+        now = cell.state[0]
         after = [*(now[cause] for cause in CAUSES), *cell.stations["length"]]
         for sent in cell.log[: now["logged"]]:
             held = cell.window[sent["station"], 0]

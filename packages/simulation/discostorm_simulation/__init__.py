@@ -1,19 +1,18 @@
 """The burst on the air, frame by frame: contention, queues, losses, recovery.
 
 A second opinion of the closed form: one 802.11 cell whose hosts contend for the channel, see
-`simulate`. The inner loops are compiled by numba, an extra: `pip install 'discostorm[simulation]'`.
+`simulate`.
 """
 
 from __future__ import annotations
 
-import signal
+import os
 import sys
-import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from importlib.util import find_spec
+from concurrent.futures import ThreadPoolExecutor, wait
+from threading import Event
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
+import click
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -34,10 +33,8 @@ __all__ = ["NoRecovery", "Simulation", "disc", "powers", "simulate"]
 #: Frames and seconds; None for no limit.
 Queue: TypeAlias = tuple[float | None, float | None] | NDArray[Any]
 
-#: What users wait for without being told how long it takes [s].
-_PATIENCE = 60.0
-#: Runs that take less in all go one after the other: starting processes takes longer [s].
-_ALONE = 5.0
+#: From how long a simulation takes on it says so before, and shows how far it is [s].
+_SAID, _SHOWN = 60.0, 1.0
 
 
 def simulate(
@@ -53,28 +50,23 @@ def simulate(
     seed: int = 0,
     until: float = 120.0,
     eifs: bool = False,
-    agreements: Literal["cold", "in place"] = "cold",
+    block_ack: Literal["negotiate", "established"] = "negotiate",
     power: ArrayLike | None = None,
     threshold: tuple[float, float] = THRESHOLD,
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
-    All hosts hear each other and the access point, at equal strength unless `power` says
-    otherwise. Every frame goes up to
-    the access point as unicast, waits there and goes down again, multicast once at the basic
-    rate without acknowledgement. Stations contend as EDCA best effort says (802.11a and g: as
-    DCF says): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
-    With aggregation, block acknowledgements are agreed on before; one that is missing
-    is asked for, and frames are repeated until they arrive or are too old. The access point passes
-    on in order what a host sends (hosts do not put in order what comes down), and sends
-    next to whoever has waited longest.
+    Every frame goes up to the access point as unicast, waits there and goes down again, multicast
+    once at the basic rate without acknowledgement. Stations contend by EDCA, best effort (802.11a
+    and g: by DCF): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
+    With aggregation, frames are repeated until they arrive or are too old. The access point passes
+    on in order what a host sends, and sends next to whoever has waited longest.
 
     Parameters
     ----------
     fleet : Fleet
-        At least two hosts; hosts, processes and endpoints must be whole numbers. Data of its groups
-        (`HostGroup.data`) are sent beside discovery, as `discostorm_simulation.user_data` says;
-        for the same without them simulate ``fleet.without_data()`` as well.
+        At least two hosts, and whole numbers. Data of its groups (`HostGroup.data`) are sent beside
+        discovery, as `discostorm_simulation.user_data` says.
     protocol : Protocol
         Its messages, schedules, answers and lease; for recovery also roles and timers.
     wifi : Wifi
@@ -91,13 +83,12 @@ def simulate(
         [1], up and down alike, at least 0 and below 1; an array has one a host.
     recovery : bool, optional
         Whether messages answer messages and the middleware repairs what is lost, as
-        `discostorm_simulation.recovery` says; not for tables whose processes announce
+        `discostorm_simulation.kernels.recovery` says; not for tables whose processes announce
         themselves to servers or routers, such as "Fast DDS Discovery Server" or "Zenoh router".
         If not, each host sends all that its
         schedules say by the clock, nothing answers discovery and nothing is repeated but by Wi-Fi.
     runs : int, optional
-        Independent runs [1]. They go side by side through joblib, which
-        `joblib.parallel_config` directs.
+        Independent runs [1], which go side by side in threads.
     seed : int, optional
         Of the random numbers [1], at least 0: the same arguments give the same result to the
         bit.
@@ -107,15 +98,15 @@ def simulate(
     eifs : bool, optional
         Whether those who hear a collision take it for a frame with errors and wait EIFS. If
         not, as ns-3 has it, frames of equal strength hide each other's preamble.
-    agreements : {"cold", "in place"}, optional
-        With aggregation: whether block acknowledgements have been agreed on before the start, or
-        all were just switched on, so that each sender first exchanges an ADDBA request and
-        response with each receiver, as `discostorm_simulation.block_ack` says.
+    block_ack : {"negotiate", "established"}, optional
+        With aggregation: whether each sender first exchanges an ADDBA request and response with
+        each receiver, as after power-on, see `discostorm_simulation.kernels.block_ack`, or block
+        acknowledgements have been agreed on before the start.
     power : array of shape (hosts + 1, hosts + 1), optional
         How strongly each station is heard by each other [dB], at [sender, receiver], the access
         point last, such as `discostorm_simulation.powers` gives it. Of frames that overlap, the
         one then arrives that is strong enough (capture effect), as
-        `discostorm_simulation.capture_effect` says; if it is left out, none does.
+        `discostorm_simulation.kernels.capture_effect` says; if it is left out, none does.
     threshold : tuple of (float, float), optional
         By how much the power of a frame must exceed the sum of all that overlap it [dB], at
         least 0: unicast data, and what is sent at the basic rate. As the standard's receivers of
@@ -129,7 +120,7 @@ def simulate(
     Raises
     ------
     ImportError
-        If numba, joblib or tqdm is missing.
+        If wasmtime is missing.
     ValueError
         If an argument is out of range, the fleet, protocol or channel cannot be simulated, or a
         run needs more memory than the machine has available.
@@ -149,57 +140,50 @@ def simulate(
     >>> bool((found.drain_time > ds.utilization(ds.DDS, 3, 2, 10) / 2).all())
     True
     """
-    for name in ("numba", "joblib", "tqdm"):
-        if find_spec(name) is None:
-            raise ImportError(
-                f"the simulator needs {name}: pip install 'discostorm[simulation]'", name=name
-            )
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    recovery = _checks.boolean("recovery", recovery)
-    eifs = _checks.boolean("eifs", eifs)
     _checks.whole("runs", runs, 1)
     _checks.whole("seed", seed, 0)
     _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
-    _checks.choice("agreements", agreements, ("cold", "in place"))
-    exceeds = _threshold(threshold)
+    _checks.choice("block_ack", block_ack, ("negotiate", "established"))
 
-    from discostorm_simulation.run import set_up
+    from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.user_data import with_user_data
 
-    setup = set_up(
+    scenario = Scenario(
         fleet,
         protocol,
         wifi,
-        _queue(queue),
-        start,
-        loss,
-        recovery,
-        float(until),
-        eifs,
-        agreements == "cold",
-        power,
-        exceeds,
+        queue=_queue(queue),
+        start=start,
+        loss=loss,
+        recovery=_checks.boolean("recovery", recovery),
+        until=float(until),
+        eifs=_checks.boolean("eifs", eifs),
+        block_ack=block_ack,
+        power=power,
+        threshold=_threshold(threshold),
     )
-    seeds = np.random.SeedSequence(int(seed)).spawn(int(runs))
+    setup = set_up(scenario)
     settings = {
         "hosts": setup.hosts.processes.size,
-        "queue_frames": setup.queue[0],
-        "queue_s": setup.queue[1],
-        "start": told(setup.start),
+        "queue_frames": scenario.queue[0],
+        "queue_s": scenario.queue[1],
+        "start": told(start),
         "loss": np.asarray(loss, dtype=np.float64).tolist(),
-        "recovery": recovery,
+        "recovery": scenario.recovery,
         "runs": int(runs),
         "seed": int(seed),
-        "until_s": float(until),
-        "eifs": eifs,
-        "agreements": agreements,
+        "until_s": scenario.until,
+        "eifs": scenario.eifs,
+        "block_ack": block_ack,
     }
     if power is not None:
-        settings |= {"power_dB": np.asarray(power).tolist(), "threshold_dB": list(exceeds)}
-    table = with_user_data(protocol, fleet)
-    return Simulation.of_runs(fleet, table, wifi, settings, _all_runs(setup, seeds))
+        settings["power_dB"] = np.asarray(power).tolist()
+        settings["threshold_dB"] = list(scenario.threshold)
+    found = _all_runs(setup, np.random.SeedSequence(int(seed)).spawn(int(runs)))
+    return Simulation.of_runs(fleet, with_user_data(protocol, fleet), wifi, settings, found)
 
 
 def _queue(queue: Queue | None) -> tuple[float, float]:
@@ -229,60 +213,44 @@ def _threshold(threshold: tuple[float, float]) -> tuple[float, float]:
     return data, basic
 
 
-def _say(text: str) -> None:
-    if sys.stderr is None:  # closed
-        return
-    sys.stderr.write(f"discostorm: {text}\n")
-    sys.stderr.flush()
-
-
 def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
-    from joblib import Parallel, delayed
-    from tqdm import tqdm
-
-    from discostorm_simulation._compile import keeps, shown
-    from discostorm_simulation._workers import jobs
-    from discostorm_simulation.engine import advance
-    from discostorm_simulation.run import compiled, one_run
+    """Return what runs find that go side by side; refuse what does not fit the memory."""
+    from discostorm_simulation.engine import MOST_MEGABYTES
+    from discostorm_simulation.run import one_run
 
     seconds, megabytes = setup.estimate()
     free = available()
-    if megabytes > free:
+    if megabytes > min(free, MOST_MEGABYTES):
         raise ValueError(
-            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
-            f"and {free:.0f} MB are available; got {setup.hosts.host_of.size} processes"
+            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, of "
+            f"{MOST_MEGABYTES:.0f} MB that the simulator can use, and {free:.0f} MB are available; "
+            f"got {setup.hosts.host_of.size} processes"
         )
-    with shown(_say, keeps(advance)):
-        compiled()
-    if seconds * len(seeds) > _PATIENCE:
+    if seconds * len(seeds) > _SAID and sys.stderr is not None:
         runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
-        _say(f"{runs} of about {seconds / 60:.1f} min and {megabytes:.0f} MB each")
-    hidden = None if seconds * len(seeds) > 1 else True
-    with tqdm(total=len(seeds), desc="simulating", unit="run", disable=hidden) as bar:
-        found = []
-        if len(seeds) == 1 or seconds * len(seeds) < _ALONE:
-            for seed in seeds:
-                found.append(one_run(setup, seed))
-                bar.update()
-            return found
-        most = int(min(free / megabytes, len(seeds)))
-        side_by_side = Parallel(return_as="generator", **jobs(most))
-        with _ctrl_c_ignored():
-            runs = side_by_side(delayed(one_run)(setup, seed) for seed in seeds)
-        for run in runs:
-            found.append(run)
-            bar.update()
+        about = f"{runs} of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
+        click.echo(f"discostorm: {about}", err=True)
+    if len(seeds) == 1:
+        return [one_run(setup, seeds[0])]
+    stop, found = Event(), []
+    progress = click.progressbar(
+        length=len(seeds),
+        label="simulating",
+        file=sys.stderr,
+        hidden=sys.stderr is None or seconds * len(seeds) < _SHOWN,
+    )
+    workers = max(1, min(os.cpu_count() or 1, len(seeds), int(free / max(megabytes, 1.0))))
+    with ThreadPoolExecutor(workers) as threads, progress as bar:
+        futures = [threads.submit(one_run, setup, seed, stop) for seed in seeds]
+        try:
+            for future in futures:
+                # Not for good, as Windows does not interrupt that.
+                while not future.done():
+                    wait([future], 0.2)
+                found.append(future.result())
+                bar.update(1)
+        except BaseException:
+            stop.set()
+            threads.shutdown(cancel_futures=True)
+            raise
     return found
-
-
-@contextmanager
-def _ctrl_c_ignored() -> Iterator[None]:
-    """Ignore Ctrl-C; so do, for good, processes started meanwhile, which this one ends."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before or signal.SIG_DFL)

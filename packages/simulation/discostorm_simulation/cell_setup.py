@@ -8,7 +8,7 @@ less than one more or fewer than x times their number, and a whole x is x in eve
 messages that share frames the frames are sent: x is that of their parts.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,8 +19,8 @@ from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
 from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
-from discostorm_simulation.state import Cell, Records
+from discostorm_simulation import state as st
+from discostorm_simulation.state import Records
 
 #: Retransmissions end with this attempt: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
 ATTEMPTS = 7
@@ -32,18 +32,14 @@ WINDOW = 64
 LONGER_ACTION = 8 * 4e-6
 #: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
-_MOST_PROCESSES = 2**_cell.PROCESS_BITS
-_MOST_ENDPOINTS = 2**_cell.ITEM_BITS
-_MOST_MESSAGES = 2**_cell.KIND_BITS
-#: What `Cell.power` is if all are heard alike.
-ALIKE = np.zeros((1, 1))
-#: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
-_SAMPLES, _LOG, _POOL = 512, 4096, 4096
+_MOST_PROCESSES = 2**st.PROCESS_BITS
+_MOST_ENDPOINTS = 2**st.ITEM_BITS
+_MOST_MESSAGES = 2**st.KIND_BITS
 
 
 def ticks(seconds: float) -> int:
     """Return a time in whole ticks; what is too long to count them never comes."""
-    never = int(_cell.NEVER)
+    never = int(st.NEVER)
     found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
     return never if found >= never else round(found)
 
@@ -101,12 +97,12 @@ def radio_record(
         "sifs": radio.sifs,
         "aifs": radio.aifs,
         "timeout": radio.sifs + radio.slot + RX_START_DELAY,
-        "heard": (radio.sifs + basic + extension) * eifs,
+        "eifs_extra": (radio.sifs + basic + extension) * eifs,
         "ack": radio.ack + extension,
         "block_ack": radio.block_ack + extension,
         # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
-        "request": radio.block_ack + extension,
-        "action": basic + LONGER_ACTION + extension,
+        "bar": radio.block_ack + extension,
+        "addba": basic + LONGER_ACTION + extension,
         "basic_ack": basic + extension,
         "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
@@ -122,15 +118,15 @@ def radio_record(
         "bits": padding.bits,
         "added": padding.added,
         "mpdus": aggregation.mpdus if aggregation else 1,
-        "most_bytes": aggregation.most_bytes if aggregation else 0,
-        "least_subframe": aggregation.least_bytes if aggregation else 0,
+        "max_bytes": aggregation.most_bytes if aggregation else 0,
+        "min_subframe": aggregation.least_bytes if aggregation else 0,
         "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
-        "queue": int(min(queue[0], int(_cell.NEVER))),
+        "queue": int(min(queue[0], int(st.NEVER))),
     }
-    record = np.zeros(1, _cell.RADIO)
+    record = np.zeros(1, st.RADIO)
     for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
         record[name] = value
-    record["exceeds"], record["exceeds_basic"] = from_decibels(threshold)
+    record["capture_threshold"], record["capture_threshold_basic"] = from_decibels(threshold)
     return record
 
 
@@ -162,11 +158,11 @@ def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, in
 
 @dataclass(frozen=True)
 class Shares:
-    """How many of each message each process sends, and to whom; see `cell.Cell`."""
+    """How many of each message each process sends, and to whom; see `cell.CellState`."""
 
     each: NDArray[np.float64]
     to_all: NDArray[np.float64]
-    before: NDArray[np.int64]
+    receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
 
     @property
@@ -252,7 +248,7 @@ def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
     to_all = shares.to_all[:, row].sum()
     if to_all:
         return float(to_all)
-    taking = np.diff(shares.before[shares.sets[row]])
+    taking = np.diff(shares.receivers_before[shares.sets[row]])
     own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
     return float((shares.each[:, row] * (taking.sum() - own)).sum())
 
@@ -268,7 +264,7 @@ def kind_records(
         )
     fast, slow = paddings(wifi)
     shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
-    records = np.zeros(len(protocol.messages), _cell.KIND)
+    records = np.zeros(len(protocol.messages), st.KIND)
     records["set"], records["whole"] = shares.sets, shares.whole
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
         multicast, paired = message.cast == "multicast", message.unit.to_each
@@ -304,10 +300,13 @@ class Bursts:
     times: tuple[tuple[float, int], ...]
 
 
-def bursts_of(protocol: Protocol) -> Bursts:
-    """Return what a host sends by the clock alone: messages due at the same time go together."""
+def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
+    """Return what a host sends by the clock alone: messages due at the same time go together.
+
+    ``rows`` says as which rows of the run's table its messages go.
+    """
     at: dict[tuple[float, float], list[int]] = {}
-    for row, message in enumerate(protocol.messages):
+    for row, message in zip(rows, protocol.messages, strict=True):
         schedule = message.schedule
         for time in schedule.starts:
             at.setdefault((time, 0.0), []).append(row)
@@ -321,163 +320,9 @@ def bursts_of(protocol: Protocol) -> Bursts:
                 )
     sets: dict[tuple[tuple[int, ...], float], int] = {}
     times = []
-    for (time, period), rows in sorted(at.items()):
-        number = sets.setdefault((tuple(rows), period), len(sets))
+    for (time, period), together in sorted(at.items()):
+        number = sets.setdefault((tuple(together), period), len(sets))
         times.append((time, number))
     return Bursts(
-        tuple(rows for rows, _ in sets), tuple(period for _, period in sets), tuple(times)
+        tuple(together for together, _ in sets), tuple(period for _, period in sets), tuple(times)
     )
-
-
-def new_cell(
-    hosts: Hosts,
-    kinds: Records,
-    shares: Shares,
-    bursts: Bursts,
-    radio: Records,
-    starts: NDArray[np.float64],
-    loss: NDArray[np.float64],
-    seed: np.random.SeedSequence,
-    for_parts: np.random.SeedSequence,
-    repairs: Records | None = None,
-    cold: bool = False,
-    power: NDArray[np.float64] = ALIKE,
-    more: Iterable[tuple[int, int]] = (),
-    stamp: int = 0,
-) -> Cell:
-    """Return a cell at the start of a run; ``more`` happens than bursts and repairs say."""
-    count, rows = hosts.processes.size, kinds.size
-    stations = _cell.aligned(count + 1, _cell.STATION)
-    for name in ("head", "tail", "to_head", "to_tail"):
-        stations[name] = -1
-    stations["processes"][:count] = hosts.processes
-    stations["first"][:count] = hosts.first
-    stations["loss"][:count] = loss
-    processes = np.zeros(hosts.host_of.size, _cell.PROCESS)
-    processes["host"] = hosts.host_of
-    processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
-    # A whole number and such a part of one stay that number.
-    part = np.random.default_rng(for_parts).integers(2**20, size=shares.each.shape) / 2**20
-    pairs, has = _pairs(hosts, kinds, shares, part, repairs)
-
-    now = np.zeros(1, _cell.NOW)
-    now["base"] = radio["slot"]
-    now["idle"] = -1
-    now["stray_time"] = _cell.NEVER
-    now["step"] = ticks(1e-3)
-    now["spare"] = _POOL
-    now["hosts"], now["links"], now["kinds"] = count, count - 1, rows
-    now["per_receiver"] = radio["mpdus"] > 1
-    now["cold"] = cold and radio["mpdus"] > 1
-    now["unlike"] = power.size > 1
-    now["stamp"] = stamp
-    # xorshift must not begin at zero.
-    now["random"] = (seed.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
-    pool = np.zeros(_POOL, _cell.ENTRY)
-    pool["next"] = np.arange(1, _POOL + 1)
-
-    sets = np.zeros((max(1, len(bursts.messages)), rows + 1), np.int64)
-    for number, messages in enumerate(bursts.messages):
-        sets[number, list(messages)] = 1
-        sets[number, rows] = ticks(bursts.period[number]) if bursts.period[number] else 0
-    due = [
-        (ticks(start + time), int(_cell.SEND) | host | (number << _cell.PROCESS_BITS))
-        for host, start in enumerate(starts)
-        for time, number in bursts.times
-    ]
-    if repairs is not None:
-        due += _first_events(processes, repairs)
-        now["repairs"] = 1
-        now["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
-    due = sorted([*due, *more])  # a sorted list is a heap
-    now["events"] = len(due)
-    now["coming"] = count * sum(bursts.period[number] == 0 for _, number in bursts.times)
-    events = np.zeros(2 * len(due) + 1024, _cell.EVENT)
-    events["time"][: len(due)] = [time for time, _ in due]
-    events["what"][: len(due)] = [what for _, what in due]
-    wheel = 1 << int(2 * radio["cw_max"][0] + 1).bit_length()
-    mpdus = int(radio["mpdus"][0])
-    return Cell(
-        radio=radio,
-        now=now,
-        stations=stations,
-        window=_cell.aligned((count + 1) * mpdus, _cell.HELD).reshape(count + 1, mpdus),
-        ordered=np.full((count, int(radio["window"][0])), -1, np.int64),
-        wheel=np.full(wheel, -1, np.int32),
-        behind=np.full(count + 1, -1, np.int32),
-        strays=np.zeros(count + 1, _cell.STRAY),
-        senders=np.zeros(max(count + 1, mpdus), _cell.SENDER),
-        pool=pool,
-        agreements=np.zeros((count, 2), _cell.AGREEMENT),
-        actions=np.zeros(count + 1, _cell.ACTIONS),
-        events=events,
-        kinds=kinds,
-        batches=sets,
-        processes=processes,
-        each=shares.each,
-        to_all=shares.to_all,
-        part=part,
-        before=shares.before,
-        power=power,
-        repairs=np.zeros(1, _cell.REPAIRS) if repairs is None else repairs,
-        pairs=pairs,
-        has=has,
-        delays=_delays(kinds),
-        airtime=np.zeros((rows + 1, 3), np.int64),
-        samples=np.zeros(_SAMPLES, _cell.SAMPLE),
-        log=np.zeros(_LOG, _cell.SENT),
-    )
-
-
-def _delays(kinds: Records) -> NDArray[np.int64]:
-    """Return of each row of user data how many were how late, and how many there were: none yet."""
-    rows = int(kinds["user"].max())
-    return np.zeros((rows, _cell.COUNTED) if rows else (1, 1), np.int64)
-
-
-def _pairs(
-    hosts: Hosts,
-    kinds: Records,
-    shares: Shares,
-    part: NDArray[np.float64],
-    repairs: Records | None,
-) -> tuple[Records, NDArray[np.int64]]:
-    """Return what each process holds of each other at the start: nothing."""
-    if repairs is None:
-        return np.zeros((1, 1), _cell.OF_PAIR), np.zeros((1, 1, 1), np.int64)
-    count, host = hosts.every.size, hosts.host_of
-    pairs = np.zeros((count, count), _cell.OF_PAIR)
-    remote = host[:, None] != host
-    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
-        taking = np.diff(shares.before[shares.sets[row]]) * remote
-        rank = np.cumsum(taking, axis=1) - taking  # at [writer, reader]
-        wanted, begin = shares.each[:, row, None], part[:, row, None]
-        sent = np.floor((rank + 1) * wanted + begin) - np.floor(rank * wanted + begin)
-        pairs["missing"] += (sent * taking).astype(np.int64).T
-    return pairs, np.zeros((count, count, 1 + int(pairs["missing"].max()) // 64), np.int64)
-
-
-def _first_events(processes: Records, repairs: Records) -> list[tuple[int, int]]:
-    """Return the first announcements that no table names, and the first looks at leases."""
-    due = []
-    for process, start in enumerate(processes["start"]):
-        if first := repairs["announce_interval_initial"][0]:
-            processes["announce"][process] = first
-            due.append((int(start + first), int(_cell.ANNOUNCE) | process))
-        if (lease := repairs["lease"][0]) < _cell.NEVER:
-            due.append((int(start + lease), int(_cell.EXPIRE) | process))
-    return due
-
-
-def grown(cell: Cell) -> Cell:
-    """Return a cell with twice the memory for frames and events."""
-    size = cell.pool.size
-    pool = np.zeros(2 * size, _cell.ENTRY)
-    pool[:size] = cell.pool
-    pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
-    pool["next"][-1] = cell.now["free"][0]
-    cell.now["free"] = size
-    cell.now["spare"] += size
-    events = np.zeros(2 * cell.events.size, _cell.EVENT)
-    events[: cell.events.size] = cell.events
-    return cell._replace(pool=pool, events=events)

@@ -1,127 +1,134 @@
-"""The run itself: from one transmission or event to the next, until it is over."""
+"""Run `data/engine.wasm`, the inner loop that `make live` compiles from `kernels`, in wasmtime."""
+
+from functools import cache
+from math import prod
+from threading import Event
+from time import monotonic
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from discostorm_simulation._compile import entry, njit, shared, sources
-from discostorm_simulation.channel_access import next_slot, synchronize
-from discostorm_simulation.delivery import load
-from discostorm_simulation.frame_exchange import collide, send
-from discostorm_simulation.recovery import happen, settled
-from discostorm_simulation.state import NEVER, next_event
+from discostorm.data import data_path
+from discostorm_simulation.state import LINE, MEMORY, OVER, CellState
 
-#: What `advance` returns: it is over, it wants more memory, or it has done its share.
-OVER, MEMORY, SHARE = range(3)
+try:
+    import wasmtime
+except ImportError as error:
+    raise ImportError(
+        "the simulator needs wasmtime, which is there for 64-bit Linux, macOS and Windows: "
+        "pip install wasmtime",
+        name="wasmtime",
+    ) from error
 
-
-@shared
-def sample(cell, time):
-    """Record queue lengths at regular times; half as often whenever the table is full."""
-    now = cell.now[0]
-    while time >= now.sample:
-        if now.samples == cell.samples.size:
-            now.samples //= 2
-            for place in range(now.samples):
-                cell.samples[place].time = cell.samples[2 * place].time
-                cell.samples[place].hosts = cell.samples[2 * place].hosts
-                cell.samples[place].access_point = cell.samples[2 * place].access_point
-            now.step *= 2
-            now.sample = now.samples * now.step
-            continue
-        row = cell.samples[now.samples]
-        row.time, row.hosts = now.sample, now.queued
-        row.access_point = cell.stations[now.hosts].length
-        now.samples += 1
-        now.sample += now.step
+#: What the engine can address [MB], and in what its memory grows [B].
+MOST_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
+#: How often a run looks whether it is to stop [s], and its steps up to the first look.
+_LOOK, _STEPS = 0.1, 10_000
+#: Arrays that grow lie behind all others.
+_GROWING = ("pool", "events")
 
 
-@njit
-def add_sender(cell, station, time, count):
-    """Add a station to those that send now unless all that it has is too old."""
-    if load(cell, station, time):
-        cell.senders[count].station = station
-        return count + 1
-    cell.stations[station].waits = 0
-    return count
+class Stopped(Exception):  # noqa: N818 - it is no error
+    """A run was stopped before its end."""
 
 
-@njit
-def transmit(cell, time, slot):
-    """Let all send whose back-off ends now."""
-    now = cell.now[0]
-    count = np.int64(0)
-    if slot >= 0:
-        place = slot & (cell.wheel.size - 1)
-        station = np.int64(cell.wheel[place])
-        cell.wheel[place] = -1
-        while station >= 0:
-            now.waiting -= 1
-            following = np.int64(cell.behind[station])
-            count = add_sender(cell, station, time, count)
-            station = following
-    if time >= now.stray_time:
-        now.stray_time = NEVER
-        for place in range(now.strays):
-            stray = cell.strays[place]
-            if stray.station >= 0:
-                if time >= stray.time:
-                    count = add_sender(cell, stray.station, time, count)
-                    stray.station = -1
-                else:
-                    now.stray_time = min(now.stray_time, stray.time)
-    if count == 0:
-        return
-    synchronize(cell, time, slot)
-    station = cell.senders[0].station
-    if count > 1:
-        station = collide(cell, count, time)
-        if station < 0:
-            return
-    send(cell, station, time)
-    if count > 1:
-        now.overlapping, now.others, now.damaged = 0, 0, 0
+@cache
+def compiled(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
+    """Compile the engine for this machine; it may count its instructions, which takes longer."""
+    config = wasmtime.Config()
+    config.consume_fuel = counted
+    engine = wasmtime.Engine(config)
+    code = data_path("engine.wasm", "discostorm_simulation").read_bytes()
+    return engine, wasmtime.Module(engine, code)
 
 
-def _advance(digest):
-    """Return the loop of a run, compiled from the sources with this digest."""
+class LoadedCell:
+    """A cell in the engine's memory, where its arrays change as it goes on."""
 
-    @entry
-    def advance(cell, until, reserve, share):
-        """Go on with a run until it is over, wants more memory, or has done its share.
+    def __init__(self, cell: CellState, instructions: int | None = None) -> None:
+        engine, module = compiled(instructions is not None)
+        self.store = wasmtime.Store(engine)
+        if instructions is not None:
+            self.store.set_fuel(instructions)
+        exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
+        self._memory, self._advance = exports["memory"], exports["advance"]
+        self._table: int = exports["arrays"].value(self.store)
+        self._top: int = exports["__heap_base"].value(self.store)
+        arrays: dict[str, NDArray[Any]] = cell._asdict()
+        self._places = {
+            name: (self._allocate(array.nbytes), array.dtype, array.shape)
+            for name, array in sorted(arrays.items(), key=lambda item: item[0] in _GROWING)
+        }
+        self._look_at_memory()
+        for name, array in arrays.items():
+            getattr(self.cell, name)[:] = array
 
-        Returns
-        -------
-        int
-            `OVER`, `MEMORY` or `SHARE`.
-        """
-        if not digest:  # never; the digest makes other sources compile anew
-            return OVER
-        now, slot_ticks = cell.now[0], cell.radio[0].slot
-        while share > 0:
-            if now.open == 0 and now.coming == 0 and settled(cell):
-                return OVER
-            if now.spare < reserve or now.events + reserve > cell.events.size:
-                return MEMORY
-            time, slot = NEVER, np.int64(-1)
-            if now.waiting > 0:
-                slot = next_slot(cell)
-                time = now.base + (slot - now.slot) * slot_ticks
-            if now.stray_time < time:
-                time, slot = now.stray_time, np.int64(-1)
-            happens = now.events > 0 and cell.events[0].time <= time
-            if happens:
-                time = cell.events[0].time
-            if time > until:
-                return OVER
-            sample(cell, time)
-            now.clock = time
-            if happens:
-                happen(cell, time, next_event(cell))
-            else:
-                transmit(cell, time, slot)
-            share -= 1
-        return SHARE
+    def advance(self, until: int, reserve: int, steps: int) -> bool:
+        """Go on by so many steps; return whether the run is over."""
+        while (state := self._advance(self.store, until, reserve, steps)) == MEMORY:
+            self._grow()
+        return bool(state == OVER)
 
-    return advance
+    def _allocate(self, octets: int) -> int:
+        """Return where so many octets begin; the memory grows as far as needed."""
+        begin = -(-self._top // LINE) * LINE
+        self._top = begin + octets
+        more = self._top - self._memory.data_len(self.store)
+        try:
+            if more > 0:
+                self._memory.grow(self.store, -(-more // _PAGE))
+        except wasmtime.WasmtimeError as error:
+            raise MemoryError(
+                f"a run needs {self._top / 1e6:.0f} MB, more than there are or the simulator's "
+                f"{MOST_MEGABYTES:.0f} MB"
+            ) from error
+        return begin
+
+    def _look_at_memory(self) -> None:
+        """Make arrays of the memory, which may have moved, and tell the engine where they are."""
+        memory = self._memory.get_buffer_ptr(self.store)
+        memory.store = self.store  # which frees it
+        octets = np.frombuffer(memory, np.uint8)
+        arrays, table = {}, []
+        for name in CellState._fields:
+            begin, kind, shape = self._places[name]
+            count = prod(shape)
+            array = octets[begin : begin + count * kind.itemsize].view(kind).reshape(shape)
+            arrays[name] = array
+            # As numba passes an array: without owners.
+            table += [0, 0, count, kind.itemsize, begin, *shape, *array.strides]
+        octets[self._table :].view(np.int64)[: len(table)] = table
+        self.cell = CellState(**arrays)
+
+    def _grow(self) -> None:
+        """Double what holds waiting frames and events."""
+        old = {name: getattr(self.cell, name).copy() for name in _GROWING}
+        self._top = self._places[_GROWING[0]][0]
+        for name, array in old.items():
+            octets = 2 * array.nbytes
+            self._places[name] = (self._allocate(octets), array.dtype, (2 * array.size,))
+        self._look_at_memory()
+        for name, array in old.items():
+            grown = getattr(self.cell, name)
+            grown[: array.size], grown[array.size :] = array, np.zeros((), array.dtype)
+        state, pool, size = self.cell.state, self.cell.pool, old["pool"].size
+        pool["next"][size:] = np.arange(size + 1, 2 * size + 1)
+        pool["next"][-1] = state["free"][0]
+        state["free"] = size
+        state["spare"] += size
 
 
-advance = _advance(sources())
+def finish(
+    cell: CellState, until: int, reserve: int = 1024, stop: Event | None = None
+) -> CellState:
+    """Return the cell at the end of its run; raise `Stopped` soon after the event is set."""
+    loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
+    while not loaded.advance(until, reserve, steps):
+        if stop is not None and stop.is_set():
+            raise Stopped
+        # Steps take longer with more stations: as many as take a tenth of a second.
+        end = monotonic()
+        steps = max(1, min(2 * steps, int(steps * _LOOK / max(end - begin, 1e-6))))
+        begin = end
+    return loaded.cell

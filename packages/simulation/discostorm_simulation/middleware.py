@@ -9,7 +9,7 @@ import numpy as np
 from discostorm import _checks
 from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
+from discostorm_simulation import state as st
 from discostorm_simulation.cell_setup import Shares, ticks
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
@@ -17,15 +17,24 @@ from discostorm_simulation.state import Records
 #: Timer of TCP before the first round trip [s] (RFC 6298, 2.1).
 RTO_FIRST = 1.0
 #: Least and most of the timer [s] (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
-RTO_LEAST, RTO_MOST = 0.2, 120.0
+RTO_MIN, RTO_MAX = 0.2, 120.0
 
 #: What a process sends to a host for each port that a process there may have.
 HOST_BY_HOST = UNITS["process and other host"]
 #: What a message is to the inner loops; announcements they tell by what they inform of.
-_ROLES = {"data": _cell.DATA, "heartbeat": _cell.HEARTBEAT, "acknowledgement": _cell.ACKNACK}
+_ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKNACK}
 
 
-def check_table(protocol: Protocol) -> None:
+def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
+    """Say in the rows of a table how a middleware recovers, and return its timers."""
+    _check_table(protocol)
+    _check_ports(protocol, shares)
+    _fill_kinds(protocol, kinds)
+    _check_items(protocol, kinds, shares)
+    return _repair_record(protocol)
+
+
+def _check_table(protocol: Protocol) -> None:
     """Refuse a table that does not say all that recovery takes."""
     for message in protocol.messages:
         if message.role is None:
@@ -103,7 +112,7 @@ def spread(protocol: Protocol) -> list[int]:
     ]
 
 
-def check_ports(protocol: Protocol, shares: Shares) -> None:
+def _check_ports(protocol: Protocol, shares: Shares) -> None:
     """Refuse more processes on a host than are announced to it: these would not be found."""
     for row in spread(protocol):
         if (least := shares.each[:, row].min()) < 1:
@@ -118,7 +127,7 @@ def check_ports(protocol: Protocol, shares: Shares) -> None:
 def clock_only(protocol: Protocol) -> Protocol:
     """Return the table without what is sent on arrival of something or on discovery."""
     rows = tuple(
-        message for message in protocol.messages if _trigger(protocol, message) == _cell.CLOCK
+        message for message in protocol.messages if _trigger(protocol, message) == st.CLOCK
     )
     return Protocol(protocol.name, rows)
 
@@ -126,17 +135,17 @@ def clock_only(protocol: Protocol) -> Protocol:
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return when a message is sent: by the clock, in answer to each, or on discovery."""
     if message.role in ("data", "heartbeat"):
-        return _cell.DISCOVERY
+        return st.DISCOVERY
     announcing = message.role == "announcement"
     if message.answers is None:
         once = message.schedule.period == np.inf
         by_clock = announcing or not message.unit.to_each or not once
-        return _cell.CLOCK if by_clock else _cell.DISCOVERY
+        return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
     if announcing:
         # With a schedule of its own it is for those that were not known.
-        return _cell.ANSWER if _at_times_of(message, answered) else _cell.DISCOVERY
-    return _cell.DISCOVERY if answered.role == "announcement" else _cell.ANSWER
+        return st.ANSWER if _at_times_of(message, answered) else st.DISCOVERY
+    return st.DISCOVERY if answered.role == "announcement" else st.ANSWER
 
 
 def _at_times_of(message: Message, answered: Message) -> bool:
@@ -149,16 +158,16 @@ def _when(message: Message, answered: Message) -> int:
     """Return which of the messages it answers it does: all, the later ones, or the first."""
     own, other = message.schedule, answered.schedule
     if message.role != "announcement" or own == other:
-        return _cell.ALWAYS
-    return _cell.LATER if own.starts[0] > other.starts[0] else _cell.FIRST
+        return st.ALWAYS
+    return st.LATER if own.starts[0] > other.starts[0] else st.FIRST
 
 
-def fill_kinds(protocol: Protocol, kinds: Records) -> None:
+def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
     announcements = _announcements(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
-        record["role"] = _ROLES.get(str(message.role), _cell.OTHER)
+        record["role"] = _ROLES.get(str(message.role), st.OTHER)
         record["trigger"] = _trigger(protocol, message)
         record["to_unknown"] = message in announcements
         record["informs"] = message.informs
@@ -174,7 +183,7 @@ def fill_kinds(protocol: Protocol, kinds: Records) -> None:
             second = (*times.starts, times.starts[-1] + times.period)[1]
             record["since"] = ticks((times.starts[0] + second) / 2)
             starts = message.schedule.starts
-            if record["trigger"] == _cell.DISCOVERY and len(starts) > 1:
+            if record["trigger"] == st.DISCOVERY and len(starts) > 1:
                 record["gap_number"] = len(starts) - 1
                 record["gap_first"] = ticks(starts[1] - starts[0])
     _check_circles(protocol, kinds)
@@ -185,7 +194,7 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
     names = [message.name for message in protocol.messages]
     for row in range(kinds.size):
         chain = [row]
-        while kinds["trigger"][row] == _cell.ANSWER:
+        while kinds["trigger"][row] == st.ANSWER:
             row = kinds["answers"][row]
             if row in chain:
                 raise ValueError(
@@ -195,18 +204,18 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
             chain.append(row)
 
 
-def check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
+def _check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
     """Refuse more announcements of endpoints for a process than are told apart."""
-    for row in np.flatnonzero(kinds["role"] == _cell.DATA):
-        if (most := shares.each[:, row].max()) > 2**_cell.ITEM_BITS:
+    for row in np.flatnonzero(kinds["role"] == st.DATA):
+        if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
             raise ValueError(
                 f"protocol {protocol.name!r}, message {protocol.messages[row].name!r}: a process "
-                f"must send at most {2**_cell.ITEM_BITS} to each other to be simulated with "
+                f"must send at most {2**st.ITEM_BITS} to each other to be simulated with "
                 f"recovery; got {most:g}"
             )
 
 
-def repair_record(protocol: Protocol) -> Records:
+def _repair_record(protocol: Protocol) -> Records:
     """Return the timers of a middleware."""
     if protocol.lease < TICK:
         raise ValueError(
@@ -214,17 +223,17 @@ def repair_record(protocol: Protocol) -> Records:
             f"got {protocol.lease:g}"
         )
     timers = protocol.timers
-    assert timers is not None  # see `check_table`
+    assert timers is not None  # see `_check_table`
     seconds = {
         "lease": protocol.lease,
         "rto_first": RTO_FIRST,
-        "rto_least": RTO_LEAST,
-        "rto_most": RTO_MOST,
+        "rto_min": RTO_MIN,
+        "rto_max": RTO_MAX,
     }
     if all(message.schedule.period == np.inf for message in _announcements(protocol)):
         seconds["announce_interval_initial"] = timers.announce_interval_initial
         seconds["announce_interval_max"] = timers.announce_interval_max
-    record = np.zeros(1, _cell.REPAIRS)
+    record = np.zeros(1, st.REPAIRS)
     names = [message.name for message in protocol.messages]
     for heartbeat in _of_role(protocol, "heartbeat"):
         (acknowledgement,) = _of_role(protocol, "acknowledgement")

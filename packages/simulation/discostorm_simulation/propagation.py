@@ -31,11 +31,6 @@ def disc(hosts: int) -> NDArray[np.float64]:
     ndarray of shape (hosts, 2)
         Places [radius of the disc].
 
-    Raises
-    ------
-    ValueError, TypeError
-        If there is not at least one whole host.
-
     References
     ----------
     H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44 (1979).
@@ -60,11 +55,6 @@ def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
     -------
     ndarray of shape (hosts + 1, hosts + 1)
         Received power at [sender, receiver], the access point last [dB]; 0 at distance 1.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If two stations stand at the same place, or an argument is not as it says above.
 
     Examples
     --------

@@ -75,7 +75,7 @@ class Run:
     lost: float
     lost_by_host: Floats
     convergence_time: float
-    busy: float
+    busy_time: float
     counts: dict[str, int]
     airtime: Floats
     queues: Floats
@@ -168,23 +168,27 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Return the runs side by side."""
+
+        def each(name: str) -> Any:
+            return np.array([getattr(run, name) for run in runs])
+
         return cls(
             fleet,
             protocol,
             wifi,
             settings,
-            np.array([run.starts for run in runs]),
-            np.array([run.drain_time for run in runs]),
-            np.array([run.lost for run in runs]),
-            np.array([run.lost_by_host for run in runs]),
-            np.array([run.convergence_time for run in runs]),
-            np.array([run.busy for run in runs]),
-            {name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
-            np.array([run.airtime for run in runs]),
-            tuple(run.queues for run in runs),
-            np.array([run.pair_times for run in runs]),
-            runs[0].transmissions,
-            {
+            each("starts"),
+            each("drain_time"),
+            each("lost"),
+            each("lost_by_host"),
+            each("convergence_time"),
+            each("busy_time"),
+            counts={name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
+            airtime=each("airtime"),
+            queues=tuple(run.queues for run in runs),
+            pair_times=each("pair_times"),
+            transmissions=runs[0].transmissions,
+            data={
                 topic: {name: np.array([run.data[topic][name] for run in runs]) for name in found}
                 for topic, found in runs[0].data.items()
             },

@@ -1,6 +1,7 @@
 """Runs: what is to be simulated, made once; one run, from its start to its end."""
 
 from dataclasses import dataclass
+from threading import Event
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,104 +11,64 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Hosts, Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
-from discostorm_simulation.cell_setup import (
-    ALIKE,
-    Bursts,
-    Shares,
-    bursts_of,
-    from_decibels,
-    grown,
-    hosts_of,
-    kind_records,
-    new_cell,
-    radio_record,
-    shares_of,
-    ticks,
-)
-from discostorm_simulation.engine import MEMORY, OVER, advance
-from discostorm_simulation.frame_exchange import PARTS
-from discostorm_simulation.middleware import (
-    check_items,
-    check_ports,
-    check_table,
-    clock_only,
-    fill_kinds,
-    repair_record,
-    spread,
-)
+from discostorm_simulation import cell_setup, middleware, state as st, user_data
+from discostorm_simulation.cell_setup import Bursts, Shares, ticks
+from discostorm_simulation.engine import finish
+from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, delays
-from discostorm_simulation.state import Cell, Records
-from discostorm_simulation.user_data import (
-    UserData,
-    found_of,
-    topics_of,
-    user_data_of,
-    with_user_data,
-)
+from discostorm_simulation.state import CellState, Records
 
-#: Steps of a run between two looks at Python.
-_SHARE = 5_000_000
 #: Time that a transmission takes to simulate, and transmissions for each frame and hop: about.
 _PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
 
 
 @dataclass(frozen=True)
-class Setup:
-    """What is to be simulated; runs differ only in their seed."""
+class Scenario:
+    """What is simulated: the arguments of `discostorm.simulate` but for runs and seed."""
 
+    fleet: Fleet
+    protocol: Protocol
+    wifi: Wifi
+    queue: tuple[float, float] = (500, 0.5)
+    start: Start = 0.0
+    loss: ArrayLike = 0.0
+    recovery: bool = True
+    until: float = 120.0
+    eifs: bool = False
+    block_ack: str = "negotiate"
+    power: ArrayLike | None = None
+    threshold: tuple[float, float] = THRESHOLD
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What the runs of a scenario share; they differ only in their seed."""
+
+    scenario: Scenario
     hosts: Hosts
     kinds: Records
     shares: Shares
     bursts: Bursts
     radio: Records
     repairs: Records | None
-    queue: tuple[float, float]
-    start: Start
     loss: NDArray[np.float64]
-    until: float
-    spread: float
-    cold: bool
     #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
     power: NDArray[np.float64]
-    user_data: UserData | None = None
-    #: Of each row of `Cell.delays` the topic, and whether its frames are the last of a sample.
-    topics: tuple[tuple[str, bool], ...] = ()
+    user_data: user_data.UserData | None
+    #: Of each row of `CellState.delays` the topic, and whether its frames are the last of a sample.
+    topics: tuple[tuple[str, bool], ...]
 
-    def cell(self, seed: np.random.SeedSequence) -> tuple[Cell, NDArray[np.float64]]:
+    def cell(self, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
         """Return a cell at the start of a run, and when each host starts [s]."""
-        for_start, for_run, for_parts, for_phases = seed.spawn(4)
-        count = self.hosts.processes.size
-        starts = delays(self.start, count, np.random.default_rng(for_start))
-        first: list[tuple[int, int]] = []
-        if self.user_data is not None:
-            first = self.user_data.first_events(
-                self.hosts, starts, np.random.default_rng(for_phases)
-            )
-        cell = new_cell(
-            self.hosts,
-            self.kinds.copy(),
-            self.shares,
-            self.bursts,
-            self.radio,
-            starts,
-            self.loss,
-            for_run,
-            for_parts,
-            self.repairs,
-            self.cold,
-            self.power,
-            first,
-            self.user_data.stamp if self.user_data else 0,
-        )
-        for number in self.user_data.bursts if self.user_data else ():
-            every = self.bursts.messages[number]
-            first_row, *rows = [row for row in every if self.kinds["user"][row]]
-            # So that all rows of a sample of few frames go to the same of several hosts.
-            cell.part[:, rows] = cell.part[:, [first_row]]
-        return cell, starts
+        return new_cell(self, seed)
+
+    @property
+    def until(self) -> float:
+        """When a run ends at last, after the last start [s]: infinity if with its burst."""
+        lasts = self.scenario.recovery or self.user_data is not None
+        return self.scenario.until if lasts else np.inf
 
     @property
     def reserve(self) -> int:
@@ -118,173 +79,135 @@ class Setup:
         least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
-            own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == _cell.ANSWER)
+            own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == st.ANSWER)
             return least + int((each * (one_hop | own)).sum()) * most
         return least + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
     def estimate(self) -> tuple[float, float]:
         """Return about how long a run takes [s], and how much memory [MB]."""
         count = self.hosts.host_of.size
-        alone = self.kinds["to_all"] > 0
+        to_all = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
-        of_row = np.where(alone, self.shares.to_all.sum(axis=0), 0.0)
-        of_row += np.where(alone, 0.0, remote * self.shares.each.sum(axis=0))
+        of_row = np.where(
+            to_all, self.shares.to_all.sum(axis=0), remote * self.shares.each.sum(axis=0)
+        )
         frames = float(of_row.sum())
-        # What is sent again and again, while others start and until it is given up.
-        lasts = self.repairs is not None or self.user_data is not None
-        span = self.spread + (self.until if lasts else 0.0)
+        # What is sent again and again, while others start and until the end.
+        starts = delays(self.scenario.start, self.hosts.processes.size, np.random.default_rng(0))
+        span = float(np.ptp(starts)) + (self.until if np.isfinite(self.until) else 0.0)
         again = span * sum(
             float(of_row[list(rows)].sum()) / period
             for rows, period in zip(self.bursts.messages, self.bursts.period, strict=True)
             if period
         )
-        if self.repairs is not None and (
-            period := float(self.repairs["announce_interval_max"][0]) * TICK
-        ):
-            again += span * float(of_row[alone if alone.any() else 0].sum()) / period
-        looks = 0.0
-        if self.repairs is not None:  # at leases, of each process for each other
+        looks = pairs = 0.0
+        held = min(frames, self.scenario.queue[0] * (1 + self.hosts.processes.size))
+        carried = min(frames, 4 * held)
+        if self.repairs is not None:
+            carried = frames
+            if period := float(self.repairs["announce_interval_max"][0]) * TICK:
+                again += span * float(of_row[to_all if to_all.any() else 0].sum()) / period
+            # At leases, of each process for each other.
             looks = count**2 * span / (float(self.repairs["lease"][0]) * TICK)
-        held = min(frames, self.queue[0] * (1 + self.hosts.processes.size))
-        carried = frames if self.repairs is not None else min(frames, 4 * held)
+            items = self.shares.each[:, self.kinds["role"] == st.DATA].sum(axis=1).max()
+            pairs = count**2 * (st.PAIR.itemsize + items // 8)
         seconds = (2 * (carried + again) * _ATTEMPTS + looks) * _PER_TRANSMISSION
-        items = self.shares.each[:, self.kinds["role"] == _cell.DATA].sum(axis=1).max()
-        pairs = 0 if self.repairs is None else count**2 * (96 + items // 8)
-        each = _cell.ENTRY.itemsize + _cell.EVENT.itemsize
-        return seconds, (pairs + held * _cell.ENTRY.itemsize + self.reserve * each) / 1e6
+        each = st.ENTRY.itemsize + st.EVENT.itemsize
+        return seconds, (pairs + held * st.ENTRY.itemsize + self.reserve * each) / 1e6
 
 
-def set_up(
-    fleet: Fleet,
-    protocol: Protocol,
-    wifi: Wifi,
-    queue: tuple[float, float],
-    start: Start,
-    loss: ArrayLike,
-    recovery: bool,
-    until: float,
-    eifs: bool,
-    cold: bool = False,
-    power: ArrayLike | None = None,
-    threshold: tuple[float, float] = THRESHOLD,
-) -> Setup:
-    """Check what `discostorm.simulate` was given and return what a run needs."""
-    hosts = hosts_of(fleet)
+def set_up(scenario: Scenario) -> Setup:
+    """Check a scenario and return what its runs share."""
+    fleet, discovery, wifi = scenario.fleet, scenario.protocol, scenario.wifi
+    hosts = cell_setup.hosts_of(fleet)
     count = hosts.processes.size
-    errors = np.asarray(_checks.numbers("loss", loss, 0, 1, below=True))
+    errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, below=True))
     if errors.ndim and errors.shape != (count,):
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
-    heard = ALIKE
-    if power is not None:
-        heard = np.asarray(_checks.numbers("power", power, -MOST_DECIBELS, MOST_DECIBELS))
-        if heard.shape != (count + 1, count + 1):
-            raise ValueError(
-                f"power must be of shape {(count + 1, count + 1)}, for the {count} hosts and the "
-                f"access point; got {heard.shape}"
-            )
-        heard = from_decibels(heard)
-    radio = radio_record(wifi, queue, eifs, threshold)
-    discovery, protocol = protocol, with_user_data(protocol, fleet)
-    ports = spread(protocol) if recovery else ()
-    kinds, shares = kind_records(protocol, wifi, hosts, ports), shares_of(protocol, hosts, ports)
+    radio = cell_setup.radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
+    protocol = user_data.with_user_data(discovery, fleet)
+    ports = middleware.spread(protocol) if scenario.recovery else ()
+    kinds = cell_setup.kind_records(protocol, wifi, hosts, ports)
+    shares = cell_setup.shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
-    if recovery:
-        check_table(protocol)
-        check_ports(protocol, shares)
-        fill_kinds(protocol, kinds)
-        check_items(protocol, kinds, shares)
-        repairs, table = repair_record(protocol), clock_only(discovery)
+    if scenario.recovery:
+        repairs = middleware.add_recovery(protocol, kinds, shares)
+        table = middleware.clock_only(discovery)
     names = [message.name for message in protocol.messages]
     rows = [names.index(message.name) for message in table.messages]
-    bursts = bursts_of(table)
-    bursts = Bursts(
-        tuple(tuple(rows[row] for row in burst) for burst in bursts.messages),
-        bursts.period,
-        bursts.times,
-    )
-    bursts, user_data = user_data_of(protocol, bursts, kinds, float(queue[1]), until)
-    # Refuses a bad one before all runs.
-    starts = delays(start, count, np.random.default_rng(0))
-    return Setup(
-        hosts,
+    bursts, data = user_data.user_data_of(
+        protocol,
+        cell_setup.bursts_of(table, rows),
         kinds,
-        shares,
-        bursts,
-        radio,
-        repairs,
-        queue,
-        start,
-        np.broadcast_to(errors, count),
-        until if recovery or user_data is not None else np.inf,
-        float(np.ptp(starts)),
-        cold,
-        heard,
-        user_data,
-        topics_of(protocol),
+        float(scenario.queue[1]),
+        scenario.until,
+    )
+    delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad one before all runs
+    return Setup(
+        scenario=scenario,
+        hosts=hosts,
+        kinds=kinds,
+        shares=shares,
+        bursts=bursts,
+        radio=radio,
+        repairs=repairs,
+        loss=np.broadcast_to(errors, count),
+        power=_power(scenario.power, count),
+        user_data=data,
+        topics=user_data.topics_of(protocol),
     )
 
 
-def compiled() -> None:
-    """Compile the inner loops, or load them from disk, unless that is done."""
-    cell = new_cell(
-        Hosts(np.ones(2, np.int64), np.zeros(2, np.int64)),
-        np.zeros(1, _cell.KIND),
-        Shares(
-            np.zeros((2, 1)), np.zeros((2, 1)), np.zeros((1, 3), np.int64), np.zeros(1, np.int64)
-        ),
-        Bursts((), (), ()),
-        np.zeros(1, _cell.RADIO),
-        np.zeros(2),
-        np.zeros(2),
-        np.random.SeedSequence(0),
-        np.random.SeedSequence(0),
-    )
-    advance(cell, 0, 0, 0)
+def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
+    """Return how strongly stations hear each other, as a factor."""
+    if decibels is None:
+        return ALIKE
+    power = np.asarray(_checks.numbers("power", decibels, -MOST_DECIBELS, MOST_DECIBELS))
+    if power.shape != (hosts + 1, hosts + 1):
+        raise ValueError(
+            f"power must be of shape {(hosts + 1, hosts + 1)}, for the {hosts} hosts and the "
+            f"access point; got {power.shape}"
+        )
+    return cell_setup.from_decibels(power)
 
 
-def finish(cell: Cell, until: int, reserve: int = 1024) -> Cell:
-    """Return the cell at the end of its run."""
-    while True:
-        state = advance(cell, until, reserve, _SHARE)
-        if state == OVER:
-            return cell
-        if state == MEMORY:
-            cell = grown(cell)
-
-
-def one_run(setup: Setup, seed: np.random.SeedSequence) -> Run:
-    """Return what one run finds."""
+def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
+    """Return what one run finds; raise `Stopped` soon after the event is set."""
     cell, starts = setup.cell(seed)
-    until = min(ticks(float(starts.max()) + setup.until), int(_cell.NEVER) - 1)
-    cell = finish(cell, until, setup.reserve)
-    now = cell.now[0]
-    counts = {name: int(now[name]) for name in COUNTS if name != "waiting"}
+    until = min(ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
+    cell = finish(cell, until, setup.reserve, stop)
+    state = cell.state[0]
+    counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
-    drained = float(now["drained"] * TICK) if now["open"] == 0 and now["coming"] == 0 else np.inf
+    drained = (
+        float(state["drained"] * TICK) if state["open"] == 0 and state["coming"] == 0 else np.inf
+    )
     if setup.repairs is None:
         converged = drained if counts["arrived"] == counts["expected"] else np.inf
         pair_times = np.empty(0)
     else:
-        converged = float(now["converged"] * TICK) if now["converged"] else np.inf
+        converged = float(state["converged"] * TICK) if state["converged"] else np.inf
         remote = setup.hosts.host_of[:, None] != setup.hosts.host_of
-        done = cell.pairs["done"][remote]
+        done = cell.pairs["completed_at"][remote]
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
-    hosts = cell.stations[: now["hosts"]]
-    samples = cell.samples[: now["samples"]]
+    hosts = cell.stations[: state["hosts"]]
+    samples = cell.queue_samples[: state["samples"]]
     return Run(
         starts,
         drained,
         lost / counts["expected"] if counts["expected"] else 0.0,
         hosts["missed"] / np.maximum(hosts["sought"], 1),
         converged,
-        float(now["busy"] * TICK),
+        float(state["busy"] * TICK),
         counts,
-        np.asarray(cell.airtime * (TICK / PARTS), dtype=np.float64),
+        np.asarray(cell.airtime * (TICK / st.PARTS), dtype=np.float64),
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
-        cell.log[: now["logged"]],
-        {} if setup.user_data is None else found_of(setup.topics, cell, setup.user_data.stamp),
+        cell.log[: state["logged"]].copy(),
+        {}
+        if setup.user_data is None
+        else user_data.found_of(setup.topics, cell, setup.user_data.stamp),
     )

@@ -48,13 +48,6 @@ def window(
         Within how long all hosts should start [s]; infinity where what is repeated fills the
         channel by itself, so that no window is long enough.
 
-    Raises
-    ------
-    ValueError
-        If an argument is out of range.
-    TypeError
-        If an argument is of another kind.
-
     Examples
     --------
     >>> import discostorm as ds
@@ -87,13 +80,6 @@ def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
     -------
     function
         Of a `numpy.random.Generator` and a number of hosts, which returns their times [s].
-
-    Raises
-    ------
-    ValueError
-        If the window is negative, NaN or infinite.
-    TypeError
-        If it is not a number.
     """
     seconds = _checks.number("within", within, 0)
     return _AtRandom(seconds)
@@ -128,13 +114,6 @@ def in_turn(
     -------
     ndarray of shape (hosts,)
         When each host starts [s], in ascending order.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of range.
-    TypeError
-        If an argument is of another kind.
 
     References
     ----------

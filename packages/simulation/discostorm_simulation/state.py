@@ -1,4 +1,4 @@
-"""What a simulated cell consists of, as arrays; chance; and the heap of what will happen.
+"""What a simulated cell consists of, as arrays that the engine and Python share.
 
 Time is counted in whole ticks of 100 ns. Stations are the hosts, then the access point.
 """
@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-from discostorm_simulation._compile import njit, shared
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -22,46 +20,16 @@ NEVER = np.int64(2**62)
 
 #: Bits of kind, destination process, source process and item, from the lowest on.
 KIND_BITS, PROCESS_BITS, ITEM_BITS = 6, 20, 14
-_KINDS, _PROCESSES, ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
-_TO = KIND_BITS
-_FROM = _TO + PROCESS_BITS
-_ITEM = _FROM + PROCESS_BITS
+KIND_MASK, PROCESS_MASK, ITEMS = (2**bits - 1 for bits in (KIND_BITS, PROCESS_BITS, ITEM_BITS))
+DESTINATION_SHIFT = KIND_BITS
+SOURCE_SHIFT = DESTINATION_SHIFT + PROCESS_BITS
+ITEM_SHIFT = SOURCE_SHIFT + PROCESS_BITS
 #: Of a frame that belongs to the traffic that stays, not to the burst.
-STEADY = np.int64(1) << (_ITEM + ITEM_BITS)
+STEADY = np.int64(1) << (ITEM_SHIFT + ITEM_BITS)
 #: From a frame to the next like it.
-NEXT_ITEM = np.int64(1) << _ITEM
+NEXT_ITEM = np.int64(1) << ITEM_SHIFT
 #: Of a frame that the middleware sends again.
 REPAIR = STEADY << 1
-
-
-@njit
-def compose(kind, source, destination, item):
-    """Return a frame."""
-    return kind | (destination << _TO) | (source << _FROM) | ((item & ITEMS) << _ITEM)
-
-
-@njit
-def kind_of(frame):
-    """Return the row of the protocol's table that a frame carries."""
-    return frame & _KINDS
-
-
-@njit
-def destination_of(frame):
-    """Return the process that a unicast frame is for."""
-    return (frame >> _TO) & _PROCESSES
-
-
-@njit
-def source_of(frame):
-    """Return the process that a frame is from."""
-    return (frame >> _FROM) & _PROCESSES
-
-
-@njit
-def item_of(frame):
-    """Return which of the like messages of a pair of processes it is."""
-    return (frame >> _ITEM) & ITEMS
 
 
 #: Octets of a line of the processor's cache: what is needed together should be in one.
@@ -80,46 +48,40 @@ def _record(
     return np.dtype(fields)
 
 
-def aligned(count: int, record: np.dtype[np.void]) -> NDArray[np.void]:
-    """Return zeros that begin with a line of cache."""
-    octets = np.zeros(count * record.itemsize + LINE, np.uint8)
-    begin = -octets.ctypes.data % LINE
-    return octets[begin : begin + count * record.itemsize].view(record)
-
-
 #: The radio in ticks, bytes and counts; `timeout`: after the end of a frame, when no answer has
-#: begun; `heard`: how much longer who heard a frame with errors waits (EIFS - AIFS). By what factor
-#: the power of a frame must exceed that of all that overlap it: at the top rate, and at the basic
-#: rate, of which the begin of each frame is.
+#: begun; `eifs_extra`: how much longer who heard a frame with errors waits (EIFS - AIFS). By what
+#: factor the power of a frame must exceed that of all that overlap it: at the top rate, and at the
+#: basic rate, of which the begin of each frame is.
 RADIO = _record(
-    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "heard"),
-    *("ack", "block_ack", "request", "preamble", "symbol", "grid", "bits", "added"),
-    *("action", "basic_ack"),
-    *("mpdus", "most_bytes", "least_subframe", "window", "queue", "lifetime"),
-    floats=("exceeds", "exceeds_basic"),
+    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "eifs_extra"),
+    *("ack", "block_ack", "bar", "preamble", "symbol", "grid", "bits", "added"),
+    *("addba", "basic_ack"),
+    *("mpdus", "max_bytes", "min_subframe", "window", "queue", "lifetime"),
+    floats=("capture_threshold", "capture_threshold_basic"),
 )
 
-#: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends
-#: before; the medium is idle from ``idle`` on; the first stray sends at ``stray_time``; then
+#: What the cell as a whole is at: slot ``slot`` begins at the tick ``base`` if nobody sends before;
+#: the medium is idle from ``idle`` on; the first deferred station sends at ``deferred_time``; then
 #: counts. ``open``: frames of the burst that are on their way, ``coming``: parts of the burst that
-#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on; ``actions``: how
-#: many frames for it there were. ``unlike``: stations are heard at unlike strength; of a frame that
-#: is received though others overlap it, how many these are with itself, until when they last, and
-#: how many MPDUs it loses to them. ``stamp``: ticks between two stamps of user data.
-NOW = _record(
-    *("clock", "base", "slot", "idle", "ahead", "waiting", "strays", "stray_time", "events"),
+#: hosts have still to send. ``cold``: block acknowledgements have to be agreed on;
+#: ``addba_frames``: how many frames for it there were. ``unlike``: stations are heard at unlike
+#: strength; of a frame that is received though others overlap it, how many these are with itself,
+#: until when they last, and how many MPDUs it loses to them. ``stamp``: ticks between two stamps of
+#: user data.
+STATE = _record(
+    *("clock", "base", "slot", "idle", "ahead", "waiting", "deferred", "deferred_time", "events"),
     *("free", "spare"),
     *("open", "coming", "drained", "queued", "sample", "step", "samples", "logged", "random"),
     *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
     *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
     *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
-    *("busy", "wasted", "expired", "cold", "actions"),
+    *("busy", "wasted", "expired", "cold", "addba_frames"),
     *("unlike", "overlapping", "others", "damaged"),
     "stamp",
 )
 
-#: Causes of losses, for `lose`. (Of plain numbers numba would compile a function for each.)
-FULL, AGE, RETRY, AIR = (np.int64(number) for number in range(4))
+#: Causes of losses, for `count_drop`. (Of plain numbers numba would compile a function for each.)
+QUEUE_FULL, EXPIRED, RETRY_LIMIT, LOST_ON_AIR = (np.int64(number) for number in range(4))
 
 #: A station: the slot in which it sends, whether it waits for it or sends; failures in a row;
 #: frames that it holds, has just sent, has numbered, and the first that the access point has not
@@ -134,37 +96,37 @@ STATION = _record(
     *("held", "failures", "waits", "begun", "times", "number"),
     *("length", "made", "last", "missed", "head"),
     *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
-    *("sent", "must_ask", "stage", "process", "steps", "there", "kind", "sought"),
+    *("sent", "bar_pending", "stage", "process", "steps", "there", "kind", "sought"),
     *("to_number", "passed"),
     floats=("loss",),
     short=(
-        *("held", "failures", "waits", "begun", "times", "number", "sent", "must_ask"),
+        *("held", "failures", "waits", "begun", "times", "number", "sent", "bar_pending"),
         *("to_number", "passed"),
     ),
     lines=3,
 )
 
 #: A frame that a station is sending, the tick at which it came, its number, its failures. Where
-#: the access point aggregates it is a copy of the entry ``number`` of `Cell.pool`.
-HELD = _record("frame", "came", "number", "tries")
+#: the access point aggregates it is a copy of the entry ``number`` of `CellState.pool`.
+WINDOW = _record("frame", "came", "number", "tries")
 
 #: The agreement on block acknowledgements from a host to the access point, or back; request and
 #: response that wait to be sent, by the order in which they came (0: none), and their failures.
-AGREEMENT = _record("state", "request", "response", "request_tries", "response_tries")
+BLOCK_ACK = _record("state", "request", "response", "request_tries", "response_tries")
 #: Not agreed on; asked for; not answered in time; agreed on.
-NONE, ASKED, SILENT, AGREED = (np.int64(number) for number in range(4))
+NO_BLOCK_ACK, REQUESTED, UNANSWERED, ESTABLISHED = (np.int64(number) for number in range(4))
 UPWARD, DOWNWARD = np.int64(0), np.int64(1)
 
 #: How many requests and responses wait at a station, and for which agreement it sends one: twice
 #: the host and the direction, or -1 for none.
-ACTIONS = _record("waiting", "sends")
+ADDBA = _record("waiting", "sends")
 
 #: A frame that waits, or a burst that does; the next in the queue; at the access point also the
 #: next to the same host, which frame to that host it is, and its failures.
 ENTRY = _record(*("frame", "came", "next", "same", "number", "tries"), short=("number", "tries"))
 
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
-STRAY = _record("station", "base", "left", "time")
+DEFERRED = _record("station", "base", "left", "time")
 
 #: Who sends now, and until when; from which tick on it waits then, for how many slots; also what
 #: has just arrived.
@@ -173,12 +135,12 @@ SENDER = _record("station", "end", "base", "slots", "frame")
 #: What happens later.
 EVENT = _record("time", "what")
 
-#: A row of the protocol's table; see `cell_setup`. ``to_all``: it is counted by
-#: its sender, not by who receives it; ``set``: who receives it, a row of `Cell.before`; ``whole``:
-#: nobody sends a fraction of one; ``to_unknown``: it goes to those that are not known as well;
-#: ``of_host``: a process sends it for all of its host. ``when``: of what
-#: it answers all, only what comes later than ``since`` after the other's start, or only before.
-#: ``user``: the row of `Cell.delays` of user data, from 1 on; 0 for all else.
+#: A row of the protocol's table; see `cell_setup`. ``to_all``: it is counted by its sender, not by
+#: its receivers; ``set``: its receivers, a row of `CellState.receivers_before`; ``whole``: nobody
+#: sends a fraction of one; ``to_unknown``: it goes to undiscovered processes, too; ``of_host``: a
+#: process sends it for all of its host. ``when``: it answers all messages, only those that come
+#: later than ``since`` after the other's start, or only earlier ones. ``user``: the row of
+#: `CellState.delays` of user data, from 1 on; 0 for all else.
 KIND = _record(
     *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
     *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
@@ -190,7 +152,7 @@ OTHER, DATA, HEARTBEAT, ACKNACK = range(4)
 CLOCK, ANSWER, DISCOVERY = range(3)
 ALWAYS, LATER, FIRST = range(3)
 
-#: How the middleware repairs, in ticks; see `discostorm_simulation.recovery`.
+#: How the middleware repairs, in ticks; see `kernels.recovery`.
 REPAIRS = _record(
     *(
         "announce_interval_initial",
@@ -200,35 +162,35 @@ REPAIRS = _record(
         "lease",
         "topics",
     ),
-    *("heartbeat", "acknack", "rto_first", "rto_least", "rto_most"),
+    *("heartbeat", "acknack", "rto_first", "rto_min", "rto_max"),
 )
 
 #: What process x holds of process y, at [x, y]: whether x knows y, when it heard of it last, how
 #: many items of y it misses, when it had all; whether x has sent y its own, which topics y has
 #: acknowledged; and of x's connection to y the timer, when it ends, round trip and its spread.
-OF_PAIR = _record(
-    *("known", "heard", "missing", "done", "offered", "acknowledged"),
-    *("rto", "due", "round_trip", "spread", "armed"),
+PAIR = _record(
+    *("discovered", "last_heard", "missing", "completed_at", "announced_at", "acknowledged"),
+    *("rto", "expires_at", "srtt", "rttvar", "timer_running"),
 )
 
 #: A process.
-PROCESS = _record("host", "start", "announce", "heartbeat", "beating")
+PROCESS = _record("host", "start", "announce", "heartbeat", "heartbeat_active")
 
 #: A transmission.
-SENT = _record("start", "end", "station", "kind", "frames", "outcome")
+TRANSMISSION = _record("start", "end", "station", "kind", "frames", "outcome")
 SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))
 
 #: Queue lengths at a time.
-SAMPLE = _record("time", "hosts", "access_point")
+QUEUE_SAMPLE = _record("time", "hosts", "access_point")
 
 Records = NDArray[np.void]
 
 
-class Cell(NamedTuple):
+class CellState(NamedTuple):
     """All that a run reads and changes."""
 
     radio: Records
-    now: Records
+    state: Records
     stations: Records
     window: Records
     #: Of each host what has come to the access point before a frame with a lower number, or -1.
@@ -236,15 +198,15 @@ class Cell(NamedTuple):
     #: Who waits for a slot, and who waits behind them for the same.
     wheel: Places
     behind: Places
-    strays: Records
+    deferred: Records
     senders: Records
     pool: Records
     #: At [host, direction].
-    agreements: Records
-    actions: Records
+    block_acks: Records
+    addba: Records
     events: Records
     kinds: Records
-    batches: Ints
+    bursts: Ints
     processes: Records
     #: Of each message that a process sends, at [process, row]: how many to each receiver, and to
     #: all or in all; where in its fractions it begins.
@@ -252,108 +214,32 @@ class Cell(NamedTuple):
     to_all: Floats
     part: Floats
     #: How many processes before one receive what is for a set of them, at [set, process].
-    before: Ints
+    receivers_before: Ints
     #: At [sender, receiver]; of one number if all are heard alike.
     power: Floats
     repairs: Records
     pairs: Records
-    has: Ints
+    received_bitmap: Ints
     #: Of user data how many frames were late by so many stamps; from `SENT_FRAMES` on how many
     #: were sent, and lost by cause: at their host, at the access point, on the air.
     delays: Ints
     airtime: Ints
-    samples: Records
+    queue_samples: Records
     log: Records
 
 
-#: Where a row of `Cell.delays` counts what was sent, and where its losses begin and end.
+#: Where a row of `CellState.delays` counts what was sent, and where its losses begin and end.
 SENT_FRAMES = ITEMS + 1
 LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: What happens, above the bits that say to whom: a host or process, another, a row of the table.
 _EVENT = 56
-SEND, ANNOUNCE, BEAT, EXPIRE, TIMEOUT, REPEAT, GIVE_UP = (np.int64(n) << _EVENT for n in range(7))
+SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT, ADDBA_TIMEOUT = (
+    np.int64(n) << _EVENT for n in range(7)
+)
 
-# ---------------------------------------------------------------- chance
-
-
-@njit
-def next_random(x):
-    """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
-    x ^= x >> np.uint64(12)
-    x ^= x << np.uint64(25)
-    x ^= x >> np.uint64(27)
-    return x
-
-
-@njit
-def random_bits(x):
-    """Return the 64 random bits of a state."""
-    return x * np.uint64(2685821657736338717)
-
-
-@njit
-def scaled(x, number):
-    """Return a whole number from 0 to below ``number``, all alike, of a state."""
-    return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
-
-
-@njit
-def below(now, number):
-    """Return a whole number from 0 to below ``number``, all alike."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
-    return scaled(x, number)
-
-
-@njit
-def uniform(now):
-    """Return a number from 0 to below 1."""
-    x = next_random(np.uint64(now.random))
-    now.random = np.int64(x)
-    return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
-
-
-# ---------------------------------------------------------------- events
-
-
-@shared
-def later(cell, time, what):
-    """Put an event on the heap."""
-    events = cell.events
-    place = cell.now[0].events
-    cell.now[0].events = place + 1
-    while place > 0:
-        above = (place - 1) >> 1
-        if events[above].time <= time:
-            break
-        events[place].time = events[above].time
-        events[place].what = events[above].what
-        place = above
-    events[place].time = time
-    events[place].what = what
-
-
-@njit
-def next_event(cell):
-    """Take the earliest event off the heap and return what it is."""
-    events = cell.events
-    result = events[0].what
-    count = cell.now[0].events - 1
-    cell.now[0].events = count
-    time, what = events[count].time, events[count].what
-    place = 0
-    while True:
-        lower = 2 * place + 1
-        if lower >= count:
-            break
-        if lower + 1 < count and events[lower + 1].time < events[lower].time:
-            lower += 1
-        if events[lower].time >= time:
-            break
-        events[place].time = events[lower].time
-        events[place].what = events[lower].what
-        place = lower
-    events[place].time = time
-    events[place].what = what
-    return result
+#: What the engine answers: the run is over, it needs more memory, or it has done its steps.
+OVER, MEMORY, GO_ON = range(3)
+#: Columns of `CellState.airtime`, which counts in parts of a tick.
+UP, DOWN, FAILED = range(3)
+PARTS = 1024

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from discostorm.fleet import Fleet
 from discostorm.messages import DATA, Hosts, Message, Protocol, user_data_protocol
 from discostorm.wifi.channel import TICK
-from discostorm_simulation import state as _cell
+from discostorm_simulation import state as st
 from discostorm_simulation.cell_setup import Bursts, ticks
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.state import Cell, Records
+from discostorm_simulation.state import CellState, Records
 
 #: Shortest time between two stamps [s].
 _STAMP = 1e-4
@@ -45,9 +45,9 @@ class UserData:
         """Return when each host sends its first sample: at random within the first period."""
         of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
         return [
-            (ticks(starts[host] + chance.uniform(0, period)), int(_cell.SEND) | int(host) | place)
+            (ticks(starts[host] + chance.uniform(0, period)), int(st.SEND) | int(host) | place)
             for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
-            for place in [number << _cell.PROCESS_BITS]
+            for place in [number << st.PROCESS_BITS]
             for host in np.flatnonzero(of == group)
         ]
 
@@ -95,7 +95,7 @@ def user_data_of(
     names = [row.name for row in protocol.messages]
     for place, row in own:
         if row.answers is not None:
-            kinds["trigger"][place] = _cell.ANSWER
+            kinds["trigger"][place] = st.ANSWER
             kinds["answers"][place] = names.index(row.answers)
     topics: dict[str, list[int]] = {}
     for place, row in own:
@@ -107,7 +107,7 @@ def user_data_of(
     before = len(bursts.messages)
     # Twice a queue's lifetime, and some more, is told apart.
     longest = min(2 * lifetime + 1.0, until)
-    stamp = ticks(max(_STAMP, longest / _cell.ITEMS))
+    stamp = ticks(max(_STAMP, longest / st.ITEMS))
     return (
         replace(
             bursts,
@@ -124,14 +124,14 @@ def user_data_of(
 
 
 def found_of(
-    topics: tuple[tuple[str, bool], ...], cell: Cell, stamp: int
+    topics: tuple[tuple[str, bool], ...], cell: CellState, stamp: int
 ) -> dict[str, dict[str, float]]:
     """Return of each topic the frames sent, arrived and lost, and how late samples ended."""
     found: dict[str, dict[str, float]] = {}
     for (topic, ends), counts in zip(topics, cell.delays, strict=True):
         own = found.setdefault(topic, dict.fromkeys(("frames", "arrived", *CAUSES), 0.0))
-        late, lost = counts[: _cell.SENT_FRAMES], counts[_cell.LOSSES :]
-        own["frames"] += float(counts[_cell.SENT_FRAMES])
+        late, lost = counts[: st.SENT_FRAMES], counts[st.LOSSES :]
+        own["frames"] += float(counts[st.SENT_FRAMES])
         own["arrived"] += float(late.sum())
         for cause, times in zip(CAUSES, lost, strict=True):
             own[cause] += float(times)

@@ -13,8 +13,9 @@ from discostorm.wifi.channel import TICK
 from discostorm_book import sweeps
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import kind_records, ticks
+from discostorm_simulation.engine import finish
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Setup, finish, one_run, set_up
+from discostorm_simulation.run import Scenario, Setup, one_run, set_up
 
 Row = dict[str, str]
 
@@ -48,17 +49,18 @@ def plan_of(row: Row) -> Setup:
     wifi = channel(64 if int(row["ampdu"]) else 1, int(row["aifsn"]))
     protocol = ds.PROTOCOLS[row["protocol"]]
     window = float(row["window_s"])
-    what = set_up(
-        ds.Fleet.swarm(*(int(row[name]) for name in ("hosts", "processes", "endpoints"))),
+    fleet = ds.Fleet.swarm(*(int(row[name]) for name in ("hosts", "processes", "endpoints")))
+    scenario = Scenario(
+        fleet,
         protocol,
         wifi,
-        (float(row["queue_frames"]) or np.inf, float(row["queue_s"]) or np.inf),
-        (lambda rng, hosts: rng.uniform(0, window, hosts)) if window else 0.0,
-        float(row["loss"]),
-        False,
-        100.0,
-        False,
+        queue=(float(row["queue_frames"]) or np.inf, float(row["queue_s"]) or np.inf),
+        start=(lambda rng, hosts: rng.uniform(0, window, hosts)) if window else 0.0,
+        loss=float(row["loss"]),
+        recovery=False,
+        block_ack="established",
     )
+    what = set_up(scenario)
     # ns-3's frames have the length of Table II with their QoS Control field.
     return replace(what, kinds=kind_records(protocol, replace(wifi, aggregation=None), what.hosts))
 
@@ -77,7 +79,7 @@ def test_a_burst_of_hosts_at_unlike_distances_is_that_of_ns3(row: Row) -> None:
     heard = 10 ** (powers(disc(int(row["hosts"]))) / 10)
     what = replace(what, power=heard, radio=what.radio.copy())
     # What ns-3 needs, see lab/ns3/README.md.
-    what.radio["exceeds"], what.radio["exceeds_basic"] = 10**1.87, 10**0.1
+    what.radio["capture_threshold"], what.radio["capture_threshold_basic"] = 10**1.87, 10**0.1
     runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     limit = DRAIN_AGGREGATED if int(row["ampdu"]) else DRAIN
     drained = np.array([run.drain_time for run in runs])
@@ -136,20 +138,18 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
     sedp = replace(sedp, payload=payload, hops=("up",), answers=None)
     starts = np.zeros(stations + 1)
     starts[-1] = 1e4  # only there to be sent to
-    what = set_up(
+    scenario = Scenario(
         ds.Fleet.swarm(stations + 1, 1, max(12_000 // stations**2, 200)),
         ds.Protocol("saturation", (sedp,)),
         channel(1, int(row["aifsn"])),
-        (np.inf, np.inf),
-        starts,
-        0.0,
-        False,
-        1e5,
-        False,
+        queue=(np.inf, np.inf),
+        start=starts,
+        recovery=False,
     )
+    what = set_up(scenario)
     cell = finish(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
-    assert int(cell.now["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
+    assert int(cell.state["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
 
 
 def by_setting(rows: list[Row]) -> dict[tuple[str, str], list[Row]]:
@@ -168,9 +168,10 @@ def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
     """Drain time, airtime, losses by cause and delays of a burst and three topics."""
     image_hz, ampdu, until = (float(rows[0][name]) for name in ("image_hz", "ampdu", "until_s"))
     wifi = channel(64 if ampdu else 1, 3)
+    given = {"recovery": False, "until": until}
     # As in `plan_of`, the length of ns-3's frames is that of the tables.
     what, alone = (
-        set_up(sweeps.mixed(image_hz), ds.DDS, one, (500, 0.5), 0.0, 0.0, False, until, False)
+        set_up(Scenario(sweeps.mixed(image_hz), ds.DDS, one, block_ack="established", **given))
         for one in (wifi, replace(wifi, aggregation=None))
     )
     what = replace(what, kinds=alone.kinds)
@@ -184,7 +185,12 @@ def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
             limit = DRAIN_AGGREGATED if ampdu else DRAIN
             drained = np.array([run.drain_time for run in runs])
             agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
-            agree(row, "busy_s", np.array([run.busy for run in runs]), BUSY * float(row["busy_s"]))
+            agree(
+                row,
+                "busy_s",
+                np.array([run.busy_time for run in runs]),
+                BUSY * float(row["busy_s"]),
+            )
         else:
             counts = [run.data[f"{row['what']} of robots"] for run in runs]
             counts = [one | {"expected": one["frames"]} for one in counts]
@@ -227,7 +233,9 @@ def test_the_standards_own_durations_are_little_longer() -> None:
     ids=lambda row: "-".join((row["scenario"], row["protocol"], row["hosts"])),
 )
 def test_a_burst_with_and_without_agreements_is_that_of_ns3(row: Row) -> None:
-    what = replace(plan_of(row), cold=row["scenario"] == "cold")
+    what = plan_of(row)
+    block_ack = "negotiate" if row["scenario"] == "cold" else "established"
+    what = replace(what, scenario=replace(what.scenario, block_ack=block_ack))
     runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     agree(
         row,

@@ -6,12 +6,6 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_simulation._compile import entry
-from discostorm_simulation.block_ack import PATIENCE, action_failed, ask, give_up
-from discostorm_simulation.run import finish, set_up
-from discostorm_simulation.state import AGREED, ASKED, DOWNWARD, NONE, SILENT, UPWARD
-
-INFINITE = (float("inf"), float("inf"))
 
 
 def channel(mpdus: int = 64) -> ds.Wifi:
@@ -19,11 +13,11 @@ def channel(mpdus: int = 64) -> ds.Wifi:
 
 
 def burst(
-    agreements: Literal["cold", "in place"], mpdus: int = 64, **options: Any
+    block_ack: Literal["negotiate", "established"], mpdus: int = 64, **options: Any
 ) -> ds.Simulation:
     given: dict[str, Any] = {"queue": None, "recovery": False, "runs": 5} | options
     swarm = ds.Fleet.swarm(4, 2, 10)
-    return ds.simulate(swarm, ds.ZENOH, channel(mpdus), agreements=agreements, **given)
+    return ds.simulate(swarm, ds.ZENOH, channel(mpdus), block_ack=block_ack, **given)
 
 
 def test_request_and_response_come_before_the_first_aggregate() -> None:
@@ -35,7 +29,7 @@ def test_request_and_response_come_before_the_first_aggregate() -> None:
         queue=None,
         start=np.array([0.0, 1.0]),
         recovery=False,
-        agreements="cold",
+        block_ack="negotiate",
     )
     table = found.transmission_table()
     first = table[table["start_s"] < 1.0]
@@ -54,56 +48,21 @@ def test_request_and_response_come_before_the_first_aggregate() -> None:
 
 
 def test_each_agreement_is_made_once_and_nothing_is_lost() -> None:
-    found = burst("cold", loss=0.1)
+    found = burst("negotiate", loss=0.1)
     assert (found.counts["arrived"] + found.counts["on_air"] == found.counts["expected"]).all()
-    warm = burst("in place", loss=0.1)
+    warm = burst("established", loss=0.1)
     # Two frames for each of four hosts, up and down.
     assert (found.counts["requests"] >= warm.counts["requests"].min() + 16).all()
     assert np.median(found.drain_time) > np.median(warm.drain_time)
 
 
 def test_without_aggregation_there_is_nothing_to_agree_on() -> None:
-    cold, warm = burst("cold", 1), burst("in place", 1)
+    cold, warm = burst("negotiate", 1), burst("established", 1)
     np.testing.assert_array_equal(cold.drain_time, warm.drain_time)
     for name, count in cold.counts.items():
         np.testing.assert_array_equal(count, warm.counts[name])
 
 
-@entry
-def ask_in_vain(cell: Any, attempts: int) -> None:
-    ask(cell, 0, UPWARD)
-    for _ in range(attempts):
-        cell.actions[0].sends = UPWARD
-        action_failed(cell, 0, 0)
-
-
-@entry
-def wait_in_vain(cell: Any) -> None:
-    give_up(cell, UPWARD, PATIENCE)
-
-
-def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() -> None:
-    what = set_up(
-        ds.Fleet.swarm(2, 1, 2), ds.ZENOH, channel(), INFINITE, 0.0, 0.0, False, 1.0, False, True
-    )
-    cell, _ = what.cell(np.random.SeedSequence(0))
-    agreement = cell.agreements[0, UPWARD]
-    ask_in_vain(cell, 6)
-    assert (agreement["state"], cell.stations[0]["length"]) == (ASKED, 1)
-    wait_in_vain(cell)
-    assert agreement["state"] == SILENT
-    wait_in_vain(cell)
-    assert agreement["state"] == NONE
-    cell, _ = what.cell(np.random.SeedSequence(0))
-    ask_in_vain(cell, 7)
-    assert (cell.agreements[0, UPWARD]["state"], cell.stations[0]["length"]) == (SILENT, 0)
-    # Its frames go one by one, and the other direction is agreed on.
-    finish(cell, 10**7)
-    assert cell.now["open"] == 0
-    assert (cell.agreements["state"][0, [UPWARD, DOWNWARD]] == [SILENT, AGREED]).all()
-    assert (cell.log["frames"][cell.log["station"] == 0] <= 1).all()
-
-
 def test_an_unknown_start_is_refused() -> None:
-    with pytest.raises(ValueError, match="agreements must be 'cold' or"):
+    with pytest.raises(ValueError, match="block_ack must be 'negotiate' or"):
         burst("warm")  # type: ignore[arg-type]

@@ -18,7 +18,7 @@ def channel(mpdus: int = 1) -> ds.Wifi:
 
 def burst(fleet: ds.Fleet = SWARM, mpdus: int = 1, **options: Any) -> ds.Simulation:
     given: dict[str, Any] = {"queue": None, "recovery": False, "runs": 3} | options
-    return ds.simulate(fleet, ds.DDS, channel(mpdus), agreements="in place", **given)
+    return ds.simulate(fleet, ds.DDS, channel(mpdus), block_ack="established", **given)
 
 
 def first_of(found: ds.Simulation) -> pd.DataFrame:

@@ -1,7 +1,6 @@
 """The simulator, held against the closed form, Markov chains, Bianchi and itself."""
 
 import json
-import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -13,26 +12,23 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import numba
 import numpy as np
 import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
 
 import discostorm as ds
-import discostorm_simulation
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop, Hosts
 from discostorm_simulation import staggered
-from discostorm_simulation._compile import keeps, shown
 from discostorm_simulation._memory import available
 from discostorm_simulation.cell_setup import TICK, hosts_of, ticks
-from discostorm_simulation.engine import advance
+from discostorm_simulation.engine import LoadedCell, finish
 from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Setup, finish, one_run, set_up
-from discostorm_simulation.state import SUCCESS, Cell
+from discostorm_simulation.run import Scenario, Setup, one_run, set_up
+from discostorm_simulation.state import SUCCESS, CellState
 
 FLEET = data_path("fleets/nav2_laptop.toml")
 RADIO = ds.Radio("802.11n", streams=2, aifsn=3)
@@ -51,10 +47,12 @@ def plan(
     until: float = 1e5,
 ) -> Setup:
     """Return a plan without limits of the queues whose radio the test may change."""
-    return set_up(fleet, protocol, wifi, UNLIMITED, start, loss, recovery, until, False)
+    given = {"start": start, "loss": loss, "recovery": recovery, "until": until}
+    scenario = Scenario(fleet, protocol, wifi, queue=UNLIMITED, block_ack="established", **given)
+    return set_up(scenario)
 
 
-def cell_of(what: Setup, seed: int = 0) -> Cell:
+def cell_of(what: Setup, seed: int = 0) -> CellState:
     return what.cell(np.random.SeedSequence(seed))[0]
 
 
@@ -67,10 +65,10 @@ def drained(what: Setup) -> int:
     what.radio["cw_min"] = what.radio["cw_max"] = 0
     what.radio["aifs"] += waiting
     cell = cell_of(what)
-    cell.now["base"] = what.radio["aifs"]
+    cell.state["base"] = what.radio["aifs"]
     cell = finish(cell, ticks(1e6), what.reserve)
-    assert cell.now["collisions"] == 0
-    return int(cell.now["drained"][0])
+    assert cell.state["collisions"] == 0
+    return int(cell.state["drained"][0])
 
 
 def numbers(message: ds.Message, hop: str, wifi: ds.Wifi) -> float:
@@ -231,7 +229,7 @@ def made(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return how many frames of each row each run hands to the queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
     cell = finish(cell_of(what, seed), ticks(1e6), what.reserve)
-    assert cell.now["open"] == 0
+    assert cell.state["open"] == 0
     for row in range(rows.size):
         rows[row] = round(cell.airtime[row, 0] / 1024 / TIME)
     return rows
@@ -433,7 +431,7 @@ def saturated(what: Setup, stations: int, seconds: float) -> float:
     cell = cell_of(what)
     cell = finish(cell, ticks(seconds), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
-    return int(cell.now["arrived"][0]) / seconds
+    return int(cell.state["arrived"][0]) / seconds
 
 
 def frozen(stations: int, success: float, collision: float, slot: float) -> float:
@@ -561,14 +559,17 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
     for seed in range(runs):
         cell = cell_of(what, seed)
         cell = finish(cell, ticks(0.0999), what.reserve)
+        loaded = LoadedCell(cell)
         # The second host is known to the first; now it learns of the first and sends to it.
-        while not cell.pairs["known"][1, 0]:
-            advance(cell, ticks(1e6), what.reserve, 1)
-        begin = int(cell.pairs["offered"][1, 0])
+        while not cell.pairs["discovered"][1, 0]:
+            loaded.advance(ticks(1e6), what.reserve, 1)
+            cell = loaded.cell
+        begin = int(cell.pairs["announced_at"][1, 0])
         cell.stations["loss"] = loss
-        while not cell.pairs["done"][0, 1]:
-            advance(cell, ticks(1e6), what.reserve, 1)
-        times.append(int(cell.pairs["done"][0, 1]) - begin)
+        while not cell.pairs["completed_at"][0, 1]:
+            loaded.advance(ticks(1e6), what.reserve, 1)
+            cell = loaded.cell
+        times.append(int(cell.pairs["completed_at"][0, 1]) - begin)
     taken = np.array(times)
     # The Heartbeat sent with the items is the first round, the timer gives the others; each
     # takes some milliseconds.
@@ -598,12 +599,9 @@ def test_the_same_seed_gives_the_same_bits() -> None:
 def test_runs_side_by_side_are_the_same_as_one_after_the_other(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    one = small()
-    monkeypatch.setattr("discostorm_simulation._ALONE", 0.0)
-    import joblib
-
-    with joblib.parallel_config("threading", n_jobs=2):
-        assert small().to_json() == one.to_json()
+    several = small()
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
+    assert small().to_json() == several.to_json()
 
 
 def test_nothing_is_lost_without_limits_and_collisions() -> None:
@@ -740,9 +738,9 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
     def cost(hosts: int) -> float:
         what = plan(ds.Fleet.swarm(hosts, 2, 10), ds.DDS, RADIO.wifi())
         cell = finish(cell_of(what), ticks(0.01), what.reserve)
-        begin, before = process_time(), int(cell.now["ppdus"][0])
+        begin, before = process_time(), int(cell.state["ppdus"][0])
         cell = finish(cell, ticks(4.0), what.reserve)
-        return (process_time() - begin) / (int(cell.now["ppdus"][0]) - before)
+        return (process_time() - begin) / (int(cell.state["ppdus"][0]) - before)
 
     cost(10)
     assert min(cost(500) for _ in range(3)) < 5 * min(cost(10) for _ in range(3))
@@ -853,55 +851,37 @@ def test_a_queue_too_large_to_count_has_no_limit() -> None:
 
 
 def test_package_does_not_load_what_only_the_simulator_needs() -> None:
-    code = (
-        "import sys, discostorm, discostorm_simulation; "
-        "print([m for m in ('numba', 'joblib', 'tqdm') if m in sys.modules])"
-    )
+    code = "import sys, discostorm, discostorm_simulation; print('wasmtime' in sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert run.stdout.strip() == "[]"
+    assert run.stdout.strip() == "False"
 
 
-def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_simulation.find_spec", lambda _: None)
-    with pytest.raises(ImportError, match=r"pip install 'discostorm\[simulation\]'"):
-        small()
-
-
-def test_compiling_is_said_and_counted_but_not_what_is_compiled_already(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    inner = numba.njit(lambda x: x + 1)
-    outer = numba.njit(lambda x: inner(x) * 2)
-    said: list[str] = []
-    with shown(said.append, kept=True):
-        assert outer(1) == 4
-    assert len(said) == 1
-    assert "once on a machine: about a minute" in said[0]
-    assert said[0].endswith("kept when all of it is done ...")
-    assert "2 parts" in capsys.readouterr().err
-    with shown(said.append, kept=True):
-        assert outer(2) == 6
-    assert len(said) == 1
-    assert not capsys.readouterr().err
-
-
-def test_what_cannot_be_kept_is_not_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not keeps(numba.njit(lambda x: x))  # numba found no folder for it
-    if keeps(advance):  # as nearly everywhere
-        monkeypatch.setattr("os.access", lambda *_: False)
-        assert not keeps(advance)
-    said: list[str] = []
-    with shown(said.append, kept=False):
-        assert numba.njit(lambda x: x + 2)(1) == 3
-    assert "each time: about a minute" in said[0]
-    assert "not kept" in said[0]
-    assert "NUMBA_CACHE_DIR" in said[0]
+def test_without_wasmtime_it_says_so_and_the_rest_works() -> None:
+    code = """
+import sys
+sys.modules["wasmtime"] = sys.modules["numba"] = None
+import discostorm as ds
+from discostorm.cli import main
+from discostorm_simulation import staggered
+fleet = ds.Fleet.swarm(4, 2, 10)
+assert staggered.window(ds.DDS, fleet) > 0
+try:
+    ds.simulate(fleet, ds.DDS, ds.PAPER)
+except ImportError as error:
+    print(error)
+main(["simulate", "--hosts", "4", "--processes", "2", "--endpoints", "10"])
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    says = "the simulator needs wasmtime, which is there for 64-bit Linux, macOS and Windows: "
+    assert run.returncode == 2
+    assert run.stdout.startswith(says)
+    assert run.stderr.endswith(f"Error: {says}pip install wasmtime\n")
 
 
 def test_long_runs_are_announced(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("discostorm_simulation._PATIENCE", 0.0)
+    monkeypatch.setattr("discostorm_simulation._SAID", 0.0)
     small()
     assert "3 runs of about" in capsys.readouterr().err
     what = plan(ds.Fleet.swarm(1000, 2, 10), ds.DDS, RADIO.wifi())
@@ -940,6 +920,10 @@ def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch
         small()
     monkeypatch.undo()
     assert 100 < available() < 1e8
+    monkeypatch.setattr("discostorm_simulation.available", lambda: float("inf"))
+    large = ds.Fleet.swarm(7000, 1, 1)
+    with pytest.raises(ValueError, match=r"needs about \d+ MB, of 4295 MB that the simulator can"):
+        ds.simulate(large, ds.DDS, ds.PAPER)
 
 
 @pytest.mark.parametrize(
@@ -1044,19 +1028,3 @@ def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> 
     result = command(*arguments)
     assert result.exit_code == 2
     assert message in result.output
-
-
-def test_ctrl_c_reaches_no_process_of_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They would each print a traceback if it came while they start; this one ends them."""
-
-    def handler(_plan: Any, _seed: Any) -> Any:
-        return signal.getsignal(signal.SIGINT)
-
-    monkeypatch.setattr("discostorm_simulation.run.compiled", lambda: None)
-    monkeypatch.setattr("discostorm_simulation.run.one_run", handler)
-    plan: Any = SimpleNamespace(estimate=lambda: (10.0, 1.0))
-    seeds: Any = [0, 1]
-    before = handler(plan, 0)
-    found: Any = discostorm_simulation._all_runs(plan, seeds)
-    assert found == [signal.SIG_IGN, signal.SIG_IGN]
-    assert handler(plan, 0) == before

@@ -2,46 +2,34 @@
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.block_ack import agreed, ask, choose_action
-from discostorm_simulation.channel_access import offer, wake
-from discostorm_simulation.queues import (
-    batch_of,
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
+from discostorm_simulation.kernels.channel_access import enqueue_or_drop, request_access
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import destination_of, kind_of, uniform
+from discostorm_simulation.kernels.queues import (
     burst_entry,
+    burst_of,
     change_length,
+    count_drop,
+    count_user_data_drop,
+    dequeue_first_for,
     drop_head,
-    first_entry,
     frames_of,
-    host_of,
-    lose,
-    lose_user_data,
-    make,
-    receiver,
-    take_same,
+    next_frame,
+    oldest_entry,
+    receiving_host,
+    source_host,
 )
-from discostorm_simulation.recovery import answer, arrive
-from discostorm_simulation.state import (
-    AGE,
-    AGREED,
-    AIR,
-    ASKED,
-    DOWNWARD,
-    NEVER,
-    NONE,
-    STEADY,
-    UPWARD,
-    destination_of,
-    kind_of,
-    uniform,
-)
-from discostorm_simulation.user_data_kernel import take_user_data
+from discostorm_simulation.kernels.recovery import receive_message, send_answers
+from discostorm_simulation.kernels.user_data import receive_user_data
 
 #: Marks a frame of an A-MPDU that has not arrived, in the time at which it came.
 MISSING = np.int64(2**62)
 
 
 @njit
-def keep(cell, station, place, kept):
+def move_forward(cell, station, place, kept):
     """Move a held frame forward."""
     if kept < place:
         held, free = cell.window[station, place], cell.window[station, kept]
@@ -50,7 +38,7 @@ def keep(cell, station, place, kept):
 
 
 @shared
-def prevails(cell, count, station, to, factor):
+def exceeds_interference(cell, count, station, to, factor):
     """Return whether a station hears one of those that send now above the sum of the others."""
     others = 0.0
     for place in range(count):
@@ -63,51 +51,53 @@ def prevails(cell, count, station, to, factor):
 
 
 @njit
-def hears(cell, host):
+def hears_multicast(cell, host):
     """Return whether a host receives the access point's multicast in spite of others."""
-    now = cell.now[0]
-    return prevails(cell, now.overlapping, now.hosts, host, cell.radio[0].exceeds_basic)
+    state = cell.state[0]
+    return exceeds_interference(
+        cell, state.overlapping, state.hosts, host, cell.radio[0].capture_threshold_basic
+    )
 
 
 @shared
 def deliver(cell, station, frame, time, alone):
     """Pass on what has arrived: to the access point's queue, or to who it is for."""
-    now = cell.now[0]
+    state = cell.state[0]
     row = cell.kinds[kind_of(frame)]
-    if station < now.hosts and row.down:
-        if offer(cell, now.hosts, frame, time):
+    if station < state.hosts and row.down:
+        if enqueue_or_drop(cell, state.hosts, frame, time):
             # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
-            wake(cell, now.hosts, time, not alone)
+            request_access(cell, state.hosts, time, not alone)
         return
-    burst = not frame & STEADY
-    now.open -= burst
-    if station < now.hosts or not row.multicast:
-        now.arrived += burst
+    burst = not frame & st.STEADY
+    state.open -= burst
+    if station < state.hosts or not row.multicast:
+        state.arrived += burst
         if row.user:
-            take_user_data(cell, frame, time)
-        if now.repairs:
-            arrive(cell, frame, destination_of(frame), time)
+            receive_user_data(cell, frame, time)
+        if state.repairs:
+            receive_message(cell, frame, destination_of(frame), time)
         elif row.user:
-            answer(cell, frame, destination_of(frame), time)
+            send_answers(cell, frame, destination_of(frame), time)
         return
-    sender = host_of(cell, frame)
-    for host in range(now.hosts):
+    sender = source_host(cell, frame)
+    for host in range(state.hosts):
         its = cell.stations[host]
         if host == sender:
             continue
-        deaf = now.overlapping > 0 and not hears(cell, host)
-        if deaf or (its.loss > 0 and uniform(now) < its.loss):
-            now.on_air += burst
+        deaf = state.overlapping > 0 and not hears_multicast(cell, host)
+        if deaf or (its.loss > 0 and uniform(state) < its.loss):
+            state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:
-                lose_user_data(cell, frame, 1, station, AIR)
+                count_user_data_drop(cell, frame, 1, station, st.LOST_ON_AIR)
             continue
-        now.arrived += burst
+        state.arrived += burst
         if row.user:
-            take_user_data(cell, frame, time)
-        if now.repairs:
+            receive_user_data(cell, frame, time)
+        if state.repairs:
             for process in range(its.first, its.first + its.processes):
-                arrive(cell, frame, process, time)
+                receive_message(cell, frame, process, time)
 
 
 @shared
@@ -127,68 +117,68 @@ def pass_on(cell, host, time, alone):
 
 
 @shared
-def throw_out_old(cell, station, time):
+def drop_expired(cell, station, time):
     """Drop the held frames that are too old."""
     its = cell.stations[station]
     kept = np.int64(0)
     for place in range(its.held):
         held = cell.window[station, place]
         if time - held.came > cell.radio[0].lifetime:
-            lose(cell, held.frame, station, AGE)
+            count_drop(cell, held.frame, station, st.EXPIRED)
             change_length(cell, station, -1)
         else:
-            keep(cell, station, place, kept)
+            move_forward(cell, station, place, kept)
             kept += 1
     its.held = kept
-    if cell.now[0].per_receiver:
+    if cell.state[0].per_receiver:
         pass_on(cell, station, time, True)
 
 
 @njit
 def aggregates(cell, station):
     """Return whether a station is the access point and sends A-MPDUs, to one host each."""
-    return cell.now[0].per_receiver and station == cell.now[0].hosts
+    return cell.state[0].per_receiver and station == cell.state[0].hosts
 
 
 @shared
 def first_free(cell, node):
     """Return the access point's first frame from one on that waits for no agreement, or -1."""
-    now = cell.now[0]
+    state = cell.state[0]
     while node >= 0:
         frames = frames_of(cell.pool[node].frame)
         if frames:
-            to = receiver(cell, cell.pool[node].frame)
-            if to == now.hosts or cell.agreements[to, DOWNWARD].state != ASKED:
+            to = receiving_host(cell, cell.pool[node].frame)
+            if to == state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
         node = np.int64(cell.pool[node].next)
     return np.int64(-1)
 
 
 @shared
-def load_to_one(cell, time):
+def fill_window_for_one(cell, time):
     """Fill what the access point sends next to the host that has waited longest.
 
     What is not for all stays in the queue until it has arrived: so whoever has waited longest then
     is next, not who lacks a part of the last A-MPDU.
     """
-    now, radio = cell.now[0], cell.radio[0]
-    station = now.hosts
+    state, radio = cell.state[0], cell.radio[0]
+    station = state.hosts
     its = cell.stations[station]
-    if its.must_ask:
+    if its.bar_pending:
         return True
     its.held = 0
-    node = first_entry(cell, station, time)
-    if now.cold:
+    node = oldest_entry(cell, station, time)
+    if state.cold:
         node = first_free(cell, node)
     if node < 0:
         return False
-    to, most = receiver(cell, cell.pool[node].frame), radio.mpdus
-    if now.cold and to < now.hosts:
-        state = cell.agreements[to, DOWNWARD].state
-        if state == NONE and cell.pool[node].same >= 0:
-            ask(cell, to, DOWNWARD)
+    to, most = receiving_host(cell, cell.pool[node].frame), radio.mpdus
+    if state.cold and to < state.hosts:
+        block_ack = cell.block_acks[to, st.DOWNWARD].state
+        if block_ack == st.NO_BLOCK_ACK and cell.pool[node].same >= 0:
+            request_block_ack(cell, to, st.DOWNWARD)
             return True
-        if state != AGREED:
+        if block_ack != st.ESTABLISHED:
             most = np.int64(1)
     first = np.int64(cell.pool[node].number)
     while node >= 0 and its.held < most and cell.pool[node].number < first + radio.window:
@@ -197,34 +187,34 @@ def load_to_one(cell, time):
         held.tries = waiting.tries
         its.held += 1
         node = waiting.same
-        if to == now.hosts:
-            take_same(cell, to)
+        if to == state.hosts:
+            dequeue_first_for(cell, to)
             break
     return True
 
 
 @njit
-def load(cell, station, time):
+def fill_window(cell, station, time):
     """Fill what the station sends next, oldest first; return whether there is anything."""
     radio, its = cell.radio[0], cell.stations[station]
-    cold = cell.now[0].cold
-    if cold and choose_action(cell, station):
+    cold = cell.state[0].cold
+    if cold and choose_addba(cell, station):
         return True
     if aggregates(cell, station):
-        return load_to_one(cell, time)
-    if its.held and radio.lifetime < NEVER:
-        throw_out_old(cell, station, time)
+        return fill_window_for_one(cell, time)
+    if its.held and radio.lifetime < st.NEVER:
+        drop_expired(cell, station, time)
     while its.held < radio.mpdus:
         if its.held and its.following - cell.window[station, 0].number >= radio.window:
             break
-        node = first_entry(cell, station, time)
+        node = oldest_entry(cell, station, time)
         if node < 0:
             break
         frame, came = cell.pool[node].frame, cell.pool[node].came
         if frame < 0:
-            left, batch = frames_of(frame) - 1, batch_of(frame)
-            cell.pool[node].frame = burst_entry(batch, left)
-            frame = make(cell, station, batch)
+            left, burst = frames_of(frame) - 1, burst_of(frame)
+            cell.pool[node].frame = burst_entry(burst, left)
+            frame = next_frame(cell, station, burst)
             if left == 0:
                 its.begun = 0
                 drop_head(cell, station)
@@ -234,21 +224,21 @@ def load(cell, station, time):
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
         its.following += 1
         its.held += 1
-    if cold and not its.must_ask:
-        state = cell.agreements[station, UPWARD].state
-        if state == ASKED:
+    if cold and not its.bar_pending:
+        state = cell.block_acks[station, st.UPWARD].state
+        if state == st.REQUESTED:
             return False
-        if state == NONE and its.length > 1:
-            ask(cell, station, UPWARD)
+        if state == st.NO_BLOCK_ACK and its.length > 1:
+            request_block_ack(cell, station, st.UPWARD)
             return True
-    return its.held > 0 or its.must_ask > 0
+    return its.held > 0 or its.bar_pending > 0
 
 
 @njit
-def subframe(cell, frame):
+def subframe_octets(cell, frame):
     """Return the bytes of a frame in an A-MPDU: with delimiter and padding (9.7.1)."""
     padded = 4 + (cell.kinds[kind_of(frame)].octets + 3) // 4 * 4
-    return max(padded, cell.radio[0].least_subframe)
+    return max(padded, cell.radio[0].min_subframe)
 
 
 @njit
@@ -260,21 +250,21 @@ def data_ticks(radio, octets):
 
 
 @njit
-def ppdu(cell, station):
+def plan_ppdu(cell, station):
     """Decide how many of the held frames go together; return how long they take."""
     its = cell.stations[station]
-    if its.must_ask:
+    if its.bar_pending:
         its.sent = 0
-        return cell.radio[0].request
-    if cell.now[0].cold and cell.actions[station].sends >= 0:
+        return cell.radio[0].bar
+    if cell.state[0].cold and cell.addba[station].sends >= 0:
         its.sent = 0
-        return cell.radio[0].action
+        return cell.radio[0].addba
     frame = cell.window[station, 0].frame
-    if its.held > 1 and (not cell.now[0].cold or agreed(cell, station, frame)):
-        octets, together = subframe(cell, frame), np.int64(1)
+    if its.held > 1 and (not cell.state[0].cold or is_established(cell, station, frame)):
+        octets, together = subframe_octets(cell, frame), np.int64(1)
         while together < its.held:
-            more = octets + subframe(cell, cell.window[station, together].frame)
-            if more > cell.radio[0].most_bytes:
+            more = octets + subframe_octets(cell, cell.window[station, together].frame)
+            if more > cell.radio[0].max_bytes:
                 break
             octets = more
             together += 1
@@ -283,12 +273,12 @@ def ppdu(cell, station):
             return data_ticks(cell.radio[0], octets)
     its.sent = 1
     row = cell.kinds[kind_of(frame)]
-    return row.time_down if station == cell.now[0].hosts else row.time_up
+    return row.time_down if station == cell.state[0].hosts else row.time_up
 
 
 @njit
 def is_multicast(cell, station):
     """Return whether the station sends a frame that nobody acknowledges."""
-    if station < cell.now[0].hosts or cell.stations[station].sent == 0:
+    if station < cell.state[0].hosts or cell.stations[station].sent == 0:
         return False
     return cell.kinds[kind_of(cell.window[station, 0].frame)].multicast > 0

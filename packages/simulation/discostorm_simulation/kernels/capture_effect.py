@@ -9,62 +9,67 @@ arrive.
 
 import numpy as np
 
-from discostorm_simulation._compile import njit, shared
-from discostorm_simulation.delivery import data_ticks, is_multicast, prevails, subframe
-from discostorm_simulation.queues import receiver
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.delivery import (
+    data_ticks,
+    exceeds_interference,
+    is_multicast,
+    subframe_octets,
+)
+from discostorm_simulation.kernels.queues import receiving_host
 
 
 @njit
-def sent_to(cell, station):
+def receiver_of_transmission(cell, station):
     """Return who is to receive what a station sends; of multicast the access point, as nobody."""
-    if station < cell.now[0].hosts:
-        return cell.now[0].hosts
-    if cell.stations[station].sent == 0 and not cell.stations[station].must_ask:
-        return cell.actions[station].sends // 2
-    return receiver(cell, cell.window[station, 0].frame)
+    if station < cell.state[0].hosts:
+        return cell.state[0].hosts
+    if cell.stations[station].sent == 0 and not cell.stations[station].bar_pending:
+        return cell.addba[station].sends // 2
+    return receiving_host(cell, cell.window[station, 0].frame)
 
 
 @njit
-def begun_before(cell, station, since):
+def mpdus_begun_before(cell, station, since):
     """Return how many MPDUs of a PPDU begin in the ticks after its own begin."""
     octets = np.int64(0)
     for place in range(cell.stations[station].sent):
         if data_ticks(cell.radio[0], octets) >= since:
             return np.int64(place)
-        octets += subframe(cell, cell.window[station, place].frame)
+        octets += subframe_octets(cell, cell.window[station, place].frame)
     return np.int64(cell.stations[station].sent)
 
 
 @shared
-def survives(cell, count, station, time):
+def is_captured(cell, count, station, time):
     """Return whether something arrives of what a station sends with others; note what does not."""
-    now, radio, sent = cell.now[0], cell.radio[0], cell.stations[station].sent
-    now.damaged = 0
+    state, radio, sent = cell.state[0], cell.radio[0], cell.stations[station].sent
+    state.damaged = 0
     if is_multicast(cell, station):
-        for host in range(now.hosts):
-            if prevails(cell, count, station, host, radio.exceeds_basic):
+        for host in range(state.hosts):
+            if exceeds_interference(cell, count, station, host, radio.capture_threshold_basic):
                 return True
         return False
-    to = sent_to(cell, station)
-    if not prevails(cell, count, station, to, radio.exceeds_basic):
+    to = receiver_of_transmission(cell, station)
+    if not exceeds_interference(cell, count, station, to, radio.capture_threshold_basic):
         return False
-    if sent == 0 or prevails(cell, count, station, to, radio.exceeds):
+    if sent == 0 or exceeds_interference(cell, count, station, to, radio.capture_threshold):
         return True
     others = np.int64(0)
     for place in range(count):
         if cell.senders[place].station != station:
             others = max(others, cell.senders[place].end)
-    now.damaged = begun_before(cell, station, others - time) if sent > 1 else sent
-    return now.damaged < sent
+    state.damaged = mpdus_begun_before(cell, station, others - time) if sent > 1 else sent
+    return state.damaged < sent
 
 
 @shared
-def survivor(cell, count, time):
+def captured_station(cell, count, time):
     """Return who of those that send together is received in spite of the others, or -1."""
     for place in range(count):
         station = cell.senders[place].station
-        if survives(cell, count, station, time):
-            cell.now[0].overlapping = count
+        if is_captured(cell, count, station, time):
+            cell.state[0].overlapping = count
             return station
-    cell.now[0].damaged = 0
+    cell.state[0].damaged = 0
     return np.int64(-1)

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_simulation import recovery
-from discostorm_simulation.run import set_up
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels import recovery
+from discostorm_simulation.run import Scenario, set_up
 
 
 def timers(trips, least, most):
@@ -27,41 +28,40 @@ def timers(trips, least, most):
 )
 def test_timer_of_tcp_is_that_of_rfc_6298(least, most):
     trips = np.random.default_rng(0).integers(10_000, 50_000, 40).tolist()
-    cell = SimpleNamespace(repairs=[SimpleNamespace(rto_least=least, rto_most=most)])
-    pair = SimpleNamespace(round_trip=0, spread=0, rto=0)
+    cell = SimpleNamespace(repairs=[SimpleNamespace(rto_min=least, rto_max=most)])
+    pair = SimpleNamespace(srtt=0, rttvar=0, rto=0)
     for trip, expected in zip(trips, timers(trips, least, most), strict=True):
-        recovery.measure.py_func(cell, pair, trip)
+        recovery.update_rto.py_func(cell, pair, trip)
         # Whole ticks: what is cut off adds up to less than 8 of each sum, 4 times for the spread.
         assert pair.rto == pytest.approx(expected, abs=24)
 
 
 def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     arrived, sent = {0, 1, 2, 4}, []
-    monkeypatch.setattr(recovery, "items", lambda *_: 9)
-    monkeypatch.setattr(recovery, "has_item", lambda *given: given[-1] in arrived)
-    monkeypatch.setattr(recovery, "send_item", lambda *given: sent.append(given[-2]))
-    pairs = np.zeros((2, 2), [("missing", int), ("due", int), ("rto", int)])
+    monkeypatch.setattr(recovery, "announcement_count", lambda *_: 9)
+    monkeypatch.setattr(recovery, "has_received", lambda *given: given[-1] in arrived)
+    monkeypatch.setattr(recovery, "resend_announcement", lambda *given: sent.append(given[-2]))
+    pairs = np.zeros((2, 2), [("missing", int), ("expires_at", int), ("rto", int)])
     pairs["rto"], pairs["missing"] = 30, 5
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
-    recovery.acknowledge_tcp.py_func(cell, 0, 1, 2, recovery.REPAIR, 100)
+    recovery.on_tcp_ack.py_func(cell, 0, 1, 2, st.REPAIR, 100)
     assert sent == [3, 5]
-    assert pairs["due"][0, 1] == 130  # and the timer starts anew
+    assert pairs["expires_at"][0, 1] == 130  # and the timer starts anew
 
 
 @pytest.mark.parametrize(("protocol", "both"), [(ds.DDS, False), (ds.ZENOH, True)])
 def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, both, monkeypatch):
     wifi = ds.Radio("802.11n", streams=2).wifi()
-    fleet, queue = ds.Fleet.swarm(3, 1, 1), (np.inf, np.inf)
-    plan = set_up(fleet, protocol, wifi, queue, 0.0, 0.0, True, 10.0, False)
+    plan = set_up(Scenario(ds.Fleet.swarm(3, 1, 1), protocol, wifi, queue=(np.inf, np.inf)))
     cell, _ = plan.cell(np.random.SeedSequence(0))
     lease = cell.repairs["lease"] = 1000
-    cell.pairs["known"] = 1 - np.eye(3, dtype=int)
-    cell.pairs["heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
-    cell.pairs["heard"][0, 1] = 5
+    cell.pairs["discovered"] = 1 - np.eye(3, dtype=int)
+    cell.pairs["last_heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
+    cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
-    monkeypatch.setattr(recovery, "later", lambda *given: looks.append(given[1]))
+    monkeypatch.setattr(recovery, "schedule_event", lambda *given: looks.append(given[1]))
     rows = {name: getattr(cell, name).view(np.recarray) for name in ("repairs", "pairs")}
-    recovery.expire.py_func(cell._replace(**rows), 0, lease + 5)
+    recovery.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
     assert forgotten == [(0, 1), (1, 0)][: 1 + both]
     assert looks == [2 * lease]

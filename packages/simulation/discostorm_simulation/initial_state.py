@@ -1,0 +1,159 @@
+"""The arrays of a run at its start."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from discostorm_simulation import state as st
+from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.starts import delays
+from discostorm_simulation.state import CellState, Records
+
+if TYPE_CHECKING:
+    from discostorm_simulation.run import Setup
+
+#: What `CellState.power` is if all are heard alike.
+ALIKE = np.zeros((1, 1))
+#: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
+QUEUE_SAMPLES, LOG_ROWS, POOL_ENTRIES = 512, 4096, 4096
+
+
+def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
+    """Return a cell at the start of a run, and when each host starts [s]."""
+    for_start, for_run, for_parts, for_phases = seed.spawn(4)
+    hosts, radio, kinds, repairs = setup.hosts, setup.radio, setup.kinds, setup.repairs
+    count, rows = hosts.processes.size, kinds.size
+    mpdus, aggregates = int(radio["mpdus"][0]), bool(radio["mpdus"][0] > 1)
+    starts = delays(setup.scenario.start, count, np.random.default_rng(for_start))
+    stations = np.zeros(count + 1, st.STATION)
+    for name in ("head", "tail", "to_head", "to_tail"):
+        stations[name] = -1
+    stations["processes"][:count] = hosts.processes
+    stations["first"][:count] = hosts.first
+    stations["loss"][:count] = setup.loss
+    processes = np.zeros(hosts.host_of.size, st.PROCESS)
+    processes["host"] = hosts.host_of
+    processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
+    part = _fractions(setup, for_parts)
+    pairs, received = _pairs(setup, part)
+    bursts = np.zeros((max(1, len(setup.bursts.messages)), rows + 1), np.int64)
+    for number, messages in enumerate(setup.bursts.messages):
+        bursts[number, list(messages)] = 1
+        bursts[number, rows] = ticks(setup.bursts.period[number])
+    due = _first_events(setup, starts, processes, for_phases)
+    events = np.zeros(2 * len(due) + 1024, st.EVENT)
+    events["time"][: len(due)] = [time for time, _ in due]
+    events["what"][: len(due)] = [what for _, what in due]
+    pool = np.zeros(POOL_ENTRIES, st.ENTRY)
+    pool["next"] = np.arange(1, POOL_ENTRIES + 1)
+
+    state = np.zeros(1, st.STATE)
+    state["base"] = radio["slot"]
+    state["idle"] = -1
+    state["deferred_time"] = st.NEVER
+    state["step"] = ticks(1e-3)
+    state["spare"] = POOL_ENTRIES
+    state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
+    state["per_receiver"] = aggregates
+    state["cold"] = aggregates and setup.scenario.block_ack == "negotiate"
+    state["unlike"] = setup.power.size > 1
+    state["stamp"] = setup.user_data.stamp if setup.user_data else 0
+    # xorshift must not begin at zero.
+    state["random"] = (for_run.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
+    state["events"] = len(due)
+    state["coming"] = count * sum(
+        setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times
+    )
+    if repairs is not None:
+        state["repairs"] = 1
+        state["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
+
+    topics = int(kinds["user"].max())
+    cell = CellState(
+        radio=radio,
+        state=state,
+        stations=stations,
+        window=np.zeros((count + 1, mpdus), st.WINDOW),
+        ordered=np.full((count, int(radio["window"][0])), -1, np.int64),
+        wheel=np.full(1 << int(2 * radio["cw_max"][0] + 1).bit_length(), -1, np.int32),
+        behind=np.full(count + 1, -1, np.int32),
+        deferred=np.zeros(count + 1, st.DEFERRED),
+        senders=np.zeros(max(count + 1, mpdus), st.SENDER),
+        pool=pool,
+        block_acks=np.zeros((count, 2), st.BLOCK_ACK),
+        addba=np.zeros(count + 1, st.ADDBA),
+        events=events,
+        kinds=kinds,
+        bursts=bursts,
+        processes=processes,
+        each=setup.shares.each,
+        to_all=setup.shares.to_all,
+        part=part,
+        receivers_before=setup.shares.receivers_before,
+        power=setup.power,
+        repairs=np.zeros(1, st.REPAIRS) if repairs is None else repairs,
+        pairs=pairs,
+        received_bitmap=received,
+        delays=np.zeros((topics, st.COUNTED) if topics else (1, 1), np.int64),
+        airtime=np.zeros((rows + 1, 3), np.int64),
+        queue_samples=np.zeros(QUEUE_SAMPLES, st.QUEUE_SAMPLE),
+        log=np.zeros(LOG_ROWS, st.TRANSMISSION),
+    )
+    return cell, starts
+
+
+def _fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np.float64]:
+    """Return at [process, row] where each process begins to count fractions of messages."""
+    # A whole number and such a part of one stay that number.
+    part = np.random.default_rng(seed).integers(2**20, size=setup.shares.each.shape) / 2**20
+    for burst in setup.user_data.bursts if setup.user_data else ():
+        rows = [row for row in setup.bursts.messages[burst] if setup.kinds["user"][row]]
+        # So that all rows of a sample of few frames go to the same of several hosts.
+        part[:, rows] = part[:, rows[:1]]
+    return part
+
+
+def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np.int64]]:
+    """Return what each process holds of each other at the start: nothing."""
+    if setup.repairs is None:
+        return np.zeros((1, 1), st.PAIR), np.zeros((1, 1, 1), np.int64)
+    shares, host = setup.shares, setup.hosts.host_of
+    pairs = np.zeros((host.size, host.size), st.PAIR)
+    remote = host[:, None] != host
+    for row in np.flatnonzero(setup.kinds["role"] == st.DATA):
+        taking = np.diff(shares.receivers_before[shares.sets[row]]) * remote
+        rank = np.cumsum(taking, axis=1) - taking  # at [writer, reader]
+        wanted, begin = shares.each[:, row, None], part[:, row, None]
+        sent = np.floor((rank + 1) * wanted + begin) - np.floor(rank * wanted + begin)
+        pairs["missing"] += (sent * taking).astype(np.int64).T
+    words = 1 + int(pairs["missing"].max()) // 64
+    return pairs, np.zeros((host.size, host.size, words), np.int64)
+
+
+def _first_events(
+    setup: Setup,
+    starts: NDArray[np.float64],
+    processes: Records,
+    for_phases: np.random.SeedSequence,
+) -> list[tuple[int, int]]:
+    """Return as a heap what happens first: bursts, user data, and, with recovery, timers."""
+    due = [
+        (ticks(start + time), int(st.SEND) | host | (burst << st.PROCESS_BITS))
+        for host, start in enumerate(starts)
+        for time, burst in setup.bursts.times
+    ]
+    if setup.repairs is not None:
+        (initial,), (lease,) = setup.repairs["announce_interval_initial"], setup.repairs["lease"]
+        processes["announce"] = initial
+        for process, start in enumerate(processes["start"].tolist()):
+            if initial:  # announcements of which the table does not say when
+                due.append((start + int(initial), int(st.ANNOUNCE) | process))
+            if lease < st.NEVER:
+                due.append((start + int(lease), int(st.LEASE_CHECK) | process))
+    if setup.user_data is not None:
+        chance = np.random.default_rng(for_phases)
+        due += setup.user_data.first_events(setup.hosts, starts, chance)
+    return sorted(due)  # a sorted list is a heap

@@ -1,0 +1,109 @@
+"""The run itself: from one transmission or event to the next, until it is over."""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels.channel_access import next_slot, synchronize
+from discostorm_simulation.kernels.decorators import entry, njit, shared
+from discostorm_simulation.kernels.delivery import fill_window
+from discostorm_simulation.kernels.frame_exchange import collide, send
+from discostorm_simulation.kernels.primitives import next_event
+from discostorm_simulation.kernels.recovery import dispatch_event, is_converged
+
+
+@shared
+def sample_queues(cell, time):
+    """Record queue lengths at regular times; half as often whenever the table is full."""
+    state = cell.state[0]
+    while time >= state.sample:
+        if state.samples == cell.queue_samples.size:
+            state.samples //= 2
+            for place in range(state.samples):
+                cell.queue_samples[place].time = cell.queue_samples[2 * place].time
+                cell.queue_samples[place].hosts = cell.queue_samples[2 * place].hosts
+                cell.queue_samples[place].access_point = cell.queue_samples[2 * place].access_point
+            state.step *= 2
+            state.sample = state.samples * state.step
+            continue
+        row = cell.queue_samples[state.samples]
+        row.time, row.hosts = state.sample, state.queued
+        row.access_point = cell.stations[state.hosts].length
+        state.samples += 1
+        state.sample += state.step
+
+
+@njit
+def add_sender(cell, station, time, count):
+    """Add a station to those that send now unless all that it has is too old."""
+    if fill_window(cell, station, time):
+        cell.senders[count].station = station
+        return count + 1
+    cell.stations[station].waits = 0
+    return count
+
+
+@njit
+def transmit(cell, time, slot):
+    """Let all send whose back-off ends now."""
+    state = cell.state[0]
+    count = np.int64(0)
+    if slot >= 0:
+        place = slot & (cell.wheel.size - 1)
+        station = np.int64(cell.wheel[place])
+        cell.wheel[place] = -1
+        while station >= 0:
+            state.waiting -= 1
+            following = np.int64(cell.behind[station])
+            count = add_sender(cell, station, time, count)
+            station = following
+    if time >= state.deferred_time:
+        state.deferred_time = st.NEVER
+        for place in range(state.deferred):
+            waiting_station = cell.deferred[place]
+            if waiting_station.station >= 0:
+                if time >= waiting_station.time:
+                    count = add_sender(cell, waiting_station.station, time, count)
+                    waiting_station.station = -1
+                else:
+                    state.deferred_time = min(state.deferred_time, waiting_station.time)
+    if count == 0:
+        return
+    synchronize(cell, time, slot)
+    station = cell.senders[0].station
+    if count > 1:
+        station = collide(cell, count, time)
+        if station < 0:
+            return
+    send(cell, station, time)
+    if count > 1:
+        state.overlapping, state.others, state.damaged = 0, 0, 0
+
+
+@entry
+def advance(cell, until, reserve, steps):
+    """Go on with a run: return `OVER` when it is, `MEMORY` to have more first, else `GO_ON`."""
+    state, slot_ticks = cell.state[0], cell.radio[0].slot
+    while steps > 0:
+        if state.open == 0 and state.coming == 0 and is_converged(cell):
+            return st.OVER
+        if state.spare < reserve or state.events + reserve > cell.events.size:
+            return st.MEMORY
+        time, slot = st.NEVER, np.int64(-1)
+        if state.waiting > 0:
+            slot = next_slot(cell)
+            time = state.base + (slot - state.slot) * slot_ticks
+        if state.deferred_time < time:
+            time, slot = state.deferred_time, np.int64(-1)
+        happens = state.events > 0 and cell.events[0].time <= time
+        if happens:
+            time = cell.events[0].time
+        if time > until:
+            return st.OVER
+        sample_queues(cell, time)
+        state.clock = time
+        if happens:
+            dispatch_event(cell, time, next_event(cell))
+        else:
+            transmit(cell, time, slot)
+        steps -= 1
+    return st.GO_ON

@@ -1,0 +1,219 @@
+"""Who sends when: the contention of 802.11 stations for one medium.
+
+Back-off counters are not counted down one by one: every station that waits stands in a wheel
+at the number of the slot in which it will send, and a busy medium moves the clock under the
+wheel. So a transmission costs the same whatever the number of stations. Who has just
+collided waits for its timeout first and stands beside the wheel until the next transmission
+brings all clocks together again.
+
+The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access category).
+"""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import below, kind_of
+from discostorm_simulation.kernels.queues import (
+    append,
+    burst_entry,
+    burst_frames,
+    change_length,
+    count_drop,
+    count_lost_receptions,
+    frames_to_all,
+    is_steady,
+    next_frame,
+    oldest_entry,
+    receiver_count,
+    source_host,
+)
+
+
+@njit
+def enter_backoff_wheel(cell, station, slot):
+    """Let a station wait in the wheel for its slot."""
+    state, its = cell.state[0], cell.stations[station]
+    place = slot & (cell.wheel.size - 1)
+    its.send_slot = slot
+    cell.behind[station] = cell.wheel[place]
+    its.waits = 1
+    cell.wheel[place] = station
+    state.waiting += 1
+    state.ahead = min(state.ahead, slot)
+
+
+@njit
+def draw_backoff(cell, station):
+    """Return a new back-off of a station [slots]."""
+    radio = cell.radio[0]
+    doubled = (radio.cw_min + 1) << min(cell.stations[station].failures, 20)
+    return below(cell.state[0], min(doubled, radio.cw_max + 1))
+
+
+@njit
+def start_backoff(cell, station, base, slots):
+    """Let a station wait for so many slots, from a tick of its own on or from all others'."""
+    state, its = cell.state[0], cell.stations[station]
+    if its.length == 0:
+        its.send_slot, its.waits = state.slot + slots, 0
+    elif base == state.base:
+        enter_backoff_wheel(cell, station, state.slot + slots)
+    else:
+        waiting_station = cell.deferred[state.deferred]
+        state.deferred += 1
+        waiting_station.station, waiting_station.base, waiting_station.left = station, base, slots
+        waiting_station.time = base + slots * cell.radio[0].slot
+        state.deferred_time = min(state.deferred_time, waiting_station.time)
+        its.waits = 1
+
+
+@njit
+def back_off(cell, station, base):
+    """Draw the back-off after a transmission and wait for it."""
+    start_backoff(cell, station, base, draw_backoff(cell, station))
+
+
+@njit
+def request_access(cell, station, time, busy):
+    """Let a station with something to send contend, if it does not yet.
+
+    A back-off that still runs goes on. If it has run out, the station sends without one
+    at the next slot on an idle medium, and draws one on a busy medium.
+    """
+    state, its = cell.state[0], cell.stations[station]
+    if its.waits:
+        return
+    slot = state.slot
+    if busy:
+        if its.send_slot <= slot:
+            slot += draw_backoff(cell, station)
+    elif time >= state.base:
+        slots = (time - state.base) // cell.radio[0].slot + 1
+        if state.waiting == 0 and state.deferred == 0:
+            state.base += slots * cell.radio[0].slot
+            state.slot += slots
+            state.ahead = state.slot
+        slot += slots
+    enter_backoff_wheel(cell, station, max(its.send_slot, slot))
+
+
+@njit
+def next_slot(cell):
+    """Return the next slot in which somebody in the wheel sends."""
+    slot, mask = cell.state[0].ahead, cell.wheel.size - 1
+    while cell.wheel[slot & mask] < 0:
+        slot += 1
+    cell.state[0].ahead = slot
+    return slot
+
+
+@njit
+def first_to_send(cell, base):
+    """Return the slot of the next transmission if it surely begins before a tick, or -1.
+
+    Who counts from that tick on only may stand in the wheel at once, behind that slot.
+    """
+    state, radio = cell.state[0], cell.radio[0]
+    if not radio.edca or radio.lifetime < st.NEVER or state.deferred > 0 or state.waiting == 0:
+        return np.int64(-1)
+    slot = next_slot(cell)
+    time = state.base + (slot - state.slot) * radio.slot
+    if time >= base or (state.events > 0 and cell.events[0].time <= time):
+        return np.int64(-1)
+    return slot
+
+
+@njit
+def synchronize(cell, time, sent_slot):
+    """Move the clock on to the transmission that starts now; everybody counts alike again.
+
+    With EDCA a counter goes down at the end of AIFS and at the end of each idle slot, so once
+    more than there were idle slots; with DCF only at the end of each idle slot.
+    """
+    state, radio = cell.state[0], cell.radio[0]
+    if sent_slot >= 0:
+        state.slot = sent_slot + radio.edca
+    elif time >= state.base:
+        state.slot += (time - state.base) // radio.slot + radio.edca
+    base, gone = st.NEVER, np.int64(0)
+    for place in range(state.deferred):
+        waiting_station = cell.deferred[place]
+        if waiting_station.base != base:  # most have waited since the same time: divide once
+            base, gone = waiting_station.base, np.int64(0)
+            if time >= base:
+                gone = (time - base) // radio.slot + radio.edca
+        if waiting_station.station >= 0:
+            enter_backoff_wheel(
+                cell, waiting_station.station, state.slot + waiting_station.left - gone
+            )
+    state.deferred, state.deferred_time = 0, st.NEVER
+
+
+# ---------------------------------------------------------------- what comes to be sent
+
+
+@njit
+def free_slots(cell, station, time):
+    """Return how many frames a queue still takes; who is full throws out what is too old."""
+    its = cell.stations[station]
+    if its.length >= cell.radio[0].queue:
+        oldest_entry(cell, station, time)
+    return cell.radio[0].queue - its.length
+
+
+@njit
+def enqueue_or_drop(cell, station, frame, time):
+    """Put one frame into a queue; return whether there was room."""
+    if free_slots(cell, station, time) <= 0:
+        count_drop(cell, frame, station, st.QUEUE_FULL)
+        return False
+    append(cell, station, frame, time)
+    change_length(cell, station, 1)
+    return True
+
+
+@shared
+def submit_frame(cell, frame, time):
+    """Hand a new frame of a process to its host, or to the access point if that is wired."""
+    state = cell.state[0]
+    if not frame & st.STEADY:
+        state.open += 1
+        state.expected += receiver_count(cell, frame)
+        cell.stations[source_host(cell, frame)].sought += receiver_count(cell, frame)
+    station = state.hosts
+    if cell.kinds[kind_of(frame)].up:
+        station = source_host(cell, frame)
+    if enqueue_or_drop(cell, station, frame, time):
+        request_access(cell, station, time, time <= state.idle)
+
+
+@shared
+def submit_burst(cell, host, burst, time):
+    """Hand a burst to a host's queue: what does not fit is lost."""
+    state = cell.state[0]
+    total = burst_frames(cell, host, burst)
+    if total == 0:
+        return
+    for kind in range(state.kinds):
+        row = cell.kinds[kind]
+        # What has one hop only is handed over frame by frame.
+        if cell.bursts[burst, kind] and not (row.up and row.down):
+            for _ in range(total):
+                submit_frame(cell, next_frame(cell, host, burst), time)
+            cell.stations[host].begun = 0
+            return
+    fits = min(max(free_slots(cell, host, time), 0), total)
+    multicast = frames_to_all(cell, host, burst)
+    if not is_steady(cell, burst):
+        cut = max(multicast - fits, 0)
+        state.open += fits
+        state.expected += total + multicast * (state.links - 1)
+        cell.stations[host].sought += total + multicast * (state.links - 1)
+        count_lost_receptions(
+            cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
+        )
+    if fits > 0:
+        append(cell, host, burst_entry(burst, fits), time)
+        change_length(cell, host, fits)
+        request_access(cell, host, time, time <= state.idle)

@@ -1,0 +1,340 @@
+"""The exchange of frames: how long it takes, what comes of it, and what a collision does.
+
+What a station sends before its data, such as an RTS, would belong into `tx_duration`.
+"""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
+from discostorm_simulation.kernels.capture_effect import captured_station
+from discostorm_simulation.kernels.channel_access import (
+    back_off,
+    draw_backoff,
+    enter_backoff_wheel,
+    first_to_send,
+    request_access,
+    start_backoff,
+)
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.delivery import (
+    MISSING,
+    aggregates,
+    deliver,
+    is_multicast,
+    move_forward,
+    pass_on,
+    plan_ppdu,
+)
+from discostorm_simulation.kernels.primitives import below, kind_of, uniform
+from discostorm_simulation.kernels.queues import (
+    change_length,
+    count_drop,
+    dequeue_after,
+    receiving_host,
+)
+
+
+@njit
+def tx_duration(cell, station):
+    """Return how long a station sends until its data end."""
+    return plan_ppdu(cell, station)
+
+
+@njit
+def is_addba(cell, station):
+    """Return whether what a station sends is a request or response for an agreement."""
+    its = cell.stations[station]
+    return cell.state[0].cold and its.sent == 0 and not its.bar_pending
+
+
+@shared
+def log_transmission(cell, station, start, end, outcome):
+    """Record a transmission."""
+    state, sent = cell.state[0], cell.stations[station].sent
+    column = st.FAILED if outcome != st.SUCCESS else (st.UP if station < state.hosts else st.DOWN)
+    # Beside user data requests go on when the burst is through.
+    burst = sent == 0 and (state.stamp == 0 or state.open > 0)
+    if sent == 1:  # by far the most
+        held = cell.window[station, 0]
+        state.ppdus += 1
+        state.mpdus += 1
+        state.retried += held.tries > 0
+        cell.airtime[kind_of(held.frame), column] += (end - start) * st.PARTS
+        burst = not held.frame & st.STEADY
+    elif sent == 0:
+        state.requests += 1
+        cell.airtime[state.kinds, column] += (end - start) * st.PARTS
+    else:
+        state.ppdus += 1
+        state.mpdus += sent
+        each = (end - start) * st.PARTS // sent
+        for place in range(sent):
+            held = cell.window[station, place]
+            state.retried += held.tries > 0
+            cell.airtime[kind_of(held.frame), column] += each
+            burst |= not held.frame & st.STEADY
+    if burst:
+        state.drained = max(state.drained, end)
+    if state.logged < cell.log.size:
+        row = cell.log[state.logged]
+        state.logged += 1
+        row.start, row.end, row.station, row.frames = start, end, station, sent
+        row.kind = -2 if is_addba(cell, station) else -1
+        if sent:
+            row.kind = kind_of(cell.window[station, 0].frame)
+        row.outcome = outcome
+
+
+@shared
+def drop_after_last_attempt(cell, station):
+    """Lose a frame without block acknowledgement that has failed too often, if it has."""
+    state, its, held = cell.state[0], cell.stations[station], cell.window[station, 0]
+    tries = cell.pool[held.number].tries if station == state.hosts else held.tries
+    if tries < cell.radio[0].attempts or is_established(cell, station, held.frame):
+        return
+    count_drop(cell, held.frame, station, st.RETRY_LIMIT)
+    change_length(cell, station, -1)
+    if station == state.hosts:
+        dequeue_after(cell, receiving_host(cell, held.frame), np.int64(-1))
+        return
+    for place in range(1, its.held):
+        move_forward(cell, station, place, place - 1)
+    its.held -= 1
+
+
+@njit
+def on_failure(cell, station, time):
+    """Note that nothing came back to a station."""
+    state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
+    # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
+    its.failures = its.failures + 1 if its.failures < radio.attempts else 0
+    if is_addba(cell, station):
+        addba_failed(cell, station, time)
+        return
+    for place in range(its.sent):
+        held = cell.window[station, place]
+        if aggregates(cell, station):
+            cell.pool[held.number].tries += 1
+        else:
+            held.tries += 1
+    if its.sent > 1:
+        its.bar_pending = 1
+    elif state.cold and its.sent:
+        drop_after_last_attempt(cell, station)
+    # Under a block acknowledgement frames are repeated until they arrive or are too old.
+    elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
+        count_drop(cell, cell.window[station, 0].frame, station, st.RETRY_LIMIT)
+        its.held = 0
+        change_length(cell, station, -1)
+
+
+@shared
+def send_bar(cell, station, time, end):
+    """Let a station ask, undisturbed, what has arrived of an A-MPDU: nothing has."""
+    state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
+    state.idle = max(end + radio.sifs + radio.block_ack, state.others)
+    state.base = state.idle + radio.aifs
+    state.busy += end - time + radio.block_ack
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
+    its.bar_pending, its.failures = 0, 0
+    back_off(cell, station, state.base)
+
+
+@shared
+def send_addba(cell, station, time, end):
+    """Let a station send a request or response for an agreement, undisturbed."""
+    state, radio = cell.state[0], cell.radio[0]
+    state.idle = max(end + radio.sifs + radio.basic_ack, state.others)
+    state.base = state.idle + radio.aifs
+    state.busy += end - time + radio.basic_ack
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
+    cell.stations[station].failures = 0
+    other = addba_arrived(cell, station, state.idle)
+    back_off(cell, station, state.base)
+    if cell.stations[other].length > 0:
+        request_access(cell, other, end, False)
+
+
+@shared
+def dequeue_arrived(cell, to):
+    """Take what has arrived of the access point's last frames to a host off its queue."""
+    station = cell.state[0].hosts
+    last = np.int64(-1)
+    for place in range(cell.stations[station].sent):
+        held = cell.window[station, place]
+        if held.came & MISSING:
+            last = held.number
+            cell.pool[last].tries += 1
+        else:
+            dequeue_after(cell, to, last)
+
+
+@shared
+def send_multicast(cell, time, end):
+    """Let the access point send to all at once; nobody acknowledges."""
+    state = cell.state[0]
+    station = state.hosts
+    its, frame = cell.stations[station], cell.window[station, 0].frame
+    state.idle = max(end, state.others)
+    state.base = state.idle + cell.radio[0].aifs
+    state.busy += end - time
+    log_transmission(cell, station, time, end, st.SUCCESS)
+    its.held, its.failures = 0, 0
+    change_length(cell, station, -1)
+    back_off(cell, station, state.base)
+    deliver(cell, station, frame, end, its.sent == 1)
+
+
+@njit
+def send_unicast(cell, station, time, end):
+    """Let a station send undisturbed to one receiver, which answers unless all is damaged."""
+    state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
+    answer = radio.ack if its.sent == 1 else radio.block_ack
+    # Who hears the frame leaves time for the answer, whether it comes or not (NAV).
+    state.idle = max(end + radio.sifs + answer, state.others)
+    state.base = state.idle + radio.aifs
+    link = station
+    if station == state.hosts:
+        link = receiving_host(cell, cell.window[station, 0].frame)
+    loss = cell.stations[link].loss
+    in_order = state.per_receiver and station < state.hosts
+    good, damaged = np.int64(0), state.damaged
+    for place in range(its.sent):
+        held = cell.window[station, place]
+        if place < damaged or (loss > 0 and uniform(state) < loss):
+            held.came |= MISSING
+        else:
+            cell.senders[good].frame = held.frame
+            if in_order:
+                cell.ordered[station, held.number % radio.window] = held.frame
+            good += 1
+    if good == 0:
+        for place in range(its.sent):
+            cell.window[station, place].came &= ~MISSING
+        state.busy += end - time
+        log_transmission(cell, station, time, end, st.ERROR)
+        on_failure(cell, station, end)
+        back_off(cell, station, max(end + radio.timeout, state.others) + radio.aifs)
+        return
+    state.busy += end - time + answer
+    log_transmission(cell, station, time, state.idle, st.SUCCESS)
+    its.failures = 0
+    if aggregates(cell, station):
+        dequeue_arrived(cell, link)
+    else:
+        kept = np.int64(0)
+        for place in range(its.held):
+            held = cell.window[station, place]
+            if place >= its.sent or held.came & MISSING:
+                held.tries += held.came >= MISSING
+                held.came &= ~MISSING
+                move_forward(cell, station, place, kept)
+                kept += 1
+        its.held = kept
+    change_length(cell, station, -good)
+    back_off(cell, station, state.base)
+    alone = its.sent == 1 and state.others <= end
+    if in_order:
+        pass_on(cell, station, end, alone)
+        return
+    for place in range(good):
+        deliver(cell, station, cell.senders[place].frame, end, alone)
+
+
+@njit
+def send(cell, station, time):
+    """Let a station send undisturbed."""
+    alone = tx_duration(cell, station)
+    if is_addba(cell, station):
+        send_addba(cell, station, time, time + alone)
+    elif cell.stations[station].sent == 0:
+        send_bar(cell, station, time, time + alone)
+    elif is_multicast(cell, station):
+        send_multicast(cell, time, time + alone)
+    else:
+        send_unicast(cell, station, time, time + alone)
+
+
+@shared
+def answer_end(cell, station, time):
+    """Return when the answer to who is received in spite of others ends.
+
+    And for how long others send when neither who is received nor the answer is on the air.
+    """
+    radio, its = cell.radio[0], cell.stations[station]
+    end = time + tx_duration(cell, station)
+    length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
+    if is_addba(cell, station):
+        length = radio.basic_ack
+    elif is_multicast(cell, station):
+        length, pause = np.int64(0), np.int64(0)
+    begun, others = end + pause, cell.state[0].others
+    hidden = max(min(others, begun + length) - begun, 0)
+    return begun + length, max(others - end, 0) - hidden
+
+
+@shared
+def collide(cell, count, time):
+    """Let several stations send at once; return who is received in spite of the others, or -1.
+
+    What becomes of its frame is left to `send`; of all others nothing arrives.
+    """
+    state, radio = cell.state[0], cell.radio[0]
+    last = np.int64(0)
+    for place in range(count):
+        sender = cell.senders[place]
+        sender.end = time + tx_duration(cell, sender.station)
+        last = max(last, sender.end)
+    winner, answered, quiet, busy = np.int64(-1), last, last, last - time
+    if state.unlike:
+        winner = captured_station(cell, count, time)
+        if winner >= 0:
+            state.others = last
+            answered, busy = answer_end(cell, winner, time)
+            quiet = max(last, answered)
+    free = quiet
+    if radio.eifs_extra > 0 and winner < 0:
+        # Who takes a collision for one frame with errors leaves time for an answer (EIFS).
+        free = max(last, cell.senders[below(state, count)].end + radio.eifs_extra)
+    state.idle = quiet
+    state.base = free + radio.aifs
+    state.collisions += 1
+    state.collided += count
+    state.busy += busy
+    state.wasted += busy
+    least = st.NEVER
+    for place in range(count):
+        sender = cell.senders[place]
+        station, base = sender.station, quiet + radio.aifs
+        if station == winner:
+            sender.base = st.NEVER
+            continue
+        its, held = cell.stations[station], cell.window[station, 0]
+        log_transmission(cell, station, time, sender.end, st.COLLISION)
+        if is_multicast(cell, station):
+            # Nobody would have acknowledged it: the sender does not know.
+            count_drop(cell, held.frame, station, st.LOST_ON_AIR)
+            its.held, its.failures = 0, 0
+            change_length(cell, station, -1)
+        else:
+            on_failure(cell, station, last)
+            # Who hears an answer to another one waits for its end, not for the own timeout.
+            if winner < 0 or sender.end >= answered:
+                base = max(sender.end + radio.timeout, quiet) + radio.aifs
+        sender.slots, sender.base = draw_backoff(cell, station), base
+        if its.length == 0 or base == state.base:
+            start_backoff(cell, station, base, sender.slots)
+            sender.base = st.NEVER
+        least = min(least, sender.base)
+    if least == st.NEVER:
+        return winner
+    slot = first_to_send(cell, least) if winner < 0 else np.int64(-1)
+    for place in range(count):
+        sender = cell.senders[place]
+        if sender.base < st.NEVER:
+            if slot >= 0:
+                enter_backoff_wheel(cell, sender.station, slot + radio.edca + sender.slots)
+            else:
+                start_backoff(cell, sender.station, sender.base, sender.slots)
+    return winner

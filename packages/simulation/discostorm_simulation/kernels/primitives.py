@@ -1,0 +1,126 @@
+"""What all kernels use: a frame in one number, random numbers, and the heap of future events."""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels.decorators import njit, shared
+
+
+@njit
+def compose(kind, source, destination, item):
+    """Return a frame."""
+    return (
+        kind
+        | (destination << st.DESTINATION_SHIFT)
+        | (source << st.SOURCE_SHIFT)
+        | ((item & st.ITEMS) << st.ITEM_SHIFT)
+    )
+
+
+@njit
+def kind_of(frame):
+    """Return the row of the protocol's table that a frame carries."""
+    return frame & st.KIND_MASK
+
+
+@njit
+def destination_of(frame):
+    """Return the process that a unicast frame is for."""
+    return (frame >> st.DESTINATION_SHIFT) & st.PROCESS_MASK
+
+
+@njit
+def source_of(frame):
+    """Return the process that a frame is from."""
+    return (frame >> st.SOURCE_SHIFT) & st.PROCESS_MASK
+
+
+@njit
+def item_of(frame):
+    """Return which of the like messages of a pair of processes it is."""
+    return (frame >> st.ITEM_SHIFT) & st.ITEMS
+
+
+# ---------------------------------------------------------------- chance
+
+
+@njit
+def next_random(x):
+    """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
+    x ^= x >> np.uint64(12)
+    x ^= x << np.uint64(25)
+    x ^= x >> np.uint64(27)
+    return x
+
+
+@njit
+def random_bits(x):
+    """Return the 64 random bits of a state."""
+    return x * np.uint64(2685821657736338717)
+
+
+@njit
+def scaled(x, number):
+    """Return a whole number from 0 to below ``number``, all alike, of a state."""
+    return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
+
+
+@njit
+def below(state, number):
+    """Return a whole number from 0 to below ``number``, all alike."""
+    x = next_random(np.uint64(state.random))
+    state.random = np.int64(x)
+    return scaled(x, number)
+
+
+@njit
+def uniform(state):
+    """Return a number from 0 to below 1."""
+    x = next_random(np.uint64(state.random))
+    state.random = np.int64(x)
+    return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
+
+
+# ---------------------------------------------------------------- events
+
+
+@shared
+def schedule_event(cell, time, what):
+    """Put an event on the heap."""
+    events = cell.events
+    place = cell.state[0].events
+    cell.state[0].events = place + 1
+    while place > 0:
+        above = (place - 1) >> 1
+        if events[above].time <= time:
+            break
+        events[place].time = events[above].time
+        events[place].what = events[above].what
+        place = above
+    events[place].time = time
+    events[place].what = what
+
+
+@njit
+def next_event(cell):
+    """Take the earliest event off the heap and return what it is."""
+    events = cell.events
+    result = events[0].what
+    count = cell.state[0].events - 1
+    cell.state[0].events = count
+    time, what = events[count].time, events[count].what
+    place = 0
+    while True:
+        lower = 2 * place + 1
+        if lower >= count:
+            break
+        if lower + 1 < count and events[lower + 1].time < events[lower].time:
+            lower += 1
+        if events[lower].time >= time:
+            break
+        events[place].time = events[lower].time
+        events[place].what = events[lower].what
+        place = lower
+    events[place].time = time
+    events[place].what = what
+    return result

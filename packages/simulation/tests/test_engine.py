@@ -1,0 +1,81 @@
+"""The engine: how many instructions runs take, how they are interrupted, and how memory grows."""
+
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import wasmtime
+
+import discostorm as ds
+from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.engine import LoadedCell, finish
+from discostorm_simulation.initial_state import POOL_ENTRIES
+from discostorm_simulation.run import Scenario, Setup, set_up
+
+END = ticks(120.0)
+
+
+def setup_of(hosts: int, processes: int, endpoints: int) -> Setup:
+    return set_up(Scenario(ds.Fleet.swarm(hosts, processes, endpoints), ds.DDS, ds.PAPER))
+
+
+#: Millions of instructions that a whole run takes; no load changes it, and a few percent more fail.
+MILLIONS = {(12, 2, 10): 75.1, (25, 2, 10): 709.7, (8, 1, 678): 683.2}
+
+
+@pytest.mark.parametrize(("fleet", "millions"), MILLIONS.items())
+def test_runs_take_no_more_instructions_than_they_did(
+    fleet: tuple[int, int, int], millions: float
+) -> None:
+    setup, limit = setup_of(*fleet), round(1.05e6 * millions)
+    loaded = LoadedCell(setup.cell(np.random.SeedSequence(0))[0], limit)
+    assert loaded.advance(END, setup.reserve, 10**9)
+    assert limit - loaded.store.get_fuel() > 0.9e6 * millions
+
+
+def test_a_run_without_instructions_left_ends() -> None:
+    setup = setup_of(12, 2, 10)
+    loaded = LoadedCell(setup.cell(np.random.SeedSequence(0))[0], 10**6)
+    with pytest.raises(wasmtime.Trap, match="fuel"):
+        loaded.advance(END, setup.reserve, 10**9)
+
+
+def test_shares_and_memory_change_nothing() -> None:
+    setup = setup_of(12, 2, 10)
+    loaded = LoadedCell(setup.cell(np.random.SeedSequence(0))[0])
+    while not loaded.advance(END, setup.reserve, 137):
+        pass
+    assert loaded.cell.pool.size > POOL_ENTRIES
+    whole = finish(setup.cell(np.random.SeedSequence(0))[0], END, setup.reserve)
+    for name, array in whole._asdict().items():
+        assert array.tobytes() == getattr(loaded.cell, name).tobytes(), name
+
+
+#: Runs that take minutes, whose start is said; then how soon they end after Ctrl-C.
+ENDLESS = """
+import sys, time, threading, signal, os
+import discostorm as ds
+fleet = ds.Fleet.swarm(150, 2, 10)
+began = []
+def interrupt():
+    began.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(1.0, interrupt).start()
+try:
+    ds.simulate(fleet, ds.DDS, ds.PAPER, runs={runs})
+except KeyboardInterrupt:
+    print(time.monotonic() - began[0])
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends itself a signal")
+@pytest.mark.parametrize("runs", [1, 2])
+def test_ctrl_c_ends_a_run_soon(runs: int) -> None:
+    code = ENDLESS.format(runs=runs)
+    begin = time.monotonic()
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert float(run.stdout) < 0.5, time.monotonic() - begin
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
