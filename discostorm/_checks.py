@@ -183,7 +183,8 @@ def path(name: str, value: Any, what: str) -> str:
     if not isinstance(value, (str, PathLike)) or not isinstance(text := fspath(value), str):
         raise TypeError(f"{name} must be the path of {what}, as text; got {short(value)}")
     if not text or "\0" in text:
-        raise ValueError(f"{name} must name {what}, without a NUL; got {short(value)}")
+        without = ", without a NUL" * bool(text)
+        raise ValueError(f"{name} must name {what}{without}; got {short(value)}")
     return text
 
 

@@ -93,7 +93,7 @@ def test_functions_show_an_example(of: Callable[..., object]) -> None:
 
 
 #: Modules of the package that `import discostorm as ds` does not offer.
-INNER = {"__main__", "book", "cli", "files", "fleet_file", "palette", "ros2", "ros2_text", "words"}
+INNER = {"__main__", "cli", "fleet_file", "files", "palette", "ros2", "words"}
 
 
 def test_what_is_public() -> None:

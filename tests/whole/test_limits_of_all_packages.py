@@ -43,13 +43,6 @@ def test_too_little_memory_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         assert result.output.startswith("Error: there is not enough memory")
 
 
-def test_a_missing_extra_is_wrong_usage(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_simulation.find_spec", lambda _: None)
-    result = run("simulate", FLEET)
-    assert result.exit_code == 2
-    assert "pip install 'discostorm[simulation]'" in result.output
-
-
 def test_a_path_with_a_nul_is_told() -> None:
     for call in (ds.Fleet.from_toml, ds.read_capture):
         with pytest.raises(ValueError, match=r"^path must name .*, without a NUL; got 'a\\x00b'"):
