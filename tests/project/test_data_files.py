@@ -5,6 +5,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from check_dist import packages
 
 import discostorm as ds
 from discostorm.data import data_path, read_data
@@ -14,7 +15,12 @@ from discostorm.saturation import saturation
 
 PROTOCOLS = [ds.DDS, ds.ZENOH]
 
-DATA_FILES = sorted(str(path.relative_to(data_path(""))) for path in data_path("").rglob("*.csv"))
+#: Each table, with the package whose code reads it.
+DATA_FILES = sorted(
+    (str(path.relative_to(data_path("", row["import"]))), row["import"])
+    for row in packages()
+    for path in data_path("", row["import"]).rglob("*.csv")
+)
 
 
 #: Where a table says it in a column of another name: a claim where the paper makes it, a run its
@@ -61,9 +67,9 @@ WITHOUT = {
 }
 
 
-@pytest.mark.parametrize("name", DATA_FILES)
-def test_every_row_has_a_source_and_every_column(name: str) -> None:
-    rows = read_data(name)
+@pytest.mark.parametrize(("name", "package"), DATA_FILES)
+def test_every_row_has_a_source_and_every_column(name: str, package: str) -> None:
+    rows = read_data(name, package)
     assert rows
     assert (name in WITHOUT) == (SOURCES.get(name, "source") not in rows[0])
     for row in rows:
