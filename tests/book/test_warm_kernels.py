@@ -9,8 +9,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbformat import v4
-from support import ROOT
-from test_workers import running
+from support import ROOT, running
 
 pytestmark = [
     pytest.mark.book,

@@ -56,3 +56,12 @@ def left_alone(folder: Path) -> Iterator[None]:
             if path.read_bytes() != content:
                 path.write_bytes(content)
                 os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+
+
+def running(process: int) -> bool:
+    """Return whether a process runs; one that ended may wait for its parent as a zombie."""
+    try:
+        stat = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+    except OSError:
+        return False
+    return stat.rpartition(")")[2].split()[0] not in "ZX"

@@ -3,7 +3,6 @@
 import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -56,14 +55,20 @@ def test_shares_and_memory_change_nothing() -> None:
 
 #: Runs that take minutes, whose start is said; then how soon they end after Ctrl-C.
 ENDLESS = """
-import sys, time, threading, signal, os
+import threading, time, signal, os
 import discostorm as ds
+from discostorm_simulation import run
 fleet = ds.Fleet.swarm(150, 2, 10)
 began = []
 def interrupt():
     began.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
-threading.Timer(1.0, interrupt).start()
+timer = threading.Timer(0.3, interrupt)
+def one_run(*arguments, original=run.one_run):
+    if not timer.ident:
+        timer.start()
+    return original(*arguments)
+run.one_run = one_run
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER, runs={runs})
 except KeyboardInterrupt:
@@ -75,7 +80,7 @@ except KeyboardInterrupt:
 @pytest.mark.parametrize("runs", [1, 2])
 def test_ctrl_c_ends_a_run_soon(runs: int) -> None:
     code = ENDLESS.format(runs=runs)
-    begin = time.monotonic()
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert float(run.stdout) < 0.5, time.monotonic() - begin
+    # Minutes without; on a quiet machine 0.2 s at most.
+    assert float(run.stdout) < 5, run.stderr
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
