@@ -1064,7 +1064,7 @@
     refused = {};
     for (const list of LISTS) {
       // Links of before had an entry for each radio with aggregation, too.
-      const wanted = parts.get(listName(list))?.replace(/, A-MPDU \d+$/, "") ?? null;
+      const wanted = parts.get(listName(list)) ?? null;
       if (wanted === null) continue;
       if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
       else refused[list] = `The link names “${brief(wanted)}”, which is not in the list. We use this entry instead.`;
