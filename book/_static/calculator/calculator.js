@@ -1063,7 +1063,6 @@
     byId("form").reset();
     refused = {};
     for (const list of LISTS) {
-      // Links of before had an entry for each radio with aggregation, too.
       const wanted = parts.get(listName(list)) ?? null;
       if (wanted === null) continue;
       if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
