@@ -35,7 +35,7 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/programs/*.c lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test test-all pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
@@ -52,9 +52,11 @@ test: $(READY) ## test packages and notebooks, and visit each page once
 	@$(BIN)/python scripts/loopback.py
 	@$(BIN)/pytest -n 2 -m "not thorough"
 
-test-all: test ## run all tests: pages in all modes, PDF, lab, and each package alone
+test-all: test ## run all tests: pages in all modes, the PDF, the lab, the engine
 	@$(BIN)/pytest -n 2 -m thorough
 	@$(BIN)/python scripts/generate/check_live.py
+
+test-alone: $(READY) ## test each package where only what it names is installed
 	@$(BIN)/python scripts/checks/check_dist.py --alone all
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)

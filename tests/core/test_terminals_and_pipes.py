@@ -244,7 +244,7 @@ def test_ctrl_c_while_it_loads_leaves_no_traceback() -> None:
         "    def find_spec(name, *_):\n"
         "        if name == 'sympy': raise KeyboardInterrupt\n"
         "sys.meta_path.insert(0, Interrupt)\n"
-        "sys.argv = ['discostorm', 'capture', '-']\n"
+        "sys.argv = ['discostorm', 'saturation', '--processes', '2', '--endpoints', '10']\n"
         "discostorm.__main__.main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
