@@ -13,7 +13,7 @@ def as_fleet(
     for name, value in {"processes": processes, "endpoints": endpoints}.items():
         if isinstance(hosts, Fleet) and value is not None:
             raise TypeError(
-                f"{name} must be left out when hosts is a Fleet; got {_checks.short(value)}"
+                f"{name} must be left out when hosts is a Fleet; got {_checks.short_repr(value)}"
             )
         if not isinstance(hosts, Fleet) and value is None:
             raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")

@@ -15,46 +15,50 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 #: Largest count allowed: far beyond any fleet, and its powers still fit a float64.
-MOST = 1e9
+MAX_COUNT = 1e9
 #: Rates [bit/s], sizes [B] and times [s] allowed: far beyond any radio.
-LEAST_RATE, MOST_RATE = 1.0, 1e15
-MOST_BYTES = 1e9
-LEAST_SECONDS, MOST_SECONDS = 1e-9, 1e6
+MIN_RATE, MAX_RATE = 1.0, 1e15
+MAX_BYTES = 1e9
+MIN_SECONDS, MAX_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
-MOST_UTILIZATION = 1e100
+MAX_UTILIZATION = 1e100
 #: Longest name or path that a message repeats in full [characters].
 _MAX_NAME = 200
 
 
-def short(value: Any) -> str:
+def short_repr(value: Any) -> str:
     """Return a value in one readable line, however long or deeply nested it is."""
     return " ".join(reprlib.repr(value).split())
 
 
-def brief(text: str) -> str:
+def shorten_name(text: str) -> str:
     """Return a name or a path, without its middle if it is too long for a message."""
     return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
 
 
-def exactly(value: float) -> str:
+def format_exact(value: float) -> str:
     """Return a number as short as it can be, with all its digits."""
     text = f"{value:g}"
     return text if float(text) == value else f"{value:.15g}"
 
 
-def wanted(
+def describe_range(
     low: float,
     high: float = np.inf,
-    above: bool = False,
-    below: bool = False,
-    endless: bool = False,
+    exclusive_min: bool = False,
+    exclusive_max: bool = False,
+    allow_inf: bool = False,
     what: str = "a finite number",
 ) -> str:
-    """Describe the allowed range in words; `above` and `below` exclude its ends."""
-    start = f" above {exactly(low)}" if above else f" of at least {exactly(low)}"
-    end = f" and below {exactly(high)}" if below else f" and at most {exactly(high)}"
+    """Describe the allowed range in words; `exclusive_min` and `exclusive_max` exclude its ends."""
+    start = f" above {format_exact(low)}" if exclusive_min else f" of at least {format_exact(low)}"
+    end = (
+        f" and below {format_exact(high)}"
+        if exclusive_max
+        else f" and at most {format_exact(high)}"
+    )
     text = f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
-    return f"{text}, or infinity" if endless else text
+    return f"{text}, or infinity" if allow_inf else text
 
 
 def _loses_nothing(value: Any) -> bool:
@@ -83,7 +87,7 @@ def _real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
         kind = ValueError
     except Exception:  # whatever the type of another library raises
         kind = TypeError
-    raise kind(f"{name} must be {allowed}; got {short(value)}")
+    raise kind(f"{name} must be {allowed}; got {short_repr(value)}")
 
 
 def numbers(
@@ -92,33 +96,34 @@ def numbers(
     low: float,
     high: float = np.inf,
     *,
-    above: bool = False,
-    below: bool = False,
-    endless: bool = False,
-    one: bool = False,
+    exclusive_min: bool = False,
+    exclusive_max: bool = False,
+    allow_inf: bool = False,
+    scalar: bool = False,
 ) -> float | NDArray[np.float64]:
     """Return float64 numbers if all are in the range; a scalar or 0-d array as a float.
 
-    `above` and `below` exclude the ends, `endless` allows infinity, `one` allows no array.
+    `exclusive_min` and `exclusive_max` exclude the ends; `allow_inf` allows infinity; `scalar`
+    refuses arrays.
     """
     # Nearly all calls give a plain number in the range.
     if type(value) in (float, int) and (
         low < value < min(high, sys.float_info.max)  # type: ignore[operator]
-        or (value == low and not above)
+        or (value == low and not exclusive_min)
     ):
         return float(value)  # type: ignore[arg-type]
-    allowed = wanted(low, high, above, below, endless)
-    if one:
-        one_each([(name, value)])
-    given = _real(name, value, allowed if one else f"{allowed}, or an array of them")
+    allowed = describe_range(low, high, exclusive_min, exclusive_max, allow_inf)
+    if scalar:
+        require_scalars([(name, value)])
+    given = _real(name, value, allowed if scalar else f"{allowed}, or an array of them")
     try:
         array = given.astype(np.float64, copy=False)
     except OverflowError as error:  # an integer beyond all floats
-        raise ValueError(f"{name} must be {allowed}; got {short(value)}") from error
-    good = (endless | np.isfinite(array)) & (array > low if above else array >= low)
-    good &= array < high if below else array <= high
+        raise ValueError(f"{name} must be {allowed}; got {short_repr(value)}") from error
+    good = (allow_inf | np.isfinite(array)) & (array > low if exclusive_min else array >= low)
+    good &= array < high if exclusive_max else array <= high
     if not good.all():
-        raise ValueError(f"{name} must be {allowed}; got {short(given[~good].item(0))}")
+        raise ValueError(f"{name} must be {allowed}; got {short_repr(given[~good].item(0))}")
     return array if array.ndim else array.item()
 
 
@@ -128,38 +133,42 @@ def number(
     low: float,
     high: float = np.inf,
     *,
-    above: bool = False,
-    endless: bool = False,
+    exclusive_min: bool = False,
+    allow_inf: bool = False,
 ) -> float:
     """Return one number in the range as a float; see `numbers`."""
-    return float(numbers(name, value, low, high, above=above, endless=endless, one=True))
+    return float(
+        numbers(
+            name, value, low, high, exclusive_min=exclusive_min, allow_inf=allow_inf, scalar=True
+        )
+    )
 
 
-def whole(
+def integer(
     name: str,
     value: Any,
     low: float,
     high: float = np.inf,
     note: str = "",
     *,
-    endless: bool = False,
+    allow_inf: bool = False,
 ) -> None:
     """Raise an error unless the value is one whole number in the range."""
-    allowed = wanted(low, high, endless=endless, what="a whole number") + note
-    one_each([(name, value)])
+    allowed = describe_range(low, high, allow_inf=allow_inf, what="a whole number") + note
+    require_scalars([(name, value)])
     given = _real(name, value, allowed).item()
-    if not (low <= given <= high and (given % 1 == 0 or (endless and given == np.inf))):
-        raise ValueError(f"{name} must be {allowed}; got {short(value)}")
+    if not (low <= given <= high and (given % 1 == 0 or (allow_inf and given == np.inf))):
+        raise ValueError(f"{name} must be {allowed}; got {short_repr(value)}")
 
 
-def one_each(named: Iterable[tuple[str, Any]]) -> None:
+def require_scalars(named: Iterable[tuple[str, Any]]) -> None:
     """Raise a TypeError if a value is an array or a list."""
     for name, value in named:
         if isinstance(value, (list, tuple)) or getattr(value, "ndim", False):
-            raise TypeError(f"{name} must be one number, not an array; got {short(value)}")
+            raise TypeError(f"{name} must be one number, not an array; got {short_repr(value)}")
 
 
-def plain_numbers(owner: Any) -> None:
+def unwrap_0d_arrays(owner: Any) -> None:
     """Replace a dataclass's 0-d arrays by plain numbers, which can be hashed."""
     for name, value in vars(owner).items():
         if type(value) is np.ndarray and not value.ndim:
@@ -181,10 +190,10 @@ def shape(**given: Any) -> tuple[int, ...]:
 def path(name: str, value: Any, what: str) -> str:
     """Return a path as text if it is not empty."""
     if not isinstance(value, (str, PathLike)) or not isinstance(text := fspath(value), str):
-        raise TypeError(f"{name} must be the path of {what}, as text; got {short(value)}")
+        raise TypeError(f"{name} must be the path of {what}, as text; got {short_repr(value)}")
     if not text or "\0" in text:
         without = ", without a NUL" * bool(text)
-        raise ValueError(f"{name} must name {what}{without}; got {short(value)}")
+        raise ValueError(f"{name} must name {what}{without}; got {short_repr(value)}")
     return text
 
 
@@ -192,7 +201,7 @@ def instance(name: str, value: Any, kind: type) -> None:
     """Raise a TypeError unless the value is of that kind."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIO" else "a"
-        raise TypeError(f"{name} must be {article} {kind.__name__}; got {short(value)}")
+        raise TypeError(f"{name} must be {article} {kind.__name__}; got {short_repr(value)}")
 
 
 def boolean(name: str, value: Any) -> bool:
@@ -202,10 +211,10 @@ def boolean(name: str, value: Any) -> bool:
     return bool(value)
 
 
-def members(name: str, values: Any, kind: type) -> tuple[Any, ...]:
+def tuple_of(name: str, values: Any, kind: type) -> tuple[Any, ...]:
     """Return values of one kind as a tuple; there must be at least one."""
     if isinstance(values, str) or not np.iterable(values):
-        raise TypeError(f"{name} must be a tuple of {kind.__name__}; got {short(values)}")
+        raise TypeError(f"{name} must be a tuple of {kind.__name__}; got {short_repr(values)}")
     items = tuple(values)
     if not items:
         raise ValueError(f"{name} must hold at least one {kind.__name__}; got none")
@@ -217,11 +226,11 @@ def members(name: str, values: Any, kind: type) -> tuple[Any, ...]:
 def distinct(name: str, names: Iterable[str], what: str = "names") -> None:
     """Raise a ValueError if one of the names is there twice."""
     for repeated in (each for each, times in Counter(names).items() if times > 1):
-        raise ValueError(f"{name} must have distinct {what}; got {brief(repeated)!r} twice")
+        raise ValueError(f"{name} must have distinct {what}; got {shorten_name(repeated)!r} twice")
 
 
 def choice(name: str, value: Any, allowed: Sequence[str], note: str = "") -> None:
     """Raise a ValueError unless the value is one of the allowed words."""
     if not isinstance(value, str) or value not in allowed:
         words = " or ".join(map(repr, allowed))
-        raise ValueError(f"{name} must be {words}{note}; got {short(value)}")
+        raise ValueError(f"{name} must be {words}{note}; got {short_repr(value)}")

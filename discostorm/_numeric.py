@@ -16,7 +16,7 @@ from discostorm import _checks
 Value = float | NDArray[np.float64]
 
 
-def plain(number: Any) -> Any:
+def int_if_integral(number: Any) -> Any:
     """Return a whole float as an int, so that expressions show no floats without need."""
     return int(number) if isinstance(number, float) and number.is_integer() else number
 
@@ -33,7 +33,7 @@ def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]
     return expression.xreplace(hidden), {symbol: part for part, symbol in hidden.items()}
 
 
-def share(expression: sp.Expr) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Expr]:
+def cse_keep_rounding(expression: sp.Expr) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Expr]:
     """Find common subexpressions as `sympy.cse` does, but keep what is rounded in one piece."""
     rest, rounded = hide_rounded(expression)
     shared, (reduced,) = sp.cse([rest])
@@ -56,7 +56,7 @@ def compiled(symbols: tuple[sp.Symbol, ...], expression: sp.Basic) -> Callable[.
     names = vars(np) | {"I": 1j}
     settings = {"fully_qualified_modules": False, "inline": True, "allow_unknown_functions": True}
     function: Callable[..., Value] = sp.lambdify(
-        symbols, expression, modules=[names], printer=NumPyPrinter(settings), cse=share
+        symbols, expression, modules=[names], printer=NumPyPrinter(settings), cse=cse_keep_rounding
     )
     return function
 
@@ -92,7 +92,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
            [2., 4.]])
     """
     _checks.instance("expression", expression, sp.Expr)
-    arguments: tuple[sp.Symbol, ...] = _checks.members("symbols", symbols, sp.Symbol)
+    arguments: tuple[sp.Symbol, ...] = _checks.tuple_of("symbols", symbols, sp.Symbol)
     unknown = expression.free_symbols - set(arguments)
     if unknown:
         missing = ", ".join(sorted(symbol.name for symbol in unknown))
@@ -110,7 +110,9 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         return evaluate(
             expression,
             {
-                symbol: _checks.numbers(symbol.name, given[symbol.name], -np.inf, above=True)
+                symbol: _checks.numbers(
+                    symbol.name, given[symbol.name], -np.inf, exclusive_min=True
+                )
                 for symbol in arguments
             },
         )

@@ -11,13 +11,13 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Polynomial, plain
+from discostorm._numeric import Polynomial, int_if_integral
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
     LEAST as LEAST,
+    error_context,
     fleet_tables,
     read_fleet_file,
-    told_of,
 )
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
@@ -80,7 +80,7 @@ class HostGroup:
         except (TypeError, ValueError) as error:
             if not self.name:
                 raise
-            raise type(error)(f"group {_checks.brief(self.name)!r}: {error}") from error
+            raise type(error)(f"group {_checks.shorten_name(self.name)!r}: {error}") from error
 
     def _check(self) -> None:
         """Check the numbers, and keep them as floats and read-only arrays."""
@@ -88,7 +88,7 @@ class HostGroup:
             value = getattr(self, count)
             if is_symbolic(value):
                 continue
-            value = _checks.numbers(count, value, low, _checks.MOST)
+            value = _checks.numbers(count, value, low, _checks.MAX_COUNT)
             if isinstance(value, np.ndarray):
                 value = value.copy()
                 value.flags.writeable = False
@@ -96,18 +96,18 @@ class HostGroup:
         _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         fewest = self.endpoints
         if isinstance(fewest, np.ndarray):
-            fewest = float(np.min(fewest, initial=_checks.MOST))
+            fewest = float(np.min(fewest, initial=_checks.MAX_COUNT))
         elif is_symbolic(fewest):
-            fewest = _checks.MOST
+            fewest = _checks.MAX_COUNT
         if self.nodes is not None:
-            nodes = _checks.number("nodes", self.nodes, 0, _checks.MOST)
+            nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
             check_nodes("nodes", nodes, fewest)
             object.__setattr__(self, "nodes", nodes)
         if not is_symbolic(self.shared):
             shared = _checks.number("shared", self.shared, 0, fewest)
             object.__setattr__(self, "shared", shared)
         if self.data != ():
-            object.__setattr__(self, "data", _checks.members("data", self.data, Flow))
+            object.__setattr__(self, "data", _checks.tuple_of("data", self.data, Flow))
             _checks.distinct("data", (flow.topic for flow in self.data), "topics")
             if not isinstance(self.hosts, float):
                 raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
@@ -169,7 +169,7 @@ class Fleet:
     def __post_init__(self) -> None:
         matching = _checks.number("matching", self.matching, 0, 1)
         object.__setattr__(self, "matching", matching)
-        object.__setattr__(self, "groups", _checks.members("groups", self.groups, HostGroup))
+        object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
         _checks.distinct("groups", (group.name for group in self.groups if group.name))
         _checks.shape(**self.arrays())
 
@@ -185,7 +185,7 @@ class Fleet:
     @classmethod
     def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
         """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
-        _checks.whole("groups", groups, 1, _MAX_SYMBOLIC)
+        _checks.integer("groups", groups, 1, _MAX_SYMBOLIC)
         if groups == 1:
             return cls(SWARM.groups, matching)
         return cls(tuple(symbolic_group(index) for index in range(1, int(groups) + 1)), matching)
@@ -246,7 +246,7 @@ class Fleet:
         groups = []
         try:
             for number, table in enumerate(tables["groups"], start=1):
-                with told_of(number, table):
+                with error_context(number, table):
                     groups.append(_group(table))
             return cls(tuple(groups), tables.get("matching", 0.0))
         except (TypeError, ValueError) as error:
@@ -293,8 +293,8 @@ class Fleet:
     @cached_property
     def matched_per_process(self) -> list[Count]:
         """For a process of each group, its endpoints that match one in every other process."""
-        share = plain(self.matching)
-        shared = (plain(group.shared) for group in self.groups)
+        share = int_if_integral(self.matching)
+        shared = (int_if_integral(group.shared) for group in self.groups)
         return [
             own + (group.endpoints - own) * share
             for group, own in zip(self.groups, shared, strict=True)
@@ -344,7 +344,7 @@ class Fleet:
             for group, number in zip(self.groups, numbers, strict=True)
         )
 
-    def described(self) -> list[dict[str, Any]]:
+    def to_dicts(self) -> list[dict[str, Any]]:
         """Return its groups, of one number each, for JSON; keys as in `from_toml`."""
         return [
             {"name": name}
@@ -394,7 +394,7 @@ def _group(table: dict[str, Any]) -> HostGroup:
     """Return the group of a table of a fleet file."""
     data = []
     for number, topic in enumerate(table.get("data", ()), start=1):
-        with told_of(number, topic, "data"):
+        with error_context(number, topic, "data"):
             data.append(flow_of(topic))
     group = HostGroup(**table | {"name": "", "data": tuple(data)})
     if "shared" not in table:

@@ -24,7 +24,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     """Return the tables of a fleet file: ``groups``, perhaps ``matching``."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         raise TypeError(
-            f"content must be bytes, a bytearray or a memoryview; got {_checks.short(content)}"
+            f"content must be bytes, a bytearray or a memoryview; got {_checks.short_repr(content)}"
         )
     _checks.instance("name", name, str)
     content = bytes(content)
@@ -49,34 +49,38 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
 
 
 @contextmanager
-def told_of(number: int, table: Any, what: str = "group") -> Iterator[None]:
+def error_context(number: int, table: Any, what: str = "group") -> Iterator[None]:
     """Let errors say which group, or which of its data, they are about."""
     try:
         yield
     except (TypeError, ValueError) as error:
         label = table.get("name") or table.get("topic") if isinstance(table, dict) else None
         name = f" ({label})" if label else ""
-        raise ValueError(f"{what} {number}{_checks.brief(name)}: {error}") from error
+        raise ValueError(f"{what} {number}{_checks.shorten_name(name)}: {error}") from error
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
     _check_keys(tables, ("groups", "matching"))
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
-        raise ValueError(f"it must have at least one [[groups]] table; got {_checks.short(groups)}")
+        raise ValueError(
+            f"it must have at least one [[groups]] table; got {_checks.short_repr(groups)}"
+        )
     _check_number(tables, "matching", 0, 1)
     for number, table in enumerate(groups, start=1):
-        with told_of(number, table):
+        with error_context(number, table):
             _check_group(table)
 
 
 def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
-        raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {_checks.short(table)}")
+        raise TypeError(
+            f"it must be a table with {', '.join(COUNTS)}; got {_checks.short_repr(table)}"
+        )
     _check_keys(table, (*COUNTS, "name", "nodes", "shared", "wired", "data"))
     for key, minimum in LEAST.items():
         if key not in table:
-            allowed = _checks.wanted(minimum, _checks.MOST)
+            allowed = _checks.describe_range(minimum, _checks.MAX_COUNT)
             raise ValueError(f"{key} is missing; it must be {allowed}")
         _check_number(table, key, minimum)
     for key in ("nodes", "shared"):
@@ -86,21 +90,21 @@ def _check_group(table: Any) -> None:
         ("data", list, "tables [[groups.data]]"),
     ):
         if not isinstance(table.get(key, kind()), kind):
-            raise TypeError(f"{key} must be {what}; got {_checks.short(table[key])}")
+            raise TypeError(f"{key} must be {what}; got {_checks.short_repr(table[key])}")
 
 
 def _check_number(
-    table: dict[str, Any], key: str, minimum: float, maximum: float = _checks.MOST
+    table: dict[str, Any], key: str, minimum: float, maximum: float = _checks.MAX_COUNT
 ) -> None:
     if type(table.get(key, 0)) not in (int, float):
-        allowed = _checks.wanted(minimum, maximum)
-        raise TypeError(f"{key} must be {allowed}; got {_checks.short(table[key])}")
+        allowed = _checks.describe_range(minimum, maximum)
+        raise TypeError(f"{key} must be {allowed}; got {_checks.short_repr(table[key])}")
 
 
 def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
     for key, value in table.items():
         if key not in valid:
             raise ValueError(
-                f"key must be {' or '.join(valid)}; got {_checks.brief(key)} = "
-                f"{_checks.short(value)}{_names.did_you_mean(key, valid)}"
+                f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "
+                f"{_checks.short_repr(value)}{_names.did_you_mean(key, valid)}"
             )

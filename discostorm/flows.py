@@ -103,16 +103,19 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
 def flow_of(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
     if not isinstance(table, dict):
-        raise TypeError(f"it must be a table with topic and to; got {_checks.short(table)}")
+        raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")
     for key, value in table.items():
         if key not in KEYS:
             raise ValueError(
-                f"key must be {', '.join(KEYS[:-1])} or {KEYS[-1]}; got {_checks.brief(key)} = "
-                f"{_checks.short(value)}{_names.did_you_mean(key, KEYS)}"
+                f"key must be {', '.join(KEYS[:-1])} or {KEYS[-1]}; got "
+                f"{_checks.shorten_name(key)} = {_checks.short_repr(value)}"
+                f"{_names.did_you_mean(key, KEYS)}"
             )
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")
     if not isinstance(table.get("reliable", False), bool):
-        raise TypeError(f"reliable must be true or false; got {_checks.short(table['reliable'])}")
+        raise TypeError(
+            f"reliable must be true or false; got {_checks.short_repr(table['reliable'])}"
+        )
     return flow(**table)

@@ -50,7 +50,7 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 @dataclass(frozen=True)
-class Band:
+class ErrorBand:
     """How far a measured table was off in held-out runs: measured airtime by the table's.
 
     Parameters
@@ -97,12 +97,12 @@ class Band:
 
 def band(
     protocol: str, fleet: Fleet, captured: tuple[int, ...], window: Window = "startup"
-) -> Band | None:
+) -> ErrorBand | None:
     """Return how far the table of that name was off for held-out fleets of this size.
 
     For the largest there were if this fleet is larger; None if nothing was held out.
     """
-    bands = bands_of(protocol, window)
+    bands = error_bands(protocol, window)
     if not bands:
         return None
     hosts, endpoints = size_of(fleet, captured)
@@ -114,7 +114,7 @@ def band(
 
 
 @cache
-def bands_of(protocol: str, window: Window = "startup") -> tuple[Band, ...]:
+def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, ...]:
     """Return the bands of a table, one for each class of sizes measured, the smallest first."""
     rows = [
         row
@@ -125,7 +125,7 @@ def bands_of(protocol: str, window: Window = "startup") -> tuple[Band, ...]:
         max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
     )
     return tuple(
-        Band(
+        ErrorBand(
             low=float(row["low"]),
             high=float(row["high"]),
             typical=float(row["typical"]),

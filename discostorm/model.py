@@ -116,7 +116,7 @@ def utilization(
         costs = _data_costs(protocol, fleet, wifi, window)
     else:
         costs = unit_costs(protocol, wifi, window, phase, by_hop=fleet.has_wired)
-    return sum_over_units(costs, fleet, window)
+    return weighted_sum(costs, fleet, window)
 
 
 def burst(
@@ -151,7 +151,7 @@ def burst(
     """
     fleet = as_fleet(hosts, processes, endpoints)
     costs = _costs(protocol, wifi, None, lambda schedule: schedule.extra, fleet.has_wired)
-    return sum_over_units(costs, fleet)
+    return weighted_sum(costs, fleet)
 
 
 def unit_costs(
@@ -231,13 +231,13 @@ def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi
         return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))
 
 
-def sum_over_units(
+def weighted_sum(
     costs: Mapping[Unit, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
 ) -> Value:
     """Return the sum over units of cost times count, in the shape of the fleet and the window."""
     shape = _checks.shape(**fleet.arrays(), window=window)
     if len(fleet.groups) > 1 or fleet.has_wired:
-        total = polynomial_over_units(costs, fleet)
+        total = weighted_polynomial(costs, fleet)
     else:
         total = _sum_of_swarm(costs, fleet)
     if not shape:
@@ -245,7 +245,7 @@ def sum_over_units(
     return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
 
 
-def polynomial_over_units(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
+def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
     """Return the same sum as the counts are: a number, an array, or a `Polynomial`."""
     with np.errstate(under="ignore"):
         return sum(cost * unit.count(fleet) for unit, cost in costs.items())
@@ -269,7 +269,7 @@ def _swarm_function(units: tuple[Unit, ...], matching: float, shares: bool) -> C
     return compiled((*swarm.counts(), shared, *costs), shortened(total))
 
 
-def by_symbol(
+def resolve_symbols(
     argument: str, given: Mapping[Any, Any], valid: Mapping[sp.Symbol, object]
 ) -> dict[sp.Symbol, Any]:
     """Return what is given for symbols, or their names, if all of these are valid."""
@@ -293,22 +293,24 @@ def utilization_at(
     reject_symbols(fleet)
     usual = protocol.values() | PAPER.values()
     at = usual | {
-        symbol: _checks.number(symbol.name, value, 0, above=symbol in (nt.R_UNI, nt.R_MULTI))
-        for symbol, value in by_symbol("values", values, usual).items()
+        symbol: _checks.number(
+            symbol.name, value, 0, exclusive_min=symbol in (nt.R_UNI, nt.R_MULTI)
+        )
+        for symbol, value in resolve_symbols("values", values, usual).items()
     }
     symbolic = protocol.costs(phase, by_hop=fleet.has_wired)
     costs = evaluate_each(list(symbolic.values()), at)
-    return sum_over_units(dict(zip(symbolic, costs, strict=True)), fleet)
+    return weighted_sum(dict(zip(symbolic, costs, strict=True)), fleet)
 
 
-def without_each(
+def leave_one_out(
     protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[float]:
     """Return the utilization of a fleet of numbers without each of its groups in turn [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
     return [
-        float(sum_over_units(costs, replace(fleet, groups=rest))) if rest else 0.0 for rest in rests
+        float(weighted_sum(costs, replace(fleet, groups=rest))) if rest else 0.0 for rest in rests
     ]
 
 
@@ -361,8 +363,8 @@ def message_costs(
     """Return the rows of `breakdown`, from the name of the message on."""
     _check(protocol, wifi)
     for group in fleet.groups:
-        _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-    _checks.one_each([("window", window)])
+        _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
+    _checks.require_scalars([("window", window)])
     rows = []
     for message in protocol.messages:
         count = float(message.load(fleet)) + 0.0  # also where it is -0.0

@@ -45,7 +45,7 @@ def robot(name: str) -> HostGroup:
     if full_name is None:
         like = _names.did_you_mean(name, (*groups, *aliases()))
         raise ValueError(
-            f"robot must be the name of a ready-made one; got {_checks.brief(name)!r}{like}"
+            f"robot must be the name of a ready-made one; got {_checks.shorten_name(name)!r}{like}"
         )
     return groups[full_name]
 

@@ -26,7 +26,7 @@ def shared_endpoints(nodes: float = 0.0) -> float:
     >>> shared_endpoints(), shared_endpoints(nodes=13)
     (2.0, 28.0)
     """
-    per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MOST)}
+    per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MAX_COUNT)}
     rows = read_data("fleets/shared_topics.csv")
     return sum(per[row["per"]] * int(row["endpoints"]) for row in rows)
 
@@ -42,7 +42,7 @@ def likely_nodes(endpoints: float) -> float:
     >>> likely_nodes(10), likely_nodes(20), round(likely_nodes(678))
     (0.0, 1.0, 24)
     """
-    given = _checks.number("endpoints", endpoints, 0, _checks.MOST)
+    given = _checks.number("endpoints", endpoints, 0, _checks.MAX_COUNT)
     if given < parameter_service_endpoints():
         return 0.0
     return max(1.0, given / endpoints_of_a_node())

@@ -16,7 +16,7 @@ from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Polynomial, Value
 from discostorm.fleet import SWARM, Count, Fleet, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.model import polynomial_over_units, sum_over_units, unit_costs
+from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
 from discostorm.wifi import PAPER, Model, Wifi
 
 
@@ -89,8 +89,8 @@ def saturation_hosts(
     """
     others, index = _growing(processes, endpoints, fleet, group)
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)
-    single = sum_over_units(costs, _with_hosts(others, index, 1), window)
-    top = _checks.numbers("limit", limit, 0, _checks.MOST_UTILIZATION, above=True)
+    single = weighted_sum(costs, _with_hosts(others, index, 1), window)
+    top = _checks.numbers("limit", limit, 0, _checks.MAX_UTILIZATION, exclusive_min=True)
     arrays = others.arrays() if fleet else {"processes": processes, "endpoints": endpoints}
     shape = _checks.shape(**arrays, window=window, limit=top)
     too_low = np.less(top, single)
@@ -101,7 +101,7 @@ def saturation_hosts(
             f"{' beside the fleet' if len(others.groups) > 1 else ''} with {protocol.name}, "
             f"{float(needed[mask][0])!r}; got {float(tops[mask][0])!r}"
         )
-    total = polynomial_over_units(costs, _with_hosts(others, index, Polynomial((1.0, 1.0))))
+    total = weighted_polynomial(costs, _with_hosts(others, index, Polynomial((1.0, 1.0))))
     if all(member.wired for member in others.groups):
         total = Polynomial((0.0,))
     if not isinstance(total, Polynomial):
@@ -126,7 +126,7 @@ def _growing(
     if isinstance(group, str):
         _checks.choice("group", group, fleet.names)
         return fleet, fleet.names.index(group)
-    _checks.whole("group", group, 0, len(fleet.groups) - 1)
+    _checks.integer("group", group, 0, len(fleet.groups) - 1)
     return fleet, int(group)
 
 

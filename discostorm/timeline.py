@@ -44,8 +44,8 @@ def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
 
     A steady state of 1 fills the channel, which then never goes idle: infinity, even without burst.
     """
-    burst_s = _checks.numbers("extra", extra, 0, _checks.MOST_UTILIZATION)
-    steady_part = _checks.numbers("steady", steady, 0, _checks.MOST_UTILIZATION)
+    burst_s = _checks.numbers("extra", extra, 0, _checks.MAX_UTILIZATION)
+    steady_part = _checks.numbers("steady", steady, 0, _checks.MAX_UTILIZATION)
     with np.errstate(divide="ignore", invalid="ignore"):  # NumPy computes both branches
         return evaluate(DRAIN, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
 
@@ -175,7 +175,7 @@ def first_idle(
     >>> round(timeline.first_idle(ds.PROTOCOLS["DDS, periods of Fast DDS"], 12, 2, 10), 2)
     4.61
     """
-    _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
+    _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))
     if bound == np.inf:
         return np.inf
@@ -248,7 +248,7 @@ def outlook(
     >>> timeline.outlook(ds.PROTOCOLS["Zenoh, periods of Zenoh peer"], 12, 2, 10)
     'slow at best'
     """
-    _checks.one_each(zip(COUNTS, (hosts, processes, endpoints), strict=True))
+    _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(protocol, hosts, processes, endpoints, wifi)
     limits = (PAPER_WINDOW, protocol.lease, np.inf)
     return OUTLOOKS[int(np.searchsorted(limits, time))] if time < np.inf else OUTLOOKS[-1]

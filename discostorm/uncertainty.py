@@ -25,7 +25,7 @@ from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
-from discostorm.model import by_symbol, utilization_at
+from discostorm.model import resolve_symbols, utilization_at
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Link, Wifi
 
@@ -97,13 +97,13 @@ def parameter_ranges(
     ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
     used = protocol.utilization().free_symbols
     ranges |= {symbol: ends for symbol, ends in _assumed().items() if symbol in used}
-    for symbol, ends in by_symbol("ranges", {} if given is None else given, ranges).items():
+    for symbol, ends in resolve_symbols("ranges", {} if given is None else given, ranges).items():
         try:
             low, high = ends
         except (TypeError, ValueError):
             raise ValueError(f"{symbol} must have a range (low, high); got {ends!r}") from None
         rate = symbol in (nt.R_UNI, nt.R_MULTI)
-        low = _checks.number(f"low end of {symbol}", low, 0, above=rate)
+        low = _checks.number(f"low end of {symbol}", low, 0, exclusive_min=rate)
         ranges[symbol] = low, _checks.number(f"high end of {symbol}", high, low)
     return ranges
 
@@ -283,10 +283,10 @@ def sensitivity(
     """
     import pandas as pd  # here, as it would double the time of importing discostorm
 
-    _checks.one_each((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
+    _checks.require_scalars((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
     ends = parameter_ranges(protocol, ranges)
     usual = protocol.values() | PAPER.values()
-    usual |= by_symbol("values", {} if values is None else values, ends)
+    usual |= resolve_symbols("values", {} if values is None else values, ends)
     at = {
         name: _checks.number(str(name), usual[name], low, high)
         for name, (low, high) in ends.items()
@@ -371,10 +371,10 @@ def sample_together(
     Parameters with the same name and range are drawn once for all. ``ranges`` has for each
     protocol the ranges that replace the assumed ones, or None.
     """
-    _checks.whole("size", size, 1, MOST_SAMPLES)
-    _checks.whole("seed", seed, 0)
+    _checks.integer("size", size, 1, MOST_SAMPLES)
+    _checks.integer("seed", seed, 0)
     generator = np.random.default_rng(int(seed))
-    tables = _checks.members("protocols", protocols, Protocol)
+    tables = _checks.tuple_of("protocols", protocols, Protocol)
     drawn: dict[tuple[sp.Symbol, Range], NDArray[np.float64]] = {}
     samples = []
     for protocol, given in zip(tables, ranges or [None] * len(tables), strict=True):

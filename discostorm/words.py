@@ -16,12 +16,12 @@ AGGREGATES = (
 RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
 
-def fits(utilization: float) -> bool:
+def below_capacity(utilization: float) -> bool:
     """Return whether the channel has more airtime than this."""
     return utilization < 1
 
 
-def whole_below(hosts: float) -> int:
+def last_integer_below(hosts: float) -> int:
     """Return the largest integer number of hosts below saturation."""
     return math.ceil(hosts) - 1
 
@@ -37,7 +37,7 @@ def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
     return f"{share:,.{decimals}%}"
 
 
-def charged(utilization: float, to: str, capacity: str) -> str:
+def format_load(utilization: float, to: str, capacity: str) -> str:
     """Return a load in percent, or from ten times the capacity on as a multiple of it."""
     if utilization < 10:
         return f"{percent(utilization)} {to}"
@@ -45,7 +45,7 @@ def charged(utilization: float, to: str, capacity: str) -> str:
     return f"{times} times {capacity}"
 
 
-def part(share: float) -> str:
+def format_share(share: float) -> str:
     """Return a share in percent, or "nearly all"."""
     return "nearly all" if 0.995 <= share < 1 else percent(share)
 
@@ -102,12 +102,12 @@ def airtime(utilization: float, window: float) -> str:
     return duration(utilization * window)
 
 
-def many(count: float, noun: str, plural: str = "s") -> str:
+def count_noun(count: float, noun: str, plural: str = "s") -> str:
     """Return a count with its noun."""
     return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
 
 
-def listed(words: list[str], last: str = "and") -> str:
+def join_words(words: list[str], last: str = "and") -> str:
     """Return words with commas between, and a conjunction before the last."""
     if len(words) < 2:
         return "".join(words)
@@ -129,7 +129,7 @@ def capitalized(sentence: str) -> str:
 UNIT = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
 
 
-def unbroken(text: str) -> str:
+def no_break_spaces(text: str) -> str:
     """Put a no-break space between each number and its unit."""
     return re.sub(rf"(?<=\d) (?={UNIT})", "\N{NO-BREAK SPACE}", text)
 
@@ -137,5 +137,7 @@ def unbroken(text: str) -> str:
 def wrapped(line: str, width: int = 79) -> str:
     """Break a line at a width, but not before a unit; indent an item of a list."""
     indent = "  " if line.startswith("- ") else "    " if re.match(r" |\d+\. ", line) else ""
-    lines = textwrap.fill(unbroken(line), width, subsequent_indent=indent, break_on_hyphens=False)
+    lines = textwrap.fill(
+        no_break_spaces(line), width, subsequent_indent=indent, break_on_hyphens=False
+    )
     return lines.replace("\N{NO-BREAK SPACE}", " ")

@@ -384,7 +384,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _keep_the_beginning(block)
     for text in list(tree.findall(nodes.Text)):
         if not isinstance(text.parent, _NO_TEXT):
-            text.parent.replace(text, nodes.Text(words.unbroken(text)))
+            text.parent.replace(text, nodes.Text(words.no_break_spaces(text)))
     for table in list(tree.findall(nodes.table)):
         _fit(table, _SIZES[2:] if table in sheet else _SIZES)
     if name != app.config.root_doc:

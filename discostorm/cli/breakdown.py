@@ -82,7 +82,7 @@ def breakdown(
       discostorm breakdown fleet.toml --csv
     """
     with bad_input(), working("computing"):
-        _checks.number("--window", window, _checks.LEAST_SECONDS, _checks.MOST_SECONDS)
+        _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
         rows = [row for each in protocols for row in _rows(each, members.fleet, wifi, window)]
     columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
     if output.for_people and len(protocols) == 1:

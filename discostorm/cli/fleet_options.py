@@ -92,7 +92,7 @@ def ready_made(name: str, hosts: Any = 1) -> HostGroup:
     except ValueError:
         like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases()))
         raise click.UsageError(
-            f"--robot: {_checks.brief(name)!r} is no ready-made robot{like or '.'} "
+            f"--robot: {_checks.shorten_name(name)!r} is no ready-made robot{like or '.'} "
             "`discostorm robots` lists them."
         ) from None
 
@@ -107,16 +107,18 @@ def fleet_source(
     given = [f"--{name}" for name, value in counts.items() if value is not None]
     if fleet is not None and file is not None:
         raise click.UsageError(
-            f"one fleet at a time; got {_checks.brief(file)!r} and --fleet {_checks.brief(fleet)!r}"
+            f"one fleet at a time; got {_checks.shorten_name(file)!r} "
+            f"and --fleet {_checks.shorten_name(fleet)!r}"
         )
     if fleet is not None or file is not None:
         if robot is not None or given:
-            flags = words.listed([*(f"--{name}" for name in counts), "--robot"])
+            flags = words.join_words([*(f"--{name}" for name in counts), "--robot"])
             raise click.UsageError(f"--fleet goes without {flags}")
     elif robot is not None:
         if others := [flag for flag in given if flag != "--hosts"]:
             raise click.UsageError(
-                f"--robot says how many there are of each; it goes without {words.listed(others)}"
+                "--robot says how many there are of each; it goes without "
+                f"{words.join_words(others)}"
             )
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--hosts must be given with --robot: how many of them there are")
@@ -195,7 +197,7 @@ several_swarms_options = option_group(
 
 
 def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return the range of the measured airtime as multiples of a model's; see `measured.Band`."""
+    """Return the range of the measured airtime over the model's; see `measured.ErrorBand`."""
     error = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
     keys = ("low", "high", "beyond")
     return {f"band_{key}": None if error is None else getattr(error, key) for key in keys}
@@ -208,9 +210,9 @@ def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
         if protocol.captured and (error := band(protocol.name, fleet, protocol.captured)):
             hosts, processes, endpoints = protocol.captured
             sentences[
-                f"We captured {protocol.name} with up to {words.many(hosts, 'host')}, "
-                f"{words.many(processes, 'process', 'es')} and "
-                f"{words.many(endpoints, 'endpoint')} per process. {error.sentence()}"
+                f"We captured {protocol.name} with up to {words.count_noun(hosts, 'host')}, "
+                f"{words.count_noun(processes, 'process', 'es')} and "
+                f"{words.count_noun(endpoints, 'endpoint')} per process. {error.sentence()}"
             ] = None
     if 0 < len(sentences) <= _MAX_BANDS:
         click.echo()

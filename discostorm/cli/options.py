@@ -71,7 +71,7 @@ def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) ->
         parts = [float(part) for part in value.split(",")]
     except ValueError:
         raise click.BadParameter(
-            f"must be a number, or several with commas between; got {_checks.brief(value)!r}"
+            f"must be a number, or several with commas between; got {_checks.shorten_name(value)!r}"
         ) from None
     return parts[0] if len(parts) == 1 else parts
 
@@ -185,7 +185,7 @@ def _protocol(value: str) -> ds.Protocol:
     except ValueError:
         like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *SEVERAL))
         raise click.BadParameter(
-            f"{_checks.brief(value)!r} is no product or table{like or '.'} "
+            f"{_checks.shorten_name(value)!r} is no product or table{like or '.'} "
             f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'."
         ) from None
 
@@ -194,7 +194,7 @@ def _protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
 ) -> tuple[ds.Protocol, ...]:
     """Return the protocols that are named, each once, in the order of the calculator."""
-    papers = words.listed([protocol.name for protocol in SEVERAL["paper"]])
+    papers = words.join_words([protocol.name for protocol in SEVERAL["paper"]])
     chosen: list[ds.Protocol] = []
     for value in values:
         _list_on_request(

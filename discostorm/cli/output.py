@@ -44,7 +44,7 @@ def bad_input() -> Iterator[None]:
     except OSError as error:
         if error.filename is None:  # of the output
             raise
-        name = _checks.brief(str(error.filename))
+        name = _checks.shorten_name(str(error.filename))
         raise BadInput(visible(f"{name}: {error.strerror}")) from error
     except MemoryError as error:
         raise BadInput(
@@ -245,11 +245,13 @@ def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> N
     try:
         if any(_is_input(path, each) for each in inputs if each is not None):
             raise BadInput(
-                visible(f"{option}: {_checks.brief(name)} is the input; name another file")
+                visible(f"{option}: {_checks.shorten_name(name)} is the input; name another file")
             )
         atomic_write(path, content)
     except OSError as error:
-        raise BadInput(visible(f"{option}: {_checks.brief(name)}: {error.strerror}")) from error
+        raise BadInput(
+            visible(f"{option}: {_checks.shorten_name(name)}: {error.strerror}")
+        ) from error
 
 
 def _is_input(path: Path, name: str) -> bool:

@@ -211,7 +211,7 @@ def _saturation_hosts(
 def _fit(hosts: float | None) -> float:
     if hosts is None:
         return 0
-    return hosts if hosts == math.inf else words.whole_below(hosts)
+    return hosts if hosts == math.inf else words.last_integer_below(hosts)
 
 
 def _not_measured(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:

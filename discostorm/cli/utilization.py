@@ -94,13 +94,13 @@ def _discovery(protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi, single: Wifi)
     """Return utilization with one message per frame and, if it differs, with full A-MPDUs."""
     load = float(ds.utilization(protocol, fleet, wifi=single))
     if full == single:
-        return {"utilization": load, "fits": words.fits(load)}
+        return {"utilization": load, "fits": words.below_capacity(load)}
     minimum = float(ds.utilization(protocol, fleet, wifi=full))
     return {
         "utilization": load,
         "utilization_full_ampdus": minimum,
-        "fits": words.fits(load),
-        "may_fit": words.fits(minimum),
+        "fits": words.below_capacity(load),
+        "may_fit": words.below_capacity(minimum),
     }
 
 

@@ -7,7 +7,7 @@ from typing import Literal, get_args
 import sympy as sp
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import plain
+from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.messages.schedule import ONCE, Schedule
@@ -47,8 +47,8 @@ class Payload:
     source: str
 
     def __post_init__(self) -> None:
-        low = _checks.number("low", self.low, 0, _checks.MOST_BYTES)
-        high = _checks.number("high", self.high, low, _checks.MOST_BYTES)
+        low = _checks.number("low", self.low, 0, _checks.MAX_BYTES)
+        high = _checks.number("high", self.high, low, _checks.MAX_BYTES)
         nominal = _checks.number("nominal", self.nominal, low, high)
         for name, value in (("nominal", nominal), ("low", low), ("high", high)):
             object.__setattr__(self, name, value)
@@ -118,7 +118,7 @@ class Message:
     inside: str | None = None
 
     def __post_init__(self) -> None:
-        _checks.plain_numbers(self)
+        _checks.unwrap_0d_arrays(self)
         if not self.kind:
             object.__setattr__(self, "kind", self.name)
         if self.informs is None:
@@ -130,10 +130,10 @@ class Message:
         _checks.choice("transport", self.transport, get_args(Transport))
         if self.role is not None:
             _checks.choice("role", self.role, get_args(Role), ", or None")
-        _checks.number("per_unit", self.per_unit, _MIN_PER_UNIT, _checks.MOST)
-        if _checks.number("frames", self.frames, 0, _checks.MOST) != 0:
-            _checks.number("frames", self.frames, _MIN_PER_UNIT, _checks.MOST)
-        object.__setattr__(self, "hops", _checks.members("hops", self.hops, str))
+        _checks.number("per_unit", self.per_unit, _MIN_PER_UNIT, _checks.MAX_COUNT)
+        if _checks.number("frames", self.frames, 0, _checks.MAX_COUNT) != 0:
+            _checks.number("frames", self.frames, _MIN_PER_UNIT, _checks.MAX_COUNT)
+        object.__setattr__(self, "hops", _checks.tuple_of("hops", self.hops, str))
         if not (len(set(self.hops)) == len(self.hops) and set(self.hops) <= set(HOPS)):
             raise ValueError(f"hops must be 'up', 'down' or both, each once; got {self.hops}")
         if self.inside is not None and self.frames:
@@ -152,7 +152,7 @@ class Message:
         """
         if self.frames == 0:
             return self.payload_symbol
-        return self.payload_symbol / plain(self.frames) + HEADER_SYMBOLS[self.transport]
+        return self.payload_symbol / int_if_integral(self.frames) + HEADER_SYMBOLS[self.transport]
 
     @property
     def frame_bytes(self) -> float:
@@ -196,7 +196,7 @@ class Message:
     def airtime_of(self, hop: Hop, model: Model = "linear") -> sp.Expr:
         """Return the airtime of its part of a frame on a hop [s]."""
         _checks.choice("model", model, get_args(Model))
-        part = plain(self.frames or 1.0)
+        part = int_if_integral(self.frames or 1.0)
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks
-from discostorm._numeric import plain
+from discostorm._numeric import int_if_integral
 from discostorm.fleet import SWARM, Fleet
 from discostorm.messages.message import HEADER_SYMBOLS, Hop, Message, header_bytes
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
@@ -45,11 +45,15 @@ class Timers:
     heartbeat_period_max: float = 1.0
 
     def __post_init__(self) -> None:
-        _checks.plain_numbers(self)
+        _checks.unwrap_0d_arrays(self)
         for interval, above in (("announce_interval", False), ("heartbeat_period", True)):
             initial, longest = f"{interval}_initial", f"{interval}_max"
-            _checks.number(longest, getattr(self, longest), 0, _checks.MOST_SECONDS, above=above)
-            _checks.number(initial, getattr(self, initial), 0, getattr(self, longest), above=above)
+            _checks.number(
+                longest, getattr(self, longest), 0, _checks.MAX_SECONDS, exclusive_min=above
+            )
+            _checks.number(
+                initial, getattr(self, initial), 0, getattr(self, longest), exclusive_min=above
+            )
 
 
 @dataclass(frozen=True)
@@ -110,10 +114,10 @@ class Protocol:
             if getattr(self, name) is not None:
                 _checks.choice(name, getattr(self, name), get_args(words), ", or None")
         if self.captured is not None:
-            object.__setattr__(self, "captured", _checks.members("captured", self.captured, int))
-        _checks.plain_numbers(self)
-        _checks.number("lease", self.lease, 0, above=True, endless=True)
-        object.__setattr__(self, "messages", _checks.members("messages", self.messages, Message))
+            object.__setattr__(self, "captured", _checks.tuple_of("captured", self.captured, int))
+        _checks.unwrap_0d_arrays(self)
+        _checks.number("lease", self.lease, 0, exclusive_min=True, allow_inf=True)
+        object.__setattr__(self, "messages", _checks.tuple_of("messages", self.messages, Message))
         _checks.distinct("messages", [message.name for message in self.messages])
 
     @property
@@ -209,7 +213,7 @@ class Protocol:
         self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
     ) -> sp.Expr:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
-        return self._total(phase, fleet, model, lambda schedule: plain(schedule.extra))
+        return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))
 
     def cost(
         self,

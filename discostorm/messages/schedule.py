@@ -8,7 +8,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm._numeric import Value, plain
+from discostorm._numeric import Value, int_if_integral
 
 #: The window that the paper divides by [s] (Sec. IV-B).
 PAPER_WINDOW = 1.0
@@ -25,7 +25,7 @@ def checked_window(window: sp.Expr | ArrayLike) -> Any:
     if isinstance(window, sp.Expr) and window.free_symbols:
         return window
     window_s = np.inf if window is sp.oo else window
-    return _checks.numbers("window", window_s, _checks.LEAST_SECONDS, endless=True)
+    return _checks.numbers("window", window_s, _checks.MIN_SECONDS, allow_inf=True)
 
 
 @dataclass(frozen=True)
@@ -52,14 +52,14 @@ class Schedule:
     def __post_init__(self) -> None:
         if not np.iterable(self.starts):
             raise TypeError(
-                f"starts must be a tuple of times in seconds; got {_checks.short(self.starts)}"
+                f"starts must be a tuple of times in seconds; got {_checks.short_repr(self.starts)}"
             )
         given = tuple(self.starts)
-        starts = tuple(_checks.number("starts", time, 0, _checks.MOST_SECONDS) for time in given)
+        starts = tuple(_checks.number("starts", time, 0, _checks.MAX_SECONDS) for time in given)
         if not starts:
             raise ValueError("starts must hold at least one time in seconds; got none")
         object.__setattr__(self, "starts", starts)
-        period = _checks.number("period", self.period, _checks.LEAST_SECONDS, endless=True)
+        period = _checks.number("period", self.period, _checks.MIN_SECONDS, allow_inf=True)
         object.__setattr__(self, "period", period)
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
@@ -97,8 +97,8 @@ class Schedule:
         """
         window_s = checked_window(window)
         if isinstance(window_s, float):
-            return plain(self.extra / window_s + self.per_second)
-        return plain(self.extra) / window_s + plain(self.per_second)
+            return int_if_integral(self.extra / window_s + self.per_second)
+        return int_if_integral(self.extra) / window_s + int_if_integral(self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
         """Return how many are sent from 0 up to and including a time [s]."""

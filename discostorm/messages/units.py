@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
-from discostorm._numeric import plain
+from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.fleet import Count, Fleet
 
@@ -83,7 +83,9 @@ class _Group:
     @property
     def unmatched_per_process(self) -> Count:
         group = self.fleet.groups[self.index]
-        return (group.endpoints - plain(group.shared)) * plain(1 - self.fleet.matching)
+        return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(
+            1 - self.fleet.matching
+        )
 
     @property
     def matched_elsewhere(self) -> Count:

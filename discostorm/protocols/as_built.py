@@ -50,7 +50,7 @@ def schedule(row: Mapping[str, str]) -> Schedule:
     return Schedule(starts, float(row["period_s"] or np.inf))
 
 
-def described() -> dict[str, dict[str, str]]:
+def product_rows() -> dict[str, dict[str, str]]:
     """Return the rows of the files that list the tables, by the name of the table."""
     return {row["protocol"]: row for name in TABLES for row in read_data(f"vendors/{name}.csv")}
 
@@ -60,12 +60,12 @@ def as_built(name: str) -> Protocol:
 
     Messages of which none were measured are left out.
     """
-    tables = described()
+    tables = product_rows()
     if name not in tables:
         _checks.instance("name", name, str)
         raise ValueError(
             f"name must be that of a measured table, such as {next(iter(tables))!r}; "
-            f"got {_checks.brief(name)!r}{_names.did_you_mean(name, tables)}"
+            f"got {_checks.shorten_name(name)!r}{_names.did_you_mean(name, tables)}"
         )
     table = tables[name]
     captured = int(table["max_hosts"]), int(table["max_processes"]), int(table["max_endpoints"])

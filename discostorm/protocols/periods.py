@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from discostorm._numeric import plain
+from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import UNITS, Message, Payload, Protocol
 from discostorm.protocols.as_built import schedule
@@ -22,7 +22,7 @@ def _message(row: Mapping[str, str], paper: Protocol) -> Message:
     if row["unit"]:
         changes["unit"] = UNITS[row["unit"]]
     if row["per_unit"]:
-        changes["per_unit"] = plain(float(row["per_unit"]))
+        changes["per_unit"] = int_if_integral(float(row["per_unit"]))
     if row["starts_s"]:
         changes["schedule"] = schedule(row)
     if row["answers"]:

@@ -33,11 +33,11 @@ class Aggregation:
     least_bytes: int = 0
 
     def __post_init__(self) -> None:
-        _checks.plain_numbers(self)
-        _checks.whole("mpdus", self.mpdus, 1, _checks.MOST)
-        _checks.whole("most_bytes", self.most_bytes, 1, _checks.MOST_BYTES)
-        _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
-        _checks.whole("least_bytes", self.least_bytes, 0, _checks.MOST_BYTES)
+        _checks.unwrap_0d_arrays(self)
+        _checks.integer("mpdus", self.mpdus, 1, _checks.MAX_COUNT)
+        _checks.integer("most_bytes", self.most_bytes, 1, _checks.MAX_BYTES)
+        _checks.number("overhead", self.overhead, 0, _checks.MAX_SECONDS)
+        _checks.integer("least_bytes", self.least_bytes, 0, _checks.MAX_BYTES)
 
 
 def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:

@@ -44,9 +44,9 @@ class OfdmSymbols:
     added: int = 22
 
     def __post_init__(self) -> None:
-        _checks.plain_numbers(self)
+        _checks.unwrap_0d_arrays(self)
         for name, low in (("bits", 1), ("added", 0)):
-            _checks.whole(name, getattr(self, name), low, _checks.MOST)
+            _checks.integer(name, getattr(self, name), low, _checks.MAX_COUNT)
         for name in ("symbol", "grid"):
             ticks = _checks.number(name, getattr(self, name), TICK, 1) / TICK
             if abs(ticks - round(ticks)) > 1e-6:
@@ -87,9 +87,9 @@ class Link:
     padding: OfdmSymbols | None = None
 
     def __post_init__(self) -> None:
-        _checks.plain_numbers(self)
-        _checks.number("rate", self.rate, _checks.LEAST_RATE, _checks.MOST_RATE)
-        _checks.number("overhead", self.overhead, 0, _checks.MOST_SECONDS)
+        _checks.unwrap_0d_arrays(self)
+        _checks.number("rate", self.rate, _checks.MIN_RATE, _checks.MAX_RATE)
+        _checks.number("overhead", self.overhead, 0, _checks.MAX_SECONDS)
         if self.padding is not None:
             _checks.instance("padding", self.padding, OfdmSymbols)
             bits = self.rate * self.padding.symbol

@@ -90,10 +90,10 @@ class Radio:
         if self.name is not None:
             _checks.instance("name", self.name, str)
         _checks.instance("standard", self.standard, str)
-        _checks.plain_numbers(self)
+        _checks.unwrap_0d_arrays(self)
         for key, value in self._given().items():
             if value is not None and key != "standard":
-                _checks.one_each([(key, value)])
+                _checks.require_scalars([(key, value)])
                 if not isinstance(value, Hashable):  # as the parts are looked up by it
                     _checks.number(key, value, 0)
         _ = self._parts  # raises if the standard has no such combination
@@ -279,7 +279,7 @@ def radio_named(name: str) -> Radio:
     if not match:
         raise ValueError(
             "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
-            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.brief(name)!r}"
+            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.shorten_name(name)!r}"
             f"{_names.did_you_mean(name, WIFI)}"
         )
     standard = match[1].lower()
@@ -300,7 +300,8 @@ def radio_named(name: str) -> Radio:
                 break
         else:
             raise ValueError(
-                f"{_checks.brief(part)!r} is not what the name of a radio may have, or twice there"
+                f"{_checks.shorten_name(part)!r} is not what the name of a radio may have, "
+                "or twice there"
             )
     return Radio(standard, **given)
 

@@ -59,7 +59,7 @@ def parts_of(
     """Look up the parts of a `Radio`, or refuse a combination that the standard lacks."""
     standards = [row["standard"] for row in read_data("wifi/standards.csv")]
     if standard not in standards:
-        raise ValueError(f"standard must be {words.listed(standards, 'or')}; got {standard!r}")
+        raise ValueError(f"standard must be {words.join_words(standards, 'or')}; got {standard!r}")
     (own,) = _rows("standards", standard=standard)
 
     bands = own["bands_GHz"].split()
@@ -84,7 +84,7 @@ def parts_of(
         for row in _rows("mcs", standards=standard)
         if exceptions.get(int(row["mcs"]), {}).get("encoders") != "0"
     ]
-    where = f"{standard} at {mhz} MHz with {words.many(streams, 'spatial stream')}"
+    where = f"{standard} at {mhz} MHz with {words.count_noun(streams, 'spatial stream')}"
     index, coding = codings[-1] if mcs is None else _choose("mcs", mcs, codings, where)
     guards = [
         (float(row["guard_interval_us"]) / MICRO, row)
@@ -101,10 +101,10 @@ def parts_of(
         if multicast_rate is None
         else _choose("multicast_rate", multicast_rate, basics, f"{ghz} GHz", "Mbit/s")
     )
-    _checks.whole("aifsn", aifsn, 2, 15)
+    _checks.integer("aifsn", aifsn, 2, 15)
     limits = _rows("ampdu", standard=standard)
     most = int(limits[0]["most_mpdus"]) if limits else 1
-    _checks.whole("mpdus", mpdus, 1, most, f" for {standard}")
+    _checks.integer("mpdus", mpdus, 1, most, f" for {standard}")
     spacings = [(float(row["us"]) / MICRO, row) for row in read_data("wifi/start_spacings.csv")]
     _choose("start_spacing", start_spacing, spacings, "an A-MPDU", "µs")
 
@@ -165,14 +165,16 @@ def _choose(
             return allowed, row
     si, power = _SHOWN[unit]
     one = 10.0**power
-    choices = [_checks.exactly(round(allowed / one, 9)) for allowed, _ in rows]
+    choices = [_checks.format_exact(round(allowed / one, 9)) for allowed, _ in rows]
     shown = f" {unit}" if unit else ""
     got = f"{given / one:.12g}{shown}" if unit else repr(value)
     # A value that is off by a thousand is in another unit; zero would not show that.
     nonzero = [(allowed, text) for (allowed, _), text in zip(rows, choices, strict=True) if allowed]
     if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in nonzero):
         got = f"{value!r} {si}; {name} is in {si}, such as {nonzero[0][1]}e{power}"
-    raise ValueError(f"{name} must be {words.listed(choices, 'or')}{shown} for {where}; got {got}")
+    raise ValueError(
+        f"{name} must be {words.join_words(choices, 'or')}{shown} for {where}; got {got}"
+    )
 
 
 def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:

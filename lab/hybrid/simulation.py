@@ -168,10 +168,10 @@ def hybrid_run(
     multicast = _checks.number("loss[0]", loss[0], 0, 1)
     unicast = _checks.number("loss[1]", loss[1], 0, 1)
     _checks.number("fade", fade, 0)
-    _checks.number("until", until, 0, above=True)
+    _checks.number("until", until, 0, exclusive_min=True)
     if not np.array_equal(enough, np.inf):
         _checks.number("enough", enough, 0)
-    _checks.whole("seed", seed, 0)
+    _checks.integer("seed", seed, 0)
     if death is not None:
         _checks.instance("death", death, Death)
         _checks.number("death.time", death.time, 0)
@@ -186,7 +186,7 @@ def hybrid_run(
         raise ValueError(f"wifi must be without aggregation here; got {wifi.name!r}")
     sizes = sizes_of(fleet)
     count = len(sizes.whole)
-    most = _checks.MOST_SECONDS
+    most = _checks.MAX_SECONDS
     starts = _one_a_host("start", _checks.numbers("start", start, -most, most), count)
     if starts.min() > until:
         raise ValueError(f"start must be by until, {until:g} s, for a host; got {starts.min():g}")

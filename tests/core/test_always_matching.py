@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.messages import KIND_ENDPOINT
-from discostorm.model import burst, without_each
+from discostorm.model import burst, leave_one_out
 from discostorm.robots import laptop, robots
 from discostorm.timeline import drain_time
 
@@ -30,7 +30,7 @@ def test_all_functions_count_the_same_fleet(protocol: ds.Protocol, fleet: ds.Fle
     if KIND_ENDPOINT not in protocol.units():  # of which two groups have more
         assert ds.utilization(protocol, two) == pytest.approx(used, rel=1e-12)
     alone = ds.utilization(protocol, replace(two, groups=two.groups[1:]))
-    assert without_each(protocol, two)[0] == pytest.approx(alone, rel=1e-12)
+    assert leave_one_out(protocol, two)[0] == pytest.approx(alone, rel=1e-12)
     start, steady = burst(protocol, fleet), ds.utilization(protocol, fleet, window=math.inf)
     if steady < 1:
         assert drain_time(protocol, fleet) == pytest.approx(start / (1 - steady), rel=1e-12)

@@ -38,7 +38,7 @@ def test_times_in_words(seconds: float, said: str) -> None:
     [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%"), (0, "0%")],
 )
 def test_parts_in_words(share: float, said: str) -> None:
-    assert words.part(share) == said
+    assert words.format_share(share) == said
 
 
 @pytest.mark.parametrize(
@@ -76,9 +76,9 @@ def test_percent_with_decimals(share: float, said: str) -> None:
 
 
 def test_a_channel_that_is_just_full_does_not_fit() -> None:
-    assert words.fits(0.9999999)
-    assert not words.fits(1)
-    assert [words.whole_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
+    assert words.below_capacity(0.9999999)
+    assert not words.below_capacity(1)
+    assert [words.last_integer_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
 
 
 @pytest.mark.parametrize(
@@ -90,15 +90,15 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
         (words.durations(469, float("inf"), never="never done"), "7.8 minutes to never done"),
         (words.percents(0.1, 0.234), "10% to 23%"),
         (words.percents(0.5, 0.5), "50%"),
-        (words.charged(1.38, "of it", "its capacity"), "138% of it"),
-        (words.charged(28.44, "of it", "its capacity"), "28.4 times its capacity"),
-        (words.charged(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
+        (words.format_load(1.38, "of it", "its capacity"), "138% of it"),
+        (words.format_load(28.44, "of it", "its capacity"), "28.4 times its capacity"),
+        (words.format_load(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
         (words.airtime(1.375, 1), "1.38 s"),
         (words.airtime(0.1, float("inf")), "10% of the time"),
-        (words.many(1, "host"), "1 host"),
-        (words.many(24, "process", "es"), "24 processes"),
+        (words.count_noun(1, "host"), "1 host"),
+        (words.count_noun(24, "process", "es"), "24 processes"),
         (words.sentences("it fits", "", "both agree"), "it fits. Both agree"),
-        (words.unbroken("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
+        (words.no_break_spaces("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
     ],
 )
 def test_ranges_loads_counts_and_sentences(written: str, text: str) -> None:
@@ -106,7 +106,12 @@ def test_ranges_loads_counts_and_sentences(written: str, text: str) -> None:
 
 
 def test_lists_in_words() -> None:
-    assert [words.listed(list("abc"[:n])) for n in range(4)] == ["", "a", "a and b", "a, b and c"]
+    assert [words.join_words(list("abc"[:n])) for n in range(4)] == [
+        "",
+        "a",
+        "a and b",
+        "a, b and c",
+    ]
 
 
 def test_lines_are_broken_between_words_and_not_before_a_unit() -> None:

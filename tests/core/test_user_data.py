@@ -207,7 +207,7 @@ reliable = true
     )
     assert found.has_data
     assert not read("").has_data
-    told = found.described()[0]["data"][0]
+    told = found.to_dicts()[0]["data"][0]
     assert told == {
         "topic": "scan",
         "to": "wired host",

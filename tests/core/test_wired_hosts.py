@@ -123,8 +123,8 @@ def test_wired_groups_of_fleet_files() -> None:
     assert fleet.groups != ds.Fleet.swarm(1, 1, 0).groups
     assert pickle.loads(pickle.dumps(fleet)) == fleet
     assert "wired=True" in repr(fleet)
-    assert fleet.described()[0]["wired"] is True
-    assert "wired" not in ds.Fleet.swarm(1, 1, 0).described()[0]
+    assert fleet.to_dicts()[0]["wired"] is True
+    assert "wired" not in ds.Fleet.swarm(1, 1, 0).to_dicts()[0]
     with pytest.raises(ValueError, match=r"a\.toml: group 1: wired must be true or false; got 1"):
         ds.Fleet.from_bytes(text.replace(b"true", b"1"), "a.toml")
     with pytest.raises(TypeError, match="wired"):

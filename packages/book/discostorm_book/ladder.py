@@ -84,7 +84,7 @@ def rungs() -> Iterator[Rung]:
         wifi = Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER
         within = table.lease if "periods" in on else PAPER_WINDOW
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
-        fit = words.whole_below(hosts)
+        fit = words.last_integer_below(hosts)
         yield Rung(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated()
 

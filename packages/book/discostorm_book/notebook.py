@@ -119,7 +119,7 @@ def _code(text: str) -> str:
 
 def _prose(text: str) -> str:
     """Return a sentence as HTML, with the book's apostrophes, and units that stay with numbers."""
-    html = escape(words.unbroken(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    html = escape(words.no_break_spaces(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html)
 
 
@@ -207,7 +207,8 @@ def typeset(text: str) -> str:
     """
     parts = enumerate(_VERBATIM.split(text))
     return "".join(
-        part if index % 2 else words.unbroken(_HYPHEN.sub(_MINUS, part)) for index, part in parts
+        part if index % 2 else words.no_break_spaces(_HYPHEN.sub(_MINUS, part))
+        for index, part in parts
     )
 
 

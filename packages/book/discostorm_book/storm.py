@@ -21,7 +21,7 @@ _NEUTRAL = lights("neutral")
 
 def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
     """Draw the picture of a link to the book, of that width and height [px]."""
-    hosts = words.whole_below(float(saturation_hosts(protocol, *_SWARM)))
+    hosts = words.last_integer_below(float(saturation_hosts(protocol, *_SWARM)))
     sent, used = _carried(protocol, hosts, *_SWARM)
     last = len(sent) // 2
     with figures.style():

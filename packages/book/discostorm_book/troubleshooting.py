@@ -25,7 +25,7 @@ def paste(kind: str, *names: str, only: str = "") -> Markdown:
         f"```{LANGUAGES[piece.file.rsplit('.', 1)[-1]]}\n{piece.text.rstrip()}\n```"
         for piece in pieces
     ]
-    title = words.listed(files) if len(files) < 4 else f"{len(files)} files"
+    title = words.join_words(files) if len(files) < 4 else f"{len(files)} files"
     if len(pieces) == 1:
         title += f", {pieces[0].where}"
     else:

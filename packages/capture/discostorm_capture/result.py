@@ -304,7 +304,7 @@ class Capture:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols(fleet)
             for group in fleet.groups:
-                _checks.one_each(zip(COUNTS, group.counts(), strict=True))
+                _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
             shown = self._shown(fleet)
         rows = rows.assign(airtime_s=self.airtime(wifi, wired))
         return table(protocol, shown, rows, wire, seconds)
@@ -318,7 +318,7 @@ class Capture:
         seconds = counted(protocol, self._messages, self.duration)
         if window is None:
             return seconds
-        return min(seconds, _checks.number("window", window, _checks.LEAST_SECONDS))
+        return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
 
     def sums(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
         """Return what is sent for discovery, and what users' data take.
@@ -436,7 +436,7 @@ class Capture:
         if wired is None:
             return set(self.serving())
         known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
-        for address in _checks.members("wired", wired, str) if len(wired) else ():
+        for address in _checks.tuple_of("wired", wired, str) if len(wired) else ():
             if address not in known:
                 raise ValueError(
                     f"wired must have addresses that the capture shows, such as "

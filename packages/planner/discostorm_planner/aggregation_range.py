@@ -55,9 +55,9 @@ class AggregationRange:
     def verdict(self) -> Verdict:
         """Whether that share of a channel fits: at both ends, at the better one, or at none."""
         low, high = self.ends
-        if words.fits(high):
+        if words.below_capacity(high):
             return "fits"
-        return "may fit" if words.fits(low) else "does not fit"
+        return "may fit" if words.below_capacity(low) else "does not fit"
 
     @property
     def differs(self) -> bool:

@@ -44,7 +44,7 @@ class Configuration:
         return {
             "protocol": self.name,
             "utilization": self.utilization,
-            "fits": words.fits(self.utilization),
+            "fits": words.below_capacity(self.utilization),
             "start_s": finite_or_none(self.startup.single),
             "steady": self.steady_range.single,
             "startup": self.startup.to_dict(),

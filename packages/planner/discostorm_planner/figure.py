@@ -99,7 +99,7 @@ def _group(axis: Axes, group: pd.DataFrame, places: NDArray[np.float64], window:
     )  # fmt: skip
     head.set_in_layout(False)  # else the panel would never begin farther left than at first
     for row, part in zip(places[1:], after, strict=True):
-        color = CHANGE["fits" if words.fits(part) else "overloaded"]
+        color = CHANGE["fits" if words.below_capacity(part) else "overloaded"]
         axis.plot([before, part], [row, row], color=CHANGE["overloaded"], linewidth=2, zorder=2)
         axis.plot(before, row, "o", color=CHANGE["none"], zorder=3)
         axis.plot(part, row, "o", color=color, zorder=4)

@@ -13,7 +13,7 @@ from discostorm._arguments import as_fleet
 from discostorm.fleet import COUNTS, LEAST, Fleet
 from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW, Protocol
-from discostorm.model import message_costs, utilization, without_each
+from discostorm.model import leave_one_out, message_costs, utilization
 from discostorm.protocols import DDS
 from discostorm.timeline import drained
 from discostorm.wifi import PAPER, Wifi
@@ -104,7 +104,7 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    seconds = _checks.number("window", window, _checks.LEAST_SECONDS, endless=True)
+    seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:
         raise ValueError(
@@ -112,8 +112,8 @@ def plan(
             "identical hosts into one group"
         )
     for group in fleet.groups:
-        _checks.one_each(zip(COUNTS, group.counts(), strict=True))
-        _checks.whole(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
+        _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
+        _checks.integer(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
 
     full, single = both_ends(wifi)
     mpdus = full.aggregation.mpdus if full != single and full.aggregation else 1
@@ -124,7 +124,7 @@ def plan(
     }
     steady = steady_range(base)
     never = []
-    if not words.fits(steady.full):
+    if not words.below_capacity(steady.full):
         never = [
             f"{remedies.pop(step).what}: the periodic traffic alone needs "
             f"{words.percent(steady.full)} of the channel, so no window is long enough"
@@ -200,7 +200,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         )
     return Remedy(
         kind=steps[0].kind if len(steps) == 1 else "combination",
-        what=words.listed([step.what for step in named]),
+        what=words.join_words([step.what for step in named]),
         trade_offs="; ".join(dict.fromkeys(row["price"] for row in rows)),
         failure_mode="; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
         all_discover=all(row["all_find_each_other"] == "yes" for row in rows),
@@ -254,7 +254,7 @@ def _best_sets(
             needed = all(taken < (1 - NEGLIGIBLE) * after.get(subset, before) for subset in subsets)
             if saved < NEGLIGIBLE or not needed or count < 2:
                 continue
-            fits = words.fits(taken) and not words.fits(before)
+            fits = words.below_capacity(taken) and not words.below_capacity(before)
             rank = max(remedies[step].rank for step in steps) if fits else 0
             effort = (rank, count if fits else 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
@@ -275,7 +275,7 @@ def _shares(base: Setting, window: float) -> Iterator[Share]:
         for phase in protocol.phases
     ]
     yield from _largest("phase", phases, total)
-    rests = without_each(protocol, fleet, wifi, window)
+    rests = leave_one_out(protocol, fleet, wifi, window)
     groups = [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)]
     yield from _largest("group", groups, total)
 

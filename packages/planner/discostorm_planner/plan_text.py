@@ -60,7 +60,7 @@ def advice(plan: Plan, width: int) -> str:
     basis += [
         "",
         "`discostorm plan --paste N` prints the configuration of change N. `--json` adds "
-        f"{words.many(rest, 'change')}, why others are left out, and all configurations.",
+        f"{words.count_noun(rest, 'change')}, why others are left out, and all configurations.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrapped(lines, width), *table, _wrapped(basis, width)])
@@ -73,7 +73,7 @@ def _wrapped(lines: list[str], width: int) -> str:
 def _answer(plan: Plan) -> Iterator[str]:
     """Yield the discovery time, or else the drain time, and what these assume."""
     steady, startup = plan.steady_range, plan.startup
-    if not words.fits(steady.full) and math.isfinite(plan.window):
+    if not words.below_capacity(steady.full) and math.isfinite(plan.window):
         yield (
             f"The periodic traffic alone needs {words.percent(steady.full)} of the channel, so "
             "the fleet never fits, however slowly it starts."
@@ -100,7 +100,7 @@ def _answer(plan: Plan) -> Iterator[str]:
             "The shorter time assumes full A-MPDUs, and the longer time one message per frame."
             f"{simulated} A-MPDUs are fuller when more frames wait."
         )
-    if not words.fits(steady.single) and math.isfinite(plan.window):
+    if not words.below_capacity(steady.single) and math.isfinite(plan.window):
         yield (
             "The fleet may never fit: with one message per frame, its periodic traffic alone "
             f"needs {words.percent(steady.single)} of the channel."
@@ -112,7 +112,7 @@ def convergence_sentence(time: ConvergenceTime) -> str:
     limit = words.duration(time.until)
     how = (
         f"quartiles of {time.runs} simulated runs with "
-        f"{words.listed([f'{n:,}' for n in time.hosts])} robots, overflowing queues "
+        f"{words.join_words([f'{n:,}' for n in time.hosts])} robots, overflowing queues "
         "and recovery"
     )
     if math.isinf(time.low):
@@ -139,7 +139,7 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
             f"During startup, your data {_DATA_FIT[load.during.verdict]}: discovery and data "
             f"together need {words.durations(low, high)} of airtime in the first {time}."
         )
-    if words.fits(load.after.full):
+    if words.below_capacity(load.after.full):
         yield (
             "If robots send all data from the beginning, startup keeps the channel busy for "
             f"{words.durations(*load.startup.ends)} instead of "
@@ -162,8 +162,8 @@ def _cost(plan: Plan) -> Iterator[str]:
         low, high = (end * plan.window for end in ends)
         needs = f"{words.durations(low, high)} of airtime"
     yield (
-        f"Discovery of {words.many(plan.fleet.hosts(), 'host')} with "
-        f"{words.many(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
+        f"Discovery of {words.count_noun(plan.fleet.hosts(), 'host')} with "
+        f"{words.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
         f"{plan.protocol.name}."
     )
     fit = {"fits": "so it fits", "may fit": "so it may fit"}.get(plan.verdict, "so it does not fit")
@@ -188,7 +188,7 @@ def _cost(plan: Plan) -> Iterator[str]:
 
 
 def _charged(ends: tuple[float, float], to: str, whose: str) -> str:
-    low, high = (words.charged(end, to, f"{whose} capacity") for end in ends)
+    low, high = (words.format_load(end, to, f"{whose} capacity") for end in ends)
     return low if low == high else f"{low} to {high}"
 
 
@@ -196,15 +196,17 @@ def _shares(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
         largest = plan.of_kind(kind)[0]
-        yield f"- {noun}: {largest.name}, {words.part(largest.share)}."
+        yield f"- {noun}: {largest.name}, {words.format_share(largest.share)}."
     groups = plan.of_kind("group")
     if len(groups) > 1:
         for group in groups[:_GROUPS]:
-            yield f"- Group {group.name}: involved in {words.part(group.share)} of it."
+            yield f"- Group {group.name}: involved in {words.format_share(group.share)} of it."
     if len(groups) > _GROUPS:
-        rest, share = len(groups) - _GROUPS, words.part(groups[_GROUPS].share)
+        rest, share = len(groups) - _GROUPS, words.format_share(groups[_GROUPS].share)
         each = "" if rest == 1 else " each"
-        yield f"- {words.many(rest, 'further group')}:{each} involved in at most {share} of it."
+        yield (
+            f"- {words.count_noun(rest, 'further group')}:{each} involved in at most {share} of it."
+        )
 
 
 def _basis(plan: Plan) -> Iterator[str]:
@@ -222,9 +224,9 @@ def _basis(plan: Plan) -> Iterator[str]:
         extrapolated = " This fleet is extrapolated." if beyond else ""
         yield (
             f"The measured model of {table.name} comes from captures of up to "
-            f"{words.many(table.captured[0], 'host')} and "
-            f"{words.many(table.captured[1], 'process', 'es')} with up "
-            f"to {words.many(table.captured[2], 'endpoint')} each, which started together."
+            f"{words.count_noun(table.captured[0], 'host')} and "
+            f"{words.count_noun(table.captured[1], 'process', 'es')} with up "
+            f"to {words.count_noun(table.captured[2], 'endpoint')} each, which started together."
             f"{extrapolated}"
         )
         if plan.band is not None:
@@ -237,7 +239,7 @@ def _basis(plan: Plan) -> Iterator[str]:
         names = [message.name for message in table.messages if message in of_paper]
         if names:
             yield (
-                f"{table.name} counts {words.listed(names)} as the paper does. It "
+                f"{table.name} counts {words.join_words(names)} as the paper does. It "
                 "leaves out the messages that the product packs together or adds."
             )
         if math.isfinite(plan.window):
@@ -315,11 +317,11 @@ def remedy_caution(remedy: Remedy) -> str:
     needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
     trade_offs = "; ".join(filter(None, (remedy.trade_offs, remedy.failure_mode)))
     rest = ""
-    if not words.fits(remedy.steady):
+    if not words.below_capacity(remedy.steady):
         rest = (
             f" Periodic traffic still needs {words.percent(remedy.steady)} of the channel, so "
             "the fleet never fits."
         )
     elif remedy.kind == "combination" and remedy.verdict == "does not fit":
         rest = f" Spread the starts over {words.duration(remedy.start_window)}."
-    return f"Effort: {words.listed(needed)}. Trade-offs: {trade_offs}.{rest}"
+    return f"Effort: {words.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"

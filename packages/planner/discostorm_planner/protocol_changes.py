@@ -81,7 +81,7 @@ def _longer_interval(table: Protocol) -> Change | str:
 
     messages = tuple(map(rescheduled, table.messages))
     if messages == table.messages:
-        products = words.listed(list(dict.fromkeys(row["product"] for row in announcements)))
+        products = words.join_words(list(dict.fromkeys(row["product"] for row in announcements)))
         return f"a longer announcement interval: known for the models of {products} only"
     lease = max(float(row["lease_s"]) for row in rows.values())
     changed = replace(table, messages=messages, lease=lease, key=None)

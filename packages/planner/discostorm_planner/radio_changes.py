@@ -110,7 +110,7 @@ def _comparison(old: Radio, new: Radio, basis: str) -> str:
     if new.basic_rate != old.basic_rate:
         multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
         differences.append(f"multicast at {multicast}")
-    return words.sentences(f"compared with {before.name}: {words.listed(differences)}", basis)
+    return words.sentences(f"compared with {before.name}: {words.join_words(differences)}", basis)
 
 
 def _instead(new: float, old: float, unit: str) -> str:

@@ -158,7 +158,7 @@ class Remedy:
             "fails": self.failure_mode,
             "note": self.note,
             "all_find_each_other": self.all_discover,
-            "fleets": [fleet.described() for fleet in self.fleets],
+            "fleets": [fleet.to_dicts() for fleet in self.fleets],
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "before": self.before,

@@ -86,12 +86,12 @@ def not_applicable(protocol: Protocol) -> Iterator[str]:
         if row is None and protocol.family is None:
             unknown.append(title)
         elif row is None:
-            yield f"{title}: for {words.listed([other['family'] for other in of_kind])} only"
+            yield f"{title}: for {words.join_words([other['family'] for other in of_kind])} only"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:
         families = " nor ".join(get_args(Family))
         yield (
-            f"{words.listed(unknown)}: not known for {protocol.name}, whose family is neither "
+            f"{words.join_words(unknown)}: not known for {protocol.name}, whose family is neither "
             f"{families}"
         )

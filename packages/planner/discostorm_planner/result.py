@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks, words
 from discostorm.fleet import Fleet
-from discostorm.measured import Band
+from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
@@ -89,7 +89,7 @@ class Plan:
         When discovery is complete with queues that overflow; None if that was not simulated.
     reboot : Reboot or None
         Airtime of one robot that reboots; None if that was not measured.
-    band : Band or None
+    band : ErrorBand or None
         Prediction error of a measured table; None for other tables.
     data : UserDataLoad or None
         What the fleet's data take, which all else leaves out; None if it sends none.
@@ -109,7 +109,7 @@ class Plan:
     configurations: tuple[Configuration, ...]
     convergence_time: ConvergenceTime | None = None
     reboot: Reboot | None = None
-    band: Band | None = None
+    band: ErrorBand | None = None
     data: UserDataLoad | None = None
 
     @property
@@ -169,9 +169,9 @@ class Plan:
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "topology": TOPOLOGY,
-            "fleet": self.fleet.described(),
+            "fleet": self.fleet.to_dicts(),
             "steady": self.steady,
-            "steady_fits": words.fits(self.steady),
+            "steady_fits": words.below_capacity(self.steady),
             "window_s": finite_or_none(self.window),
             "utilization": self.utilization,
             "fits": self.verdict == "fits",
@@ -274,7 +274,7 @@ class Plan:
 
     def advice(self, width: int = 79) -> str:
         """Say what discovery costs, what dominates and what would help, in lines of that width."""
-        _checks.whole("width", width, 1)
+        _checks.integer("width", width, 1)
         return plan_text.advice(self, int(width))
 
     def __str__(self) -> str:

@@ -121,7 +121,7 @@ def _what_is_wrong(line: str) -> str:
         f"`{row['command']}` ({row['releases']})" for row in read_data("fleets/ros2_formats.csv")
     )
     return (
-        f"{_checks.short(line.strip())} is not how any of these prints: {formats}. "
+        f"{_checks.short_repr(line.strip())} is not how any of these prints: {formats}. "
         "Give their text alone, without other commands"
     )
 

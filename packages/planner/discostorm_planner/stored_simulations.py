@@ -214,7 +214,7 @@ def staggered_note(protocol: Protocol) -> str:
             )
     return (
         "queues then lose less: when we simulated the paper model's startup of "
-        f"{_small_robots()}, {words.listed(gains)} (medians)"
+        f"{_small_robots()}, {words.join_words(gains)} (medians)"
     )
 
 
@@ -228,5 +228,5 @@ def aggregation_note(mpdus: int) -> str:
         gains.append(f"{full:.0f} s instead of {single:.0f} s with {family}")
     return (
         f"when we simulated the paper model's startup of {hosts} {_small_robots()}, they needed "
-        f"{words.listed(gains)} (medians)"
+        f"{words.join_words(gains)} (medians)"
     )

@@ -95,7 +95,7 @@ def test_the_file_can_be_planned_and_says_what_was_never_tried(tmp_path: Path) -
     read = ds.Fleet.from_toml(file)
     assert read == fleet_of(read_text(text("two_robots"), "x"), hosts=3)[0]
     answer = json.loads(run(str(TEXTS / "two_robots.txt"), "--hosts", "3", "--json").stdout)
-    assert answer["groups"] == read.described()
+    assert answer["groups"] == read.to_dicts()
     assert answer["notes"][0].startswith("Read: ")
 
 

@@ -143,9 +143,9 @@ def simulate(
     _checks.instance("fleet", fleet, Fleet)
     _checks.instance("protocol", protocol, Protocol)
     _checks.instance("wifi", wifi, Wifi)
-    _checks.whole("runs", runs, 1)
-    _checks.whole("seed", seed, 0)
-    _checks.number("until", until, 0, _checks.MOST_SECONDS, above=True)
+    _checks.integer("runs", runs, 1)
+    _checks.integer("seed", seed, 0)
+    _checks.number("until", until, 0, _checks.MAX_SECONDS, exclusive_min=True)
     _checks.choice("block_ack", block_ack, ("negotiate", "established"))
 
     from discostorm_simulation.run import Scenario, set_up
@@ -193,11 +193,11 @@ def _queue(queue: Queue | None) -> tuple[float, float]:
     given: Any = queue.tolist() if isinstance(queue, np.ndarray) else queue
     if not (isinstance(given, (tuple, list)) and len(given) == 2):
         raise TypeError(
-            f"queue must be None or a tuple of frames and seconds; got {_checks.short(queue)}"
+            f"queue must be None or a tuple of frames and seconds; got {_checks.short_repr(queue)}"
         )
     frames, seconds = (np.inf if value is None else value for value in given)
-    _checks.whole("queue[0]", frames, 1, endless=True)
-    return float(frames), _checks.number("queue[1]", seconds, 0, above=True, endless=True)
+    _checks.integer("queue[0]", frames, 1, allow_inf=True)
+    return float(frames), _checks.number("queue[1]", seconds, 0, exclusive_min=True, allow_inf=True)
 
 
 def _threshold(threshold: tuple[float, float]) -> tuple[float, float]:
@@ -205,7 +205,7 @@ def _threshold(threshold: tuple[float, float]) -> tuple[float, float]:
     if not (isinstance(threshold, (tuple, list)) and len(threshold) == 2):
         raise TypeError(
             "threshold must be a tuple of two numbers, of data and of the basic rate; "
-            f"got {_checks.short(threshold)}"
+            f"got {_checks.short_repr(threshold)}"
         )
     data, basic = (
         _checks.number(f"threshold[{n}]", one, 0, MOST_DECIBELS) for n, one in enumerate(threshold)

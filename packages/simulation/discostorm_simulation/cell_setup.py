@@ -56,7 +56,7 @@ def hosts_of(fleet: Fleet) -> Hosts:
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
             most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)
-            _checks.whole(f"fleet: {name}", value, LEAST[count], most)
+            _checks.integer(f"fleet: {name}", value, LEAST[count], most)
         rows.append([int(value) for value in group.counts()])
     numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:

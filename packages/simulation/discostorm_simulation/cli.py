@@ -46,7 +46,7 @@ class Runs:
 
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of the package's function."""
-        _checks.number("--window", self.window, 0, _checks.MOST_SECONDS)
+        _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
         start = staggered.at_random(self.window) if self.window else 0.0
         return {
             "queue": None if self.unlimited else (500, 0.5),
@@ -72,11 +72,11 @@ class Runs:
     def not_within(self) -> str:
         """What is said of a time that did not come."""
         after = " after the last start" if self.window else ""
-        return f"not within {_checks.exactly(self.until)} s{after}"
+        return f"not within {_checks.format_exact(self.until)} s{after}"
 
     def answer(self, found: ds.Simulation) -> str:
         """Return in a sentence or two when the robots know each other."""
-        runs = words.many(self.runs, "run")
+        runs = words.count_noun(self.runs, "run")
         known = sorted(found.convergence_time.tolist())
         in_time = [time for time in known if time < float("inf")]
         if not in_time:
@@ -191,7 +191,7 @@ def simulate(
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
-        told = words.listed(list(refused))
+        told = words.join_words(list(refused))
         why = next(iter(refused.values()))
         click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:

@@ -35,7 +35,7 @@ def disc(hosts: int) -> NDArray[np.float64]:
     ----------
     H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44 (1979).
     """
-    _checks.whole("hosts", hosts, 1)
+    _checks.integer("hosts", hosts, 1)
     number = np.arange(int(hosts))
     radius, angle = np.sqrt((number + 0.5) / hosts), number * _GOLDEN_ANGLE
     return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)

@@ -295,7 +295,7 @@ class Simulation:
             "wifi": self.wifi.name,
             "topology": TOPOLOGY,
             "radio": asdict(self.wifi.radio),
-            "fleet": self.fleet.described(),
+            "fleet": self.fleet.to_dicts(),
             "matching": self.fleet.matching,
             "settings": {key: _plain(value) for key, value in self.settings.items()},
             "starts": self.starts.tolist(),

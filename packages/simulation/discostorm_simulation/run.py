@@ -121,7 +121,7 @@ def set_up(scenario: Scenario) -> Setup:
     fleet, discovery, wifi = scenario.fleet, scenario.protocol, scenario.wifi
     hosts = cell_setup.hosts_of(fleet)
     count = hosts.processes.size
-    errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, below=True))
+    errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, exclusive_max=True))
     if errors.ndim and errors.shape != (count,):
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"

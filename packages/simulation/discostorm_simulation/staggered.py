@@ -64,7 +64,7 @@ def window(
     """
     found = drain_time(protocol, hosts, processes, endpoints, wifi)
     given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    _checks.one_each((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
+    _checks.require_scalars((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
     return float(found)
 
 
@@ -93,7 +93,7 @@ class _AtRandom:
         return rng.uniform(0.0, self.within, hosts)
 
     def __str__(self) -> str:
-        return f"at random within {_checks.exactly(self.within)} s, each time equally likely"
+        return f"at random within {_checks.format_exact(self.within)} s, each time equally likely"
 
 
 def in_turn(
@@ -127,7 +127,7 @@ def in_turn(
     >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
-    _checks.whole("hosts", hosts, 1, MOST_STARTS)
-    _checks.one_each([("processes", processes), ("endpoints", endpoints)])
+    _checks.integer("hosts", hosts, 1, MOST_STARTS)
+    _checks.require_scalars([("processes", processes), ("endpoints", endpoints)])
     before = np.arange(1.0, hosts)
     return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

@@ -57,7 +57,7 @@ def delays(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.flo
         drawn = start(rng, hosts)
     else:
         drawn = start
-    found = _checks.numbers("start", drawn, 0, _checks.MOST_SECONDS)
+    found = _checks.numbers("start", drawn, 0, _checks.MAX_SECONDS)
     if np.ndim(found) and np.shape(found) != (hosts,):
         raise ValueError(
             f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"

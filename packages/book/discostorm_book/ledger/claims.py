@@ -139,7 +139,7 @@ class Figure:
         parts = [f"{counts[verdict]} {verdict}" for verdict in verdicts if counts[verdict]]
         return (
             f"**Fig. {self.number} of the paper: {self.badge()}.** This is the weakest verdict of "
-            f"{len(self.claims)} statements about the figure: {words.listed(parts)}."
+            f"{len(self.claims)} statements about the figure: {words.join_words(parts)}."
         )
 
 

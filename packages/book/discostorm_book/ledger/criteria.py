@@ -256,6 +256,6 @@ def _with_unit(value: Any, unit: str) -> str:
 def _swarm(hosts: float, processes: float, endpoints: float) -> str:
     """Return hosts, processes and endpoints in words."""
     return (
-        f"{words.many(hosts, 'host')} of {words.many(processes, 'process', 'es')} "
-        f"with {words.many(endpoints, 'endpoint')}"
+        f"{words.count_noun(hosts, 'host')} of {words.count_noun(processes, 'process', 'es')} "
+        f"with {words.count_noun(endpoints, 'endpoint')}"
     )

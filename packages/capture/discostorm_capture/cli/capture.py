@@ -47,7 +47,9 @@ if TYPE_CHECKING:
 def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
-        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {_checks.brief(value)!r}")
+        raise click.BadParameter(
+            f"must end in .svg, .pdf or .png; got {_checks.shorten_name(value)!r}"
+        )
     return value
 
 
@@ -217,8 +219,8 @@ def _records(table: pd.DataFrame) -> list[dict[Any, Any]]:
 
 def _fleet_file(fleet: ds.Fleet, source: str) -> str:
     """Return a fleet file that `plan` and the others take."""
-    lines = [f"# Seen in {visible(_checks.brief(source))}."]
-    for group in fleet.described():
+    lines = [f"# Seen in {visible(_checks.shorten_name(source))}."]
+    for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
             whole = isinstance(value, float) and value.is_integer()
@@ -232,11 +234,11 @@ def _show_messages(
     captured: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
     """Print the captured fleet and the table of messages."""
-    packets = words.many(captured.packets, "packet")
+    packets = words.count_noun(captured.packets, "packet")
     click.echo(visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
-        each = words.many(processes, "process", "es")
+        each = words.count_noun(processes, "process", "es")
         wired = ", wired" if group.wired else ""
         click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
     if not rows:
@@ -287,7 +289,9 @@ def _show_uses(written: str, link: Link | None) -> None:
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
-    click.echo(f"Wrote {visible(_checks.brief(written))}. Next: {visible(shlex.join(command))}")
+    click.echo(
+        f"Wrote {visible(_checks.shorten_name(written))}. Next: {visible(shlex.join(command))}"
+    )
     if link is not None:
         click.echo(f"In the calculator: {link.address}")
         for note in link.notes:

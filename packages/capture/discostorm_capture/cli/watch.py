@@ -101,7 +101,7 @@ def watch(
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
-        raise BadInput(f"--text-file: {_checks.brief(text_file)}: there is no such folder")
+        raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
     state, packets = Watch(wifi), Packets(interface or "standard input")
     with bad_input(), _signals() as received, _capturing(interface) as source, _served(port, state):
         begin = shown = time.monotonic()
@@ -222,7 +222,7 @@ def _why(program: str, interface: str, said: str) -> str:
         )
     elif "no such device" in said.lower() or "doesn't exist" in said.lower():
         hint = "; `ip link` lists the interfaces"
-    return f"{program} cannot capture on {_checks.brief(interface)}: {reason}{hint}"
+    return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
 
 
 def _show(state: Watch) -> None:

@@ -64,8 +64,8 @@ def lost_part(evidence: Evidence) -> Iterator[Finding]:
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         said.append(
-            f"the capture lacks {words.many(sum(missing.values()), 'sample')} about endpoints of "
-            f"{listed(sorted(missing))} that others confirmed"
+            f"the capture lacks {words.count_noun(sum(missing.values()), 'sample')} about "
+            f"endpoints of {listed(sorted(missing))} that others confirmed"
         )
     for host, count in evidence.silent_hosts.items():
         said.append(
@@ -98,8 +98,8 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(
             "capture ended early",
             evidence.obs.hosts_of(pair.observer for pair in pending),
-            f"when the capture ended, {words.many(len(pending), 'pair')} of processes had not "
-            f"completed, which had been there for less than {PATIENCE:.0f} s",
+            f"when the capture ended, {words.count_noun(len(pending), 'pair')} of processes had "
+            f"not completed, which had been there for less than {PATIENCE:.0f} s",
         )
 
 

@@ -31,7 +31,7 @@ def listed(names: Sequence[str] | Array) -> str:
     """Return names with commas; of many the first ones, and how many more there are."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return words.listed([*names])
+    return words.join_words([*names])
 
 
 @dataclass(frozen=True)

@@ -243,7 +243,8 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
         if not good[np.ix_(kept, kept)].any():
             said = (
                 f"{listed(hosts[kept])} answer each other's announcements, but none of the unicast "
-                f"between them is ever confirmed ({words.many(int(apart.sum()) // 2, 'pair')})"
+                "between them is ever confirmed "
+                f"({words.count_noun(int(apart.sum()) // 2, 'pair')})"
             )
             served = listed(hosts[~kept & good[:, kept].all(axis=1)])
             if served:

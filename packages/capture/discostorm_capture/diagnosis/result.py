@@ -146,7 +146,7 @@ class Diagnosis:
             when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
             messages it leaves out [1], as even the hosts and kinds were too many.
         """
-        _checks.whole("most", most, 1)
+        _checks.integer("most", most, 1)
         return tables.timeline(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
@@ -166,8 +166,8 @@ class Diagnosis:
 
     def _state(self) -> str:
         """Return the first sentence: how discovery is."""
-        processes = words.many(int(self._hosts["processes"].sum()), "process", "es")
-        count = f"{processes} on {words.many(len(self._hosts), 'host')}"
+        processes = words.count_noun(int(self._hosts["processes"].sum()), "process", "es")
+        count = f"{processes} on {words.count_noun(len(self._hosts), 'host')}"
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""

@@ -149,7 +149,7 @@ def _discovery_servers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
         # A process that is served calls seldom; a call in vain is repeated.
         if count < MESSAGES or end - obs.time[later].min() < WAIT:
             continue
-        asking = words.many(obs.messages["sender"][later].nunique(), "host")
+        asking = words.count_noun(obs.messages["sender"][later].nunique(), "host")
         said = [f"{asking} sent it {count} messages without answer"]
         said.append("it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s")
         if refused := int((obs.events("unreachable")["receiver"] == host).sum()):
@@ -168,7 +168,7 @@ def _routers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
             continue
         how = failed["kind"].astype(str).value_counts()
         told = listed([f"{count} {name}" for name, count in how.items()])
-        callers = words.many(failed["sender"].nunique(), "host")
+        callers = words.count_noun(failed["sender"].nunique(), "host")
         said = [f"connections to port {PORT} by {callers}: {told}"]
         if np.isfinite(taken):
             said.append(f"the last one was accepted after {taken:.1f} s")
@@ -181,6 +181,6 @@ def _absent_hosts(obs: Observations) -> Iterator[tuple[str, list[str]]]:
     answered = {*obs.events("ARP reply")["sender"], *requests["sender"]}
     for host, mine in requests.groupby("receiver", sort=False, observed=True):
         if len(mine) >= CALLS and host not in answered:
-            asking = words.many(mine["sender"].nunique(), "host")
+            asking = words.count_noun(mine["sender"].nunique(), "host")
             said = f"{asking} asked {len(mine)} times by ARP for this address, and no answer came"
             yield str(host), [said]

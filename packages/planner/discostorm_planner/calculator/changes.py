@@ -110,7 +110,7 @@ def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
         parts = [row["price"] for row in rows] + [row["fails"] for row in rows if row["fails"]]
         return {
             "effort": max(int(efforts()[row["effort"]]["rank"]) for row in rows),
-            "takes": words.listed(
+            "takes": words.join_words(
                 list(dict.fromkeys(efforts()[row["effort"]]["what"] for row in rows))
             ),
             "best_case": any(row["gain"] == "best case" for row in rows),

@@ -63,7 +63,7 @@ def field(
 ) -> Value:
     """Return the data of an input field: its label and the allowed numbers."""
     low, high, above = allowed
-    range_ = _checks.wanted(low, high, above).replace(
+    range_ = _checks.describe_range(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
     )
     return {
@@ -77,7 +77,7 @@ def field(
         "high": high,
         "above": above,
         "whole": whole,
-        "allowed": range_.replace(f"{_checks.MOST:g}", f"{_checks.MOST:,.0f}"),
+        "allowed": range_.replace(f"{_checks.MAX_COUNT:g}", f"{_checks.MAX_COUNT:,.0f}"),
     }
 
 
@@ -91,7 +91,7 @@ def counts(
             title,
             symbol.name,
             first,
-            (LEAST[name], _checks.MOST, False),
+            (LEAST[name], _checks.MAX_COUNT, False),
             whole=name != "endpoints",
         )
         for name, title, symbol, first in zip(LEAST, titles, symbols, start, strict=True)

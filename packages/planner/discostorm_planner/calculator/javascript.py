@@ -5,7 +5,7 @@ from collections import Counter
 
 import sympy as sp
 
-from discostorm._numeric import share
+from discostorm._numeric import cse_keep_rounding
 
 #: Characters from which on it is worth a name.
 SHORT = 16
@@ -24,7 +24,7 @@ Value = Code | str | float | bool | None | dict[str, "Value"] | list["Value"]
 def javascript_of(expression: sp.Expr) -> Code:
     """Return an expression as a JavaScript function of an object that holds its symbols."""
     names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
-    shared, rest = share(sp.sympify(expression))
+    shared, rest = cse_keep_rounding(sp.sympify(expression))
     lines = [f"const {symbol} = {sp.jscode(part)};" for symbol, part in shared]
     return Code(" ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"]))
 

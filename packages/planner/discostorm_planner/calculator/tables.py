@@ -9,7 +9,7 @@ import discostorm as ds
 from discostorm import figures, notation as nt, timeline
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Fleet
-from discostorm.measured import bands_of
+from discostorm.measured import error_bands
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import BASES
 from discostorm.saturation import solve_hosts
@@ -161,7 +161,7 @@ def about(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
         # How far it was off where it was not fitted, up to how many times that range.
         "band": [
             [row.up_to, row.most_hosts, row.most_endpoints, row.sentence().removesuffix(".")]
-            for row in bands_of(protocol.name)
+            for row in error_bands(protocol.name)
         ],
         # How many times its pairs' part of a start a robot takes that reboots: least and most.
         "reboot": list(restart_factors(protocol) or ()),

@@ -57,7 +57,7 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
         graph = ros2_text.read_text(_text(file), display_name(file))
         members, notes = ros2_text.fleet_of(graph, hosts, processes)
     notes = [ros2_text.formats_note(graph), *notes]
-    rows = members.described()
+    rows = members.to_dicts()
     if output.as_json:
         click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:

@@ -137,7 +137,7 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
             {
                 "protocol": answer.protocol.name,
                 "utilization": answer.utilization,
-                "fits": words.fits(answer.utilization),
+                "fits": words.below_capacity(answer.utilization),
                 "saves": 0.0 if best is None else best.saved,
                 "best_change": "nothing" if best is None else best.what,
             }
@@ -152,7 +152,7 @@ def _print_configuration(answer: ds.Plan, number: int, output: Output) -> None:
     remedies = answer.numbered_remedies()
     if not remedies:
         raise ValueError("--paste needs a change to configure; nothing that was tried helps")
-    _checks.whole("--paste", number, 1, len(remedies))
+    _checks.integer("--paste", number, 1, len(remedies))
     remedy = remedies[number - 1]
     pieces = [piece.to_dict() for piece in remedy.snippets]
     if not pieces:
