@@ -89,7 +89,9 @@ def options() -> dict[str, Any]:
 @pytest.fixture(scope="session")
 def browser(options: dict[str, Any]) -> Iterator[Browser]:
     """Return a headless Chromium, the same for all tests of a process."""
-    from playwright.sync_api import sync_playwright  # here, as most tests need no browser
+    from playwright.sync_api import expect, sync_playwright  # here: most tests need no browser
+
+    expect.set_options(timeout=60_000)  # a busy machine shows the same page later
 
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(**options)

@@ -6,6 +6,7 @@ const Address = (() => {
   const WAIT = 200; // browsers take a limited number of changes [ms]
   let chosen = new Map();
   let writing;
+  let shown; // the address that was last read or written
 
   // Take what the address says; return whether it says anything: it may name a place on the page instead.
   function read() {
@@ -24,8 +25,10 @@ const Address = (() => {
     }
     clearTimeout(writing);
     writing = setTimeout(() => {
+      if (location.hash !== shown) return; // a link was opened meanwhile: the page is about to read it
       const parts = new URLSearchParams(NAMES.filter((name) => chosen.has(name)).map((name) => [name, chosen.get(name)]));
       history.replaceState(null, "", chosen.size ? `#${parts}` : location.pathname + location.search);
+      shown = location.hash;
     }, WAIT);
   }
 
@@ -37,7 +40,9 @@ const Address = (() => {
   }
 
   read();
+  shown = location.hash;
   addEventListener("hashchange", () => {
+    shown = location.hash;
     if (read()) for (const callback of followers) callback();
   });
   return { get: (name) => chosen.get(name) ?? null, write, follow };
