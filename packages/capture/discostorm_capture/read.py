@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import fields
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -22,6 +23,7 @@ from discostorm_capture import (
     zenoh_messages,
 )
 from discostorm_capture._bytes import Array, Columns, stack, take
+from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.result import Capture
 from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, categories
 from discostorm_capture.transport import Transport
@@ -101,6 +103,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _messages=table,
         _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
         _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
+        _endpoints=_endpoint_table(dissections),
         _truncated=truncated,
         _clock_steps=steps,
         _first=first,
@@ -225,6 +228,20 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
             "receiver": categories(events["target"], addresses),
             "port": events["port"],
         }
+    )
+
+
+def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
+    """Return the endpoints as `Capture.endpoints` describes them."""
+    import pandas as pd
+
+    rows = [
+        {"process": process, "entity": entity} | (vars(endpoint) if endpoint else {})
+        for part in dissections
+        for (process, entity), endpoint in part.endpoints.items()
+    ]
+    return pd.DataFrame(
+        rows, columns=["process", "entity", *(one.name for one in fields(Endpoint))]
     )
 
 

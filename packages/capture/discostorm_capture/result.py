@@ -57,6 +57,8 @@ class Capture:
     _network_events : pandas.DataFrame
         What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
         connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+    _endpoints : pandas.DataFrame
+        What `endpoints` returns a copy of.
     _truncated : int
         How many packets were cut when they were captured [1].
     _clock_steps : tuple of tuple
@@ -78,6 +80,7 @@ class Capture:
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
+    _endpoints: pd.DataFrame = field(compare=False)
     _truncated: int = field(compare=False)
     _clock_steps: tuple[tuple[int, float], ...] = ()
     _first: float = 0.0
@@ -126,6 +129,20 @@ class Capture:
             counted.
         """
         return self._processes.copy()
+
+    def endpoints(self) -> pd.DataFrame:
+        """Return the endpoints of RTPS, each as its process announced it last.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row each: ``process`` and ``entity``, its id; ``writer``, whether it is a writer or a
+            reader; ``topic`` and ``type``, by their names in DDS; what it offers or asks for:
+            ``reliability``, ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s],
+            ``ownership`` and ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". All
+            of it is missing if the announcement was cut or cannot be read.
+        """
+        return self._endpoints.copy()
 
     def serving(self) -> tuple[str, ...]:
         """Return the addresses of hosts with servers and routers alone, beside hosts without.
@@ -392,6 +409,7 @@ class Capture:
                 else messages,
                 processes=self._processes[self._processes["host"] != ""],
                 network_events=events,
+                endpoints=self._endpoints,
                 duration=self._last,
                 vantage_host=vantage_host(messages, serving),
                 server_hosts=serving,

@@ -197,9 +197,10 @@ def messages(
     high, low = (_number(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20))
     _, first = factorize(table["process"][announcing], writer[announcing], high, low)
     rows = announcing[first]
-    stop = np.minimum(stop, last)[rows]
-    announcements = _announcements(data, take(table, rows), at[rows], stop, little[rows])
-    return table, announcements
+    end = np.minimum(stop, last)[rows]
+    announcements = _announcements(data, take(table, rows), at[rows], end, little[rows])
+    cut = stop[rows] > end
+    return table, take(announcements, (announcements["guid"] > 0) | cut)
 
 
 def _submessages(
@@ -313,7 +314,8 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
 
     Each has ``guid``, the offset of its sixteen bytes; ``is_participant``; ``first_address`` and
     ``last_address``, the offsets of its IPv4 addresses for unicast discovery; ``is_server``, of a
-    Discovery Server of Fast DDS; the ``sender``, a process, and its ``frame``.
+    Discovery Server of Fast DDS; the ``sender``, a process, and its ``frame``; ``list_at``,
+    ``list_end`` and ``little``, the parameter list and its byte order.
     """
     list_at = at + 8 + _number(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
@@ -335,7 +337,7 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
     properties = values[PID_PROPERTY_LIST]
     size = _number(data, np.maximum(properties - 2, 0), "u2", little).astype(np.int64)
     size = np.where(is_participant & (properties > 0), np.minimum(size, end - properties), 0)
-    announcements = {
+    return {
         "guid": guid,
         "is_participant": is_participant,
         "first_address": first,
@@ -343,8 +345,10 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
         "is_server": _is_discovery_server(data, guid, properties, size),
         "sender": sent["process"],
         "frame": sent["frame"],
+        "list_at": list_at + 4,
+        "list_end": list_end,
+        "little": little,
     }
-    return take(announcements, guid > 0)
 
 
 def _is_discovery_server(data: Bytes, guid: Offsets, properties: Offsets, size: Array) -> Array:

@@ -4,8 +4,8 @@ from collections import Counter, defaultdict
 
 import numpy as np
 
-from discostorm_capture import ip, rtps
-from discostorm_capture._bytes import Array, Bytes, Columns, IdTable, factorize, numbers
+from discostorm_capture import endpoints as sedp, ip, rtps
+from discostorm_capture._bytes import Array, Bytes, Columns, IdTable, factorize, numbers, take
 from discostorm_capture.tables import RTPS, Dissection, Process, first_seen
 from discostorm_capture.transport import Transport
 
@@ -38,7 +38,7 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     own_addresses: dict[int, list[int]] = defaultdict(list)
     servers: set[int] = set()
     for id_, entity, frame, last, begin, sender, is_participant, is_server in _resolved(
-        data, announcements, prefixes, addresses
+        data, take(announcements, announcements["guid"] > 0), prefixes, addresses
     ):
         endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
         servers.update((id_,) if is_server else ())
@@ -64,7 +64,32 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
             domain=domains.get(id_, -1),
             announced_addresses=tuple(dict.fromkeys(a for a in own_addresses[id_] if a >= 0)),
         )
-    return Dissection(messages, processes)
+    return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
+
+
+def _endpoints(
+    data: Bytes, announcements: Columns, prefixes: IdTable
+) -> dict[tuple[str, int], sedp.Endpoint | None]:
+    """Return the user endpoints as announced last, by GUID prefix and entity id.
+
+    One whose announcement does not even have its id counts below 0, for the process that sent it.
+    """
+    names, rows = list(prefixes.ids), take(announcements, ~announcements["is_participant"])
+    guid = rows["guid"]
+    columns = (
+        np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
+        np.where(
+            guid > 0, numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
+        ),
+        *(rows[name] for name in ("list_at", "list_end", "little")),
+    )
+    return {
+        (names[process].hex(), entity): sedp.parse(data, at, end, little, entity)
+        for process, entity, at, end, little in zip(
+            *(column.tolist() for column in columns), strict=True
+        )
+        if entity < 0 or not entity & _NOT_USER
+    }
 
 
 def _resolved(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from discostorm_capture._bytes import Array, Columns
+from discostorm_capture.endpoints import Endpoint
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -67,6 +68,8 @@ class Dissection:
 
     messages: Columns
     processes: dict[int, Process]
+    #: The endpoints that are announced, by name of the process and entity; None if unreadable.
+    endpoints: dict[tuple[str, int], Endpoint | None] = field(default_factory=dict)
 
 
 def message_table(protocol: int, packets: Columns, rows: Array, **columns: Array) -> Columns:

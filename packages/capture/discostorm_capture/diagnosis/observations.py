@@ -31,6 +31,7 @@ class Observations:
     messages: pd.DataFrame
     processes: pd.DataFrame
     network_events: pd.DataFrame
+    endpoints: pd.DataFrame
     #: From the first packet to the last [s].
     duration: float
     #: The host whose unicast alone was captured, if there is one.

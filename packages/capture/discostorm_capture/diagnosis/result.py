@@ -15,6 +15,7 @@ from discostorm_capture.diagnosis import (
     gaps,
     lifecycle,
     network,
+    qos,
     tables,
     traffic,
 )
@@ -38,6 +39,9 @@ RECORD_ANEW = (
 TIMELINE = 2000
 #: Kinds of messages that announce endpoints and open sessions.
 ANNOUNCING = (DATA, "Declare", "Init", "Open")
+
+#: Findings about captures that do not show what endpoints offer and ask for.
+UNKNOWN_QOS = ("encrypted", "QoS unknown")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
@@ -91,8 +95,11 @@ class Diagnosis:
 
     @property
     def healthy(self) -> bool | None:
-        """Whether nothing is wrong; None if the capture does not show that discovery worked."""
-        return False if self.wrong or self.complete is False else self.complete
+        """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
+        if self.wrong or self.complete is False:
+            return False
+        hidden = any(one.kind in UNKNOWN_QOS for one in self.findings)
+        return None if hidden else self.complete
 
     @cached_property
     def _hosts(self) -> pd.DataFrame:
@@ -183,7 +190,9 @@ class Diagnosis:
             if not len(self._hosts):
                 return "The capture shows no discovery of DDS or Zenoh."
             return f"The capture does not show whether discovery is complete ({count})."
-        state = "healthy, complete and over" if self.over else "healthy and complete, but not over"
+        state = "complete and over" if self.over else "complete, but not over"
+        if self.healthy:
+            state = "healthy, " + state if self.over else "healthy and " + state
         when = f" {_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
         return f"Discovery is {state}: {count} know each other{when}{self._last_host()}."
 
@@ -251,10 +260,11 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = causes or list(not_authenticated(evidence))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
-    found = [*causes, *losses, *traffic.storm(evidence)]
+    found = [*causes, *losses, *traffic.storm(evidence), *qos.not_matching(evidence)]
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
+    limits += qos.unknown_qos(evidence)
     times = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
     announced = obs.time[obs.isin("kind", *ANNOUNCING)]
     over = obs.duration - announced.max(initial=0.0) > QUIET and obs.end > 0

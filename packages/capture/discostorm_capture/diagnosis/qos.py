@@ -1,0 +1,137 @@
+"""Findings about endpoints of one topic that do not match, although their processes do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+from fnmatch import fnmatchcase
+from itertools import product
+from typing import TYPE_CHECKING
+
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.endpoints import (
+    DURABILITIES,
+    LIVELINESSES,
+    RELIABILITIES,
+    Endpoint,
+    ros_topic,
+    ros_type,
+)
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: At most so many pairs of endpoints are described.
+MAX_PAIRS = 3
+
+
+def mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
+    """Return what a writer offers and a reader asks for, by ROS 2's name of the policy.
+
+    Only policies that keep the two apart (DDS 1.4, 2.2.3); names as in ROS 2's QoS events
+    (ros2/rmw, rmw/qos_policy_kind.h).
+    """
+    ranked = {
+        "RELIABILITY": (RELIABILITIES, writer.reliability, reader.reliability),
+        "DURABILITY": (DURABILITIES, writer.durability, reader.durability),
+        "LIVELINESS": (LIVELINESSES, writer.liveliness, reader.liveliness),
+    }
+    found = {
+        policy: (offered, asked)
+        for policy, (order, offered, asked) in ranked.items()
+        if order.index(offered) < order.index(asked)
+    }
+    for policy, offers, asks in (
+        ("DEADLINE", writer.deadline, reader.deadline),
+        ("LIVELINESS_LEASE_DURATION", writer.lease, reader.lease),
+    ):
+        if offers > asks:
+            found[policy] = (_duration(offers), _duration(asks))
+    if writer.ownership != reader.ownership:
+        found["OWNERSHIP"] = (writer.ownership, reader.ownership)
+    if not any(
+        fnmatchcase(one, other) or fnmatchcase(other, one)
+        for one, other in product(writer.partitions, reader.partitions)
+    ):
+        found["PARTITION"] = (listed([*writer.partitions]), listed([*reader.partitions]))
+    return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
+
+
+def not_matching(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the topics on which a writer and a reader differ in their QoS or their type."""
+    obs = evidence.obs
+    qos: dict[str, set[str]] = {}
+    types: dict[str, set[str]] = {}
+    for scope in evidence.scopes:
+        rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
+        for topic, group in rows.dropna(subset="topic").groupby("topic", sort=False):
+            ends = _by_profile(group, obs.processes["host"])
+            writers, readers = (
+                [one for one in ends if one.writer is kind] for kind in (True, False)
+            )
+            for writer, reader in product(writers, readers):
+                hosts = {*ends[writer], *ends[reader]}
+                name, at = ros_topic(str(topic)), (_at(ends[writer]), _at(ends[reader]))
+                if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
+                    if said := _types(writer, reader, *at):
+                        types.setdefault(f"{name}: {said}", set()).update(hosts)
+                elif policies := mismatches(writer, reader):
+                    policy_texts = "; ".join(
+                        f"the writer{at[0]} offers {offered or 'none'}, the reader{at[1]} asks for "
+                        f"{asked or 'none'} ({policy})"
+                        for policy, (offered, asked) in policies.items()
+                    )
+                    qos.setdefault(f"{name}: {policy_texts}", set()).update(hosts)
+    for kind, found in (("types differ", types), ("QoS differs", qos)):
+        if found:
+            more = f" (and {len(found) - MAX_PAIRS} more)" if len(found) > MAX_PAIRS else ""
+            evidence_text = "; ".join([*found][:MAX_PAIRS]) + more
+            yield Finding(kind, tuple(sorted(set().union(*found.values()))), evidence_text)
+
+
+def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
+    """Yield how many endpoints have announcements that cannot be read."""
+    unreadable = evidence.obs.endpoints["topic"].isna()
+    if count := int(unreadable.sum()):
+        yield Finding(
+            "QoS unknown",
+            (),
+            f"the announcements of {count} of {len(unreadable)} endpoints are cut or cannot be "
+            "read",
+        )
+
+
+def _by_profile(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
+    """Return the hosts of the endpoints of a topic that are alike."""
+    ends: dict[Endpoint, list[str]] = {}
+    names = [field.name for field in fields(Endpoint)]
+    for process, *values in group[["process", *names]].itertuples(index=False, name=None):
+        host = str(hosts[process])
+        same = ends.setdefault(Endpoint(*values), [])
+        if host not in same:
+            same.append(host)
+    return ends
+
+
+def _types(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
+    """Return how two types differ; nothing if one process does not tell its definition."""
+    if writer.type != reader.type:
+        return (
+            f"the writer{at_writer} has the type {ros_type(writer.type)}, the reader{at_reader} "
+            f"{ros_type(reader.type)}"
+        )
+    if not (writer.type_hash and reader.type_hash):
+        return ""
+    return (
+        f"the writer{at_writer} and the reader{at_reader} have different definitions of "
+        f"{ros_type(writer.type)} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
+    )
+
+
+def _at(hosts: list[str]) -> str:
+    return f" on {listed(hosts)}"
+
+
+def _duration(seconds: float) -> str:
+    return "no limit" if seconds == float("inf") else f"{seconds:g} s"

@@ -1,0 +1,126 @@
+"""What SEDP says of each endpoint: its topic, its type, and the QoS that it offers or asks for."""
+
+import re
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from discostorm_capture._bytes import Bytes
+
+RELIABILITIES = ("best effort", "reliable")
+DURABILITIES = ("volatile", "transient local", "transient", "persistent")
+LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
+OWNERSHIPS = ("shared", "exclusive")
+#: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
+_WRITER_KINDS = (0x02, 0x03)
+_SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
+#: In the user data of an endpoint, rmw_fastrtps_cpp and rmw_cyclonedds_cpp of ROS 2 Iron and later
+#: name the definition of its type.
+_TYPE_HASH = re.compile(rb"typehash=(\w+);")
+
+
+@dataclass(frozen=True)
+class Endpoint:
+    """A writer or reader, as its process announced it last.
+
+    What an announcement leaves out has the default of DDS 1.4, 2.2.3; there the reliability of a
+    writer is not that of a reader.
+    """
+
+    writer: bool
+    topic: str
+    type: str
+    reliability: str
+    durability: str = DURABILITIES[0]
+    #: The longest time between two samples, and until a writer counts as dead [s].
+    deadline: float = float("inf")
+    liveliness: str = LIVELINESSES[0]
+    lease: float = float("inf")
+    ownership: str = OWNERSHIPS[0]
+    partitions: tuple[str, ...] = ("",)
+    type_hash: str = ""
+
+
+def parse(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
+    """Return the endpoint in a parameter list; None if the list is cut or cannot be read."""
+    order = "<" if little else ">"
+    is_writer = entity & 0x3F in _WRITER_KINDS
+    values: dict[str, Any] = {"reliability": RELIABILITIES[is_writer]}
+    octets, position, parameter = data[at:end].tobytes(), 0, -1
+    try:
+        while parameter != _SENTINEL:
+            parameter, length = struct.unpack_from(order + "HH", octets, position)
+            value = octets[position + 4 : position + 4 + length]
+            position += 4 + length
+            if parameter in _PARAMETERS:
+                values |= _PARAMETERS[parameter](value, order)
+        return Endpoint(writer=is_writer, **values)
+    except (struct.error, IndexError, TypeError):
+        return None
+
+
+def ros_topic(topic: str) -> str:
+    """Return ROS 2's name of a topic of DDS."""
+    prefix, _, name = topic.partition("/")
+    if prefix == "rt":
+        return f"/{name}"
+    if prefix in ("rq", "rr"):
+        return f"/{name.removesuffix('Request').removesuffix('Reply')} (service)"
+    return topic
+
+
+def ros_type(name: str) -> str:
+    """Return ROS 2's name of a type of DDS."""
+    return name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")
+
+
+def _integer(value: bytes, at: int, order: str) -> int:
+    (number,) = struct.unpack_from(order + "I", value, at)
+    return int(number)
+
+
+def _string(value: bytes, at: int, order: str) -> tuple[str, int]:
+    """Return a string, and where the next one begins."""
+    length = _integer(value, at, order)
+    text = value[at + 4 : at + 4 + length]
+    if len(text) < length:
+        raise IndexError(at)
+    return text.rstrip(b"\0").decode("utf-8", "replace"), at + 4 + length + -length % 4
+
+
+def _seconds(value: bytes, at: int, order: str) -> float:
+    whole, fraction = (_integer(value, at + n, order) for n in (0, 4))
+    return float("inf") if whole >= _INFINITE else whole + fraction / 2**32
+
+
+def _partitions(value: bytes, order: str) -> dict[str, Any]:
+    names, at = [], 4
+    for _ in range(min(_integer(value, 0, order), len(value))):
+        name, at = _string(value, at, order)
+        names.append(name)
+    return {"partitions": tuple(names) or ("",)}
+
+
+def _liveliness(value: bytes, order: str) -> dict[str, Any]:
+    kind = LIVELINESSES[_integer(value, 0, order)]
+    return {"liveliness": kind, "lease": _seconds(value, 4, order)}
+
+
+def _type_hash(value: bytes, _: str) -> dict[str, Any]:
+    found = _TYPE_HASH.search(value)
+    return {"type_hash": found[1].decode()} if found else {}
+
+
+#: The parameters that are read, by their ids (DDSI-RTPS 2.5, 9.6.3; 1 is best effort).
+_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
+    0x05: lambda value, order: {"topic": _string(value, 0, order)[0]},
+    0x07: lambda value, order: {"type": _string(value, 0, order)[0]},
+    0x1A: lambda value, order: {"reliability": ("", *RELIABILITIES)[_integer(value, 0, order)]},
+    0x1B: _liveliness,
+    0x1D: lambda value, order: {"durability": DURABILITIES[_integer(value, 0, order)]},
+    0x1F: lambda value, order: {"ownership": OWNERSHIPS[_integer(value, 0, order)]},
+    0x23: lambda value, order: {"deadline": _seconds(value, 0, order)},
+    0x29: _partitions,
+    0x2C: _type_hash,
+}

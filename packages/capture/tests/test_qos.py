@@ -1,0 +1,105 @@
+"""Endpoints of one topic that cannot match: read from SEDP, and told by the diagnosis.
+
+captures/qos_cyclone_dds.pcap.xz was staged: two hosts with Cyclone DDS 11.0.1 (its Python
+package), six topics; on /tf a reliable writer serves a best-effort reader, the others differ.
+"""
+
+import lzma
+from pathlib import Path
+
+import handmade_captures as handmade
+import pytest
+
+import discostorm as ds
+from discostorm_capture.diagnosis.qos import mismatches
+from discostorm_capture.endpoints import Endpoint, ros_topic
+
+STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
+
+
+def test_qos_and_types_that_differ_are_told_topic_by_topic() -> None:
+    diagnosis = ds.read_capture(STAGED).diagnosis()
+    assert (diagnosis.complete, diagnosis.healthy) == (True, False)
+    found = {finding.kind: finding for finding in diagnosis.findings}
+    assert {*found} == {"types differ", "QoS differs"}
+    assert found["types differ"].evidence == (
+        "/cmd_vel: the writer on 10.77.0.1 has the type std_msgs/msg/String, the reader on "
+        "10.77.0.2 std_msgs/msg/Int32"
+    )
+    assert found["QoS differs"].evidence == (
+        "/scan: the writer on 10.77.0.1 offers best effort, the reader on 10.77.0.2 asks for "
+        "reliable (RELIABILITY_QOS_POLICY); /map: the writer on 10.77.0.1 offers volatile, the "
+        "reader on 10.77.0.2 asks for transient local (DURABILITY_QOS_POLICY); /odom: the writer "
+        "on 10.77.0.1 offers 0.2 s, the reader on 10.77.0.2 asks for 0.1 s (DEADLINE_QOS_POLICY) "
+        "(and 1 more)"
+    )
+    assert "not healthy: a writer and a reader of one topic have different types" in (
+        diagnosis.summary()
+    )
+
+
+def test_endpoints_have_what_they_announced() -> None:
+    endpoints = ds.read_capture(STAGED).endpoints().set_index(["topic", "writer"])
+    assert len(endpoints) == 12
+    assert endpoints["partitions"]["rt/part"].to_dict() == {True: ("robot1",), False: ("robot2",)}
+    assert endpoints["deadline"]["rt/odom"].to_dict() == pytest.approx(
+        {True: 0.2, False: 0.1}, abs=1e-9
+    )
+    assert endpoints["reliability"]["rt/tf"].to_dict() == {True: "reliable", False: "best effort"}
+
+
+def test_a_cut_announcement_is_unknown_and_never_healthy(tmp_path: Path) -> None:
+    path = tmp_path / "cut.pcap"
+    packets = handmade.packets("cyclone_healthy")
+    path.write_bytes(handmade.pcap(packets))
+    assert ds.read_capture(path).diagnosis().healthy is True
+    cut = [(time, data[:200] if len(data) > 300 else data, size) for time, data, size in packets]
+    path.write_bytes(handmade.pcap(cut))
+    capture = ds.read_capture(path)
+    assert capture.endpoints()["topic"].isna().any()
+    diagnosis = capture.diagnosis()
+    assert diagnosis.healthy is None
+    assert "QoS unknown" in {finding.kind for finding in diagnosis.findings}
+    assert "healthy" not in diagnosis.summary()
+
+
+def test_the_staged_capture_is_whole() -> None:
+    assert lzma.decompress(STAGED.read_bytes())[:4] == b"\xd4\xc3\xb2\xa1"
+
+
+WRITER = Endpoint(True, "rt/scan", "T", "reliable")
+READER = Endpoint(False, "rt/scan", "T", "best effort")
+
+
+@pytest.mark.parametrize(
+    ("writer", "reader", "policies"),
+    [
+        ({}, {}, []),
+        ({}, {"reliability": "reliable"}, []),
+        ({"reliability": "best effort"}, {"reliability": "reliable"}, ["RELIABILITY"]),
+        ({"durability": "transient local"}, {}, []),
+        ({}, {"durability": "transient local"}, ["DURABILITY"]),
+        ({"deadline": 1.0}, {"deadline": 1.0}, []),
+        ({"deadline": 2.0}, {"deadline": 1.0}, ["DEADLINE"]),
+        ({}, {"deadline": 1.0}, ["DEADLINE"]),
+        ({}, {"liveliness": "manual by topic"}, ["LIVELINESS"]),
+        ({"lease": 2.0}, {"lease": 1.0}, ["LIVELINESS_LEASE_DURATION"]),
+        ({"ownership": "exclusive"}, {}, ["OWNERSHIP"]),
+        ({"partitions": ("a", "b")}, {"partitions": ("b",)}, []),
+        ({"partitions": ("robot1",)}, {"partitions": ("robot*",)}, []),
+        ({"partitions": ("robot1",)}, {}, ["PARTITION"]),
+    ],
+)
+def test_a_writer_must_offer_what_a_reader_asks_for(
+    writer: dict[str, object], reader: dict[str, object], policies: list[str]
+) -> None:
+    offers, asks = (
+        Endpoint(**(vars(end) | changes)) for end, changes in ((WRITER, writer), (READER, reader))
+    )
+    assert [*mismatches(offers, asks)] == [f"{policy}_QOS_POLICY" for policy in policies]
+
+
+def test_topics_have_their_names_in_ros() -> None:
+    assert ros_topic("rt/robot1/scan") == "/robot1/scan"
+    assert ros_topic("rq/map_server/get_mapRequest") == "/map_server/get_map (service)"
+    assert ros_topic("my_topic") == "my_topic"
