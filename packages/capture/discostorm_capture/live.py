@@ -88,8 +88,13 @@ class Host:
 class Watch:
     """What is known of a capture so far; airtime is that on a channel."""
 
-    def __init__(self, wifi: Wifi = PAPER, kept: int = KEPT) -> None:
-        self.wifi, self.kept = wifi, kept
+    def __init__(
+        self,
+        wifi: Wifi = PAPER,
+        kept: int = KEPT,
+        expected: int | tuple[str, ...] | None = None,
+    ) -> None:
+        self.wifi, self.kept, self.expected = wifi, kept, expected
         #: The newest packets and their bytes; how many of them are new since `fold`, and theirs.
         self.ring: deque[tuple[float, bytes]] = deque()
         self.size = self.new = self.new_size = 0
@@ -159,7 +164,7 @@ class Watch:
         for address, host in self.hosts.items():
             host.products = products.get(address, host.products)
         self.new = self.new_size = 0
-        self._diagnose(capture.diagnosis())
+        self._diagnose(capture.diagnosis(self.expected))
 
     def _count_airtime(self, second: Array, airtime: Array) -> None:
         """Add airtime to the seconds in which it was; the last one may go on."""

@@ -359,11 +359,17 @@ class Capture:
         rows = self._on_air()
         return sums(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
 
-    def diagnosis(self) -> Diagnosis:
+    def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
         """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
 
         What cannot be told apart is said to be one of two. What the capture cannot show is not
         found; what it lacks is a finding of its own.
+
+        Parameters
+        ----------
+        expected : int or sequence of str, optional
+            How many hosts ought to be there, without those of servers alone, or the addresses of
+            all that ought to. Hosts that are missing are the first finding.
 
         Returns
         -------
@@ -381,10 +387,12 @@ class Capture:
         from discostorm_capture.diagnosis import (
             Observations,
             diagnose,
+            expected_hosts,
             vantage_host,
             without_clock_steps,
         )
 
+        hosts = expected_hosts(expected)
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
@@ -417,6 +425,7 @@ class Capture:
                 clock_steps=self._clock_steps,
                 capture_gaps=self._capture_gaps,
                 truncated=self._truncated / max(self.packets, 1),
+                expected=hosts,
             )
         )
 

@@ -37,6 +37,7 @@ from discostorm_capture.cli.diagnosis_output import (
     show_answer,
     show_tables,
 )
+from discostorm_capture.cli.expect import count_hosts, expect_option
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -63,6 +64,7 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 )
 @robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
+@expect_option
 @click.option(
     "--wired",
     metavar="ADDRESS",
@@ -97,6 +99,7 @@ def capture(
     fleet: str | None,
     robot: str | None,
     hosts: float | None,
+    expected: int | tuple[str, ...] | None,
     wired: tuple[str, ...],
     window: float | None,
     written: str | None,
@@ -119,6 +122,7 @@ def capture(
     \b
     Examples:
       discostorm capture discovery.pcap
+      discostorm capture discovery.pcap --expect 10.0.0.5,10.0.0.6,10.0.0.7
       discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
       timeout 60 {record_out} |
         discostorm capture -
@@ -143,7 +147,9 @@ def capture(
             rows += [{"protocol": model.name} | row for row in _records(table)]
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
-        diagnosis = captured.diagnosis()
+        if expected is None and members is not None:
+            expected = count_hosts(members)
+        diagnosis = captured.diagnosis(expected)
         encrypted = is_encrypted(diagnosis)
         if written is not None and encrypted:
             raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")

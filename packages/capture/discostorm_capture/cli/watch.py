@@ -30,6 +30,7 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
+from discostorm_capture.cli.expect import expect_option
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -59,6 +60,7 @@ SAYS, ENDS = 0.3, 5.0
 @click.command()
 @click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
 @click.argument("pipe", required=False, metavar="[-]")
+@expect_option
 @wifi_options
 @click.option(
     "--seconds", type=float, metavar="S", help="Stop after S seconds.  [default: on Ctrl-C]"
@@ -76,6 +78,7 @@ SAYS, ENDS = 0.3, 5.0
 def watch(
     interface: str | None,
     pipe: str | None,
+    expected: int | tuple[str, ...] | None,
     wifi: Wifi,
     seconds: float | None,
     port: int | None,
@@ -102,7 +105,7 @@ def watch(
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
-    state, packets = Watch(wifi), Packets(interface or "standard input")
+    state, packets = Watch(wifi, expected=expected), Packets(interface or "standard input")
     with bad_input(), _signals() as received, _capturing(interface) as source, _served(port, state):
         begin = shown = time.monotonic()
         waiting = True

@@ -46,6 +46,8 @@ class Observations:
     capture_gaps: tuple[str, ...]
     #: The share of packets that were cut [1].
     truncated: float
+    #: How many hosts are expected, or their addresses; None if that is not known.
+    expected: int | tuple[str, ...] | None = None
 
     def __getitem__(self, column: str) -> Array:
         """Return a column of the messages."""

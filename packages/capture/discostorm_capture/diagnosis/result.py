@@ -14,6 +14,7 @@ from discostorm_capture.diagnosis import (
     capture_quality,
     gaps,
     lifecycle,
+    missing,
     network,
     qos,
     tables,
@@ -261,6 +262,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
     found = [*causes, *losses, *traffic.storm(evidence), *qos.not_matching(evidence)]
+    found += missing.missing(evidence)
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]

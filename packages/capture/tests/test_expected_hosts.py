@@ -1,0 +1,96 @@
+"""Hosts that are expected, and missing in a capture."""
+
+import json
+from pathlib import Path
+
+import handmade_captures as handmade
+import pytest
+from click.testing import CliRunner
+
+import discostorm as ds
+from discostorm.cli.main import main
+from discostorm_capture.live import Packets, Watch
+
+HEALTHY = handmade.CAPTURES / "fast_dds.pcap.xz"
+HOSTS = ("10.77.0.1", "10.77.0.2", "10.77.0.3")
+
+
+def findings(expected: int | tuple[str, ...] | None) -> list[tuple[str, tuple[str, ...]]]:
+    diagnosis = ds.read_capture(HEALTHY).diagnosis(expected)
+    return [(finding.kind, finding.hosts) for finding in diagnosis.findings]
+
+
+@pytest.mark.parametrize("expected", [None, 1, 3, HOSTS, HOSTS[1:]])
+def test_who_is_there_is_not_missing(expected: int | tuple[str, ...] | None) -> None:
+    assert findings(expected) == []
+
+
+@pytest.mark.parametrize("absent", [("10.77.0.9",), ("10.77.0.7", "10.77.0.8"), ("fd00::1",)])
+def test_missing_hosts_are_named(absent: tuple[str, ...]) -> None:
+    assert findings((*HOSTS, *absent)) == [("missing", absent)]
+
+
+def test_with_a_number_the_present_ones_are_named() -> None:
+    (finding,) = ds.read_capture(HEALTHY).diagnosis(5).findings
+    assert finding.kind == "too few hosts"
+    assert finding.evidence == (
+        "5 hosts expected, 3 in the capture: 10.77.0.1, 10.77.0.2 and 10.77.0.3"
+    )
+
+
+@pytest.mark.parametrize(
+    ("expected", "message"),
+    [
+        (0, "expected must be a whole number of at least 1"),
+        (("10.0.0.256",), "IP addresses such as 10.0.0.5; got '10.0.0.256'"),
+        (("10.0.0.5", "10.0.0.5"), "must have distinct addresses; got '10.0.0.5' twice"),
+    ],
+)
+def test_what_cannot_be_expected_is_refused(expected: int | tuple[str], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        ds.read_capture(HEALTHY).diagnosis(expected)
+
+
+def test_missing_hosts_come_first() -> None:
+    path = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
+    diagnosis = ds.read_capture(path).diagnosis(("10.77.0.1", "10.77.0.5"))
+    assert diagnosis.findings[0].kind == "missing"
+    assert diagnosis.summary().startswith(
+        "Discovery is complete and over, but not healthy: 10.77.0.5: missing, although expected"
+    )
+
+
+def run(*arguments: str) -> dict[str, object]:
+    result = CliRunner().invoke(main, ["capture", str(HEALTHY), "--json", *arguments])
+    assert result.exit_code == 0, result.output
+    answer: dict[str, object] = json.loads(result.stdout)["diagnosis"]
+    return answer
+
+
+def test_a_number_a_list_and_a_fleet_file_say_who_is_expected(tmp_path: Path) -> None:
+    fleet = tmp_path / "fleet.toml"
+    fleet.write_text("[[groups]]\nhosts = 4\nprocesses = 2\nendpoints = 10\n")
+    for arguments in (
+        ("--expect", "4"),
+        ("--expect", "10.77.0.1,10.77.0.9"),
+        ("--expect", str(fleet)),
+        ("--fleet", str(fleet)),
+    ):
+        assert run(*arguments)["healthy"] is False, arguments
+    assert run("--expect", "3")["healthy"] is True
+
+
+def test_a_bad_list_is_refused() -> None:
+    result = CliRunner().invoke(main, ["capture", str(HEALTHY), "--expect", "10.0.0.5,robot"])
+    assert result.exit_code == 2
+    assert "must be a number of hosts or IP addresses" in result.output
+
+
+def test_watch_names_the_missing_ones() -> None:
+    packets, watch = Packets("test"), Watch(expected=(*HOSTS, "10.77.0.9"))
+    content = handmade.pcap(handmade.packets("fast_dds"))
+    for time, packet in packets.of(content):
+        watch.add(time, packet)
+    watch.fold(packets.header)
+    assert watch.diagnosis is not None
+    assert watch.diagnosis.findings[0].hosts == ("10.77.0.9",)
