@@ -63,6 +63,13 @@ def zenoh_silence(quiet: float) -> bool:
     return "crash" in kinds(diagnosed(found), 2)
 
 
+def repeated(rate: float, until: float = 10.0) -> bool:
+    """Whether a flood is told, if a host acknowledges so often a second until a time."""
+    found = [*startup(0.0, 1, 2), *regularly(1, 10.1), *regularly(2, 10.1)]
+    found += [acknowledge(time, 1, 2, 2) for time in np.arange(3.0, until, 1 / rate)]
+    return "flood" in kinds(diagnosed(found), 1)
+
+
 def rare_announcements(later: float) -> bool:
     """Whether two hosts ought to hear each other, if one announces itself once, one so late on."""
     found = diagnosed([announce(0.0, 2), *regularly(1, 20, later)])

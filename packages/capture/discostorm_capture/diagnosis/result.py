@@ -261,7 +261,8 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = causes or list(not_authenticated(evidence))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
-    found = [*causes, *losses, *traffic.storm(evidence), *qos.not_matching(evidence)]
+    found = [*causes, *losses, *traffic.storm(evidence), *traffic.flood(evidence)]
+    found += [*qos.not_matching(evidence)]
     found += missing.missing(evidence)
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]

@@ -10,7 +10,7 @@ from discostorm import words
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import DATA, Observations
+from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.scopes import clients
 
 #: Thresholds for loss: the fewest frames that count, their share, and the share of heavy loss [1].
@@ -24,6 +24,10 @@ READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.25
 #: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
 #: third [1], of a capture of at least so long [s].
 STILL, MIN_STORM = 0.5, 12.0
+#: Messages of discovery that are repeated so often in each of the last seconds [1/s] are a flood;
+#: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
+FLOOD_RATE, FLOOD_TIME = 20, 3
+REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: A server is down after so many calls in vain, or so many messages within this time [s].
 CALLS, MESSAGES, WAIT = 3, 15, 3.0
 #: The port of Zenoh's routers.
@@ -124,6 +128,34 @@ def storm(evidence: Evidence) -> Iterator[Finding]:
         (),
         f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} in "
         f"the first {third:.0f} s",
+    )
+
+
+def flood(evidence: Evidence) -> Iterator[Finding]:
+    """Yield who repeats messages of discovery without end, though all endpoints are known."""
+    obs, complete = evidence.obs, [pair.complete for pair in evidence.pairs]
+    begin = max([obs.end - FLOOD_TIME, *(time + STARTUP for time in complete)])
+    if not complete or obs.end - begin < FLOOD_TIME:
+        return
+    rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
+    hosts = [*obs.messages["receiver"].cat.categories]
+    keys = (obs.sender_index, obs.index("receiver", hosts), obs["writer"], obs["reader"])
+    floods: dict[tuple[str, str, str], list[int]] = {}
+    for group in obs.groups(rows, *keys).values():
+        seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
+        if seconds[:FLOOD_TIME].min() >= FLOOD_RATE:
+            first = obs.messages.iloc[group[0]]
+            what = (str(first["sender"]), str(first["receiver"]), str(first["kind"]))
+            floods.setdefault(what, []).append(len(group))
+    if not floods:
+        return
+    count = sum(sum(counts) for counts in floods.values())
+    said = listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    yield Finding(
+        "flood",
+        tuple(dict.fromkeys(sender for sender, *_ in floods)),
+        f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
+        f"endpoints are known since {max(complete):.1f} s: {said}",
     )
 
 
