@@ -35,20 +35,17 @@ class HostGroup:
 
     Parameters
     ----------
-    hosts : float, array or sympy.Expr
-        Number of hosts in the group [1], from 1 to 1e9.
-    processes : float, array or sympy.Expr
-        Processes on each host [1], from 1 to 1e9.
-    endpoints : float, array or sympy.Expr
-        Endpoints of each process [1], from 0 to 1e9; their mean if processes differ.
+    hosts, processes, endpoints : float, array or sympy.Expr
+        Number of hosts in the group, processes on each host, and endpoints of each process, their
+        mean if processes differ [1]; to 1e9, from 1, endpoints from 0.
     name : str, optional
         What to call it.
     nodes : float, optional
         Nodes with parameter services in each process [1], for `plan`; None if unknown.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
-        others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
-        everywhere: `discostorm.robots.shared_endpoints`.
+        others are [1]. In ROS 2 those of topics with the same name everywhere:
+        `discostorm.robots.shared_endpoints`.
     wired : bool, optional
         Whether they are wired to the access point: their uplink takes no air, nor does the
         downlink to them. False if left out.
@@ -192,49 +189,26 @@ class Fleet:
 
     @classmethod
     def from_toml(cls, path: str | PathLike[str]) -> "Fleet":
-        """Return the fleet that a TOML file describes.
+        """Return the fleet that a TOML file describes, with its groups in their order.
 
-        The file has a table ``[[groups]]`` for each group of hosts, with one number each
-        for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group
-        without ``shared`` shares what ROS 2 makes for its processes and nodes
-        (`discostorm.robots.shared_endpoints`), for the likely number of nodes if it has no
-        ``nodes`` either (`discostorm.robots.likely_nodes`); programs without ROS 2 say
-        ``shared = 0``. Above the groups it may have ``matching``; see `Fleet`::
+        The file has a table ``[[groups]]`` for each group of hosts, with one number each for
+        ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process), and optionally
+        ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group without ``shared``
+        shares what ROS 2 makes for its processes and nodes (`discostorm.robots.shared_endpoints`),
+        for the likely number of nodes if it has no ``nodes`` either
+        (`discostorm.robots.likely_nodes`); programs without ROS 2 say ``shared = 0``. Above the
+        groups it may have ``matching``; see `Fleet`. User data have a table for each topic, below
+        its group: one of `discostorm.flows.topics`, or one of your own with ``rate`` in Hz,
+        ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
 
             matching = 0
 
-            [[groups]]
-            name = "robots"
-            hosts = 10
-            processes = 1
-            endpoints = 678
+            [[groups]] name = "robots" hosts = 10 processes = 1 endpoints = 678
 
-        User data have a table for each topic, below its group: a ready-made topic
-        (`discostorm.flows.topics`) or one of your own, with ``rate`` in Hz, ``bytes`` and
-        ``reliable``; see `discostorm.flows.Flow`::
+            [[groups.data]] topic = "scan" to = "wired host"
 
-            [[groups.data]]
-            topic = "scan"
-            to = "wired host"
-
-        Parameters
-        ----------
-        path : str or path-like
-            The file, in UTF-8.
-
-        Returns
-        -------
-        Fleet
-            Its groups in the order of the file.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be read.
-        ValueError
-            If it is not TOML, or a key is missing, unknown or has a wrong value; the
-            message names the file, the group, the key, the value and the allowed range.
+        An OSError says if the file cannot be read; a ValueError if it is not TOML, or a key is
+        missing, unknown or has a wrong value: file, group, key, value and allowed range.
         """
         name = _checks.path("path", path, "a TOML file")
         return cls.from_bytes(read_fleet_file(name), name)

@@ -51,33 +51,16 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 @dataclass(frozen=True)
 class ErrorBand:
-    """How far a measured table was off in held-out runs: measured airtime by the table's.
+    """How far a measured table was off in held-out runs: measured airtime by the table's."""
 
-    Parameters
-    ----------
-    low, high : float
-        Minimum and maximum over the held-out points, each the median of its runs [1].
-    typical : float
-        Median error of the points [1].
-    points : int
-        Number of points [1].
-    up_to : float
-        Size of these fleets as a multiple of the measured range [1]: 1 is within it.
-    most_hosts, most_endpoints : float
-        Largest multiple of that range that any point had, in hosts or processes and in endpoints
-        [1].
-    beyond : bool
-        Whether the fleet in question is larger: its error was not measured.
-    """
-
-    low: float
+    low: float  #: minimum and maximum over the held-out points, each the median of its runs [1]
     high: float
-    typical: float
-    points: int
-    up_to: float
-    most_hosts: float
-    most_endpoints: float
-    beyond: bool = False
+    typical: float  #: median error of the points [1]
+    points: int  #: number of points [1]
+    up_to: float  #: size of their fleets as a multiple of the measured range [1]: 1 is within it
+    most_hosts: float  #: largest such multiple of any point, in hosts or processes [1]
+    most_endpoints: float  #: the same in endpoints [1]
+    beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 
     def to_dict(self) -> dict[str, float | int | bool | None]:
         """Return it as what JSON can hold: infinity is None."""
@@ -121,18 +104,13 @@ def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, .
         for row in read_data("measured/bands.csv")
         if (row["protocol"], row["window"]) == (protocol, window)
     ]
-    most_hosts, most_endpoints = (
-        max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
-    )
+    names = ("most_hosts", "most_endpoints")
+    most = {name: max([1.0, *(float(row[name]) for row in rows)]) for name in names}
     return tuple(
         ErrorBand(
-            low=float(row["low"]),
-            high=float(row["high"]),
-            typical=float(row["typical"]),
+            **{name: float(row[name]) for name in ("low", "high", "typical", "up_to")},
             points=int(row["points"]),
-            up_to=float(row["up_to"]),
-            most_hosts=most_hosts,
-            most_endpoints=most_endpoints,
+            **most,
         )
         for row in rows
     )

@@ -29,14 +29,9 @@ Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 class Timers:
     """A middleware's timers for what its table does not repeat; the simulator needs them.
 
-    Parameters
-    ----------
-    announce_interval_initial, announce_interval_max : float, optional
-        Time from an announcement to the next [s], doubled each time up to the maximum, if the
-        table has announcements at startup alone. If left out they are not repeated.
-    heartbeat_period_initial, heartbeat_period_max : float, optional
-        Time from a heartbeat to the next [s] while data are not acknowledged, doubled each time up
-        to the maximum; 1 if left out.
+    An interval [s] is the time from an announcement to the next, doubled each time up to the
+    maximum, if the table has announcements at startup alone; 0 if they are not repeated. A period
+    [s] is the same for heartbeats while data are not acknowledged.
     """
 
     announce_interval_initial: float = 0.0
@@ -150,10 +145,8 @@ class Protocol:
 
         Parameters
         ----------
-        phase : str, optional
-            One of `phases`; all of them if left out.
-        window : float or sympy.Expr, optional
-            The seconds that are averaged [s], at least 1e-9; the paper's one if left out.
+        phase, window
+            As for `utilization`.
 
         Returns
         -------
@@ -185,9 +178,8 @@ class Protocol:
         .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
             L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
 
-        A message that is sent K times at startup, the last time at :math:`t_K`, and then
-        with period P counts :math:`x = K - t_K / P` times besides its period. The paper's
-        messages are sent once, in a window W of one second: :math:`x / W + 1 / P = 1`.
+        For the x of a message with period P see `Schedule.extra`. The paper's messages are sent
+        once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
         Parameters
         ----------

@@ -1,10 +1,8 @@
 """What messages are counted by: one of what, to whom, and how many of them a fleet has.
 
-A unit has two or three parts. *What* is sent for: a process, an endpoint, a host. *To* whom each
-goes: to all at once, or once to each remote process, host or server. A *factor* multiplies both
-where a third party has a say. What each of these means stands once, in `WHAT`, `FACTORS` and
-`To`. `Unit.count` adds it up over the groups of a fleet; `Unit.senders` and `Unit.receivers`
-list it process by process, for those who follow each message.
+*What* is sent for: a process, an endpoint, a host (`WHAT`). *To* whom each goes: to all at once, or
+once to each remote process, host or server (`To`). A *factor* multiplies both where a third party
+has a say (`FACTORS`).
 """
 
 from collections.abc import Callable
@@ -96,16 +94,9 @@ class _Group:
 class Hosts:
     """A fleet host by host; its properties are arrays with one value per process.
 
-    Parameters
-    ----------
-    processes, endpoints : ndarray
-        Processes on each host, and endpoints of each of its processes [1].
-    group : ndarray, optional
-        The index of each host's group; all of one if left out.
-    matching : float, optional
-        `Fleet.matching` [1].
-    shared : ndarray, optional
-        `HostGroup.shared` of each host's processes [1].
+    `processes` and `endpoints` hold those on each host and of each of its processes, `group` the
+    index of each host's group, all of one if left out. For `matching` and `shared` see `Fleet` and
+    `HostGroup`.
     """
 
     processes: NDArray[np.int64]
@@ -183,7 +174,7 @@ class Unit:
     what : str
         What there is one of, a key of `WHAT`. Half of the matched endpoints are taken for writers.
         A *listed endpoint* is in the list of its process each time that the process makes an
-        endpoint: of :math:`N_E` endpoints :math:`N_E (N_E + 1) / 2` times.
+        endpoint.
     to : str, optional
         Who it is sent to: ``all`` at once if left out; to each ``other process``, but in one
         message for all; to each ``remote process``, on other hosts; to each ``other host``; to a

@@ -61,13 +61,7 @@ def aliases() -> dict[str, str]:
 
 
 def named(name: str) -> Protocol:
-    """Return the protocol of a name that people use, in any case, with or without hyphens.
-
-    Examples
-    --------
-    >>> named("fastdds").name, named("rmw_cyclonedds_cpp").name, named("ZENOH").name
-    ('Fast DDS', 'Cyclone DDS', 'Zenoh')
-    """
+    """Return the protocol of a name that people use, such as fastdds or rmw_zenoh_cpp."""
     full_name = _names.meant(name, PROTOCOLS, aliases())
     if full_name is None:
         like = _names.did_you_mean(name, (*PROTOCOLS, *aliases()))

@@ -2,14 +2,12 @@
 
 ``data/vendors/as_built.csv`` says for each message what it is sent for and when, and where the
 source says so; ``data/measured/as_built.csv``, which `lab/measure/fit_models.py` writes, how many
-and how large.
-``mitigations.csv`` in both folders is the same for configurations that send less than the product
-as shipped. ``products.csv`` and ``configurations.csv`` list the tables: a row there and its
-messages are all that another product takes.
+and how large. ``mitigations.csv`` in both folders is the same for configurations that send less.
+``products.csv`` and ``configurations.csv`` list the tables: a row there and its messages are all
+that another product takes.
 
 A server or router that is wired to the access point costs each message one hop. On a robot it costs
-two, but none for its own host, which is one of the first group. The book's pages on servers and
-routers explain what each configuration filters, and what it then costs.
+two, but none for its own host, which is one of the first group.
 """
 
 from collections.abc import Mapping

@@ -23,18 +23,18 @@ USUAL_MPDUS = 64
 
 @dataclass(frozen=True)
 class Radio:
-    r"""A radio by the parameters of the standard, which decides those left out.
+    """A radio by the parameters of the standard, which decides those left out.
 
-    `dataclasses.replace` changes one parameter, `wifi` gives the channel of the closed form, and
-    properties give what follows in SI units. There is no RTS, and in 2.4 GHz no protection for
-    802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which is
-    a lower bound for single frame exchanges, but not for stations that back off concurrently.
+    `wifi` gives the channel of the closed form, properties give what follows in SI units;
+    ``data/wifi/*.csv`` has the clause of each number. There is no RTS, and in 2.4 GHz no protection
+    for 802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which
+    is a lower bound for single frame exchanges, but not for stations that back off concurrently.
 
     Parameters
     ----------
     standard : {"802.11a", "802.11g", "802.11n", "802.11ac", "802.11ax", "802.11be"}
-        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU
-        format to a single user.
+        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU format to
+        a single user.
     band : float, optional
         2.4e9, 5e9 or 6e9 [Hz]; the standard's highest if left out.
     width : float, optional
@@ -42,29 +42,21 @@ class Radio:
     streams : int, optional
         Spatial streams [1], at most 4.
     mcs : int, optional
-        Modulation and coding of a stream [1], from 0 (HT-MCS 15 is ``mcs=7`` with two
-        streams; in 802.11a and g, 0 to 7 are 6 to 54 Mbit/s). The fastest if left out.
+        Modulation and coding of a stream [1], from 0 (HT-MCS 15 is ``mcs=7`` with two streams; in
+        802.11a and g, 0 to 7 are 6 to 54 Mbit/s). The fastest if left out.
     guard_interval : float, optional
         Guard interval [s]; the shortest if left out.
     multicast_rate : float, optional
-        Basic rate of multicast frames [bit/s]: 6e6, 12e6, 24e6, and in 2.4 GHz 1e6 and
-        2e6 (DSSS with the long preamble). The lowest if left out.
+        Basic rate of multicast frames [bit/s]: 6e6, 12e6, 24e6, and in 2.4 GHz 1e6 and 2e6 (DSSS
+        with the long preamble). The lowest if left out.
     aifsn : int, optional
-        Slots after SIFS before the back-off [1], from 2 (DIFS) to 15; EDCA has 3 for best
-        effort.
+        Slots after SIFS before the back-off [1], from 2 (DIFS) to 15; EDCA has 3 for best effort.
     mpdus : int, optional
-        Maximum number of frames in an A-MPDU [1], from 1 (no aggregation) to the standard's limit:
-        64, with 802.11ax 256, with 802.11be 1024.
+        Maximum number of frames in an A-MPDU [1], from 1 (no aggregation) to the standard's limit.
     start_spacing : float, optional
-        Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for: 0, 0.25e-6, 0.5e-6,
-        1e-6, 2e-6, 4e-6, 8e-6 or 16e-6. 0 if left out.
+        Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for; 0 if left out.
     name : str, optional
         What to call it; standard, width, streams and unusual parameters if left out.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, clauses 9, 10, 15 to 19 and 21; IEEE Std 802.11ax-2021, clause 27;
-    IEEE Std 802.11be-2024, clause 36. ``data/wifi/*.csv`` has the clause of each number.
 
     Examples
     --------
@@ -213,12 +205,11 @@ class Radio:
         return -(-octets // word) * word
 
     def wifi(self) -> Wifi:
-        r"""Return the channel of the closed form.
+        r"""Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
         The overhead of a unicast frame is :math:`\text{AIFS} + \frac{CW_{min}}{2}
         \text{slot} + \text{preamble} + \text{SIFS} + \text{ACK}`; that of a multicast frame the
-        first three. The back-off is the mean of a single station that never collides. Both links
-        have padding; there is aggregation if `mpdus` is above 1.
+        first three. The back-off is the mean of a single station that never collides.
         """
         parts = self._parts
         # Microseconds as fractions, so that the sums are exact.
@@ -317,12 +308,6 @@ def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
 
     Radios from 802.11n on aggregate by default, but the queues decide how full their exchanges are.
     For 802.11a and g, `PAPER`, and a changed channel of a radio, it is the channel itself, twice.
-
-    Examples
-    --------
-    >>> full, single = both_ends(WIFI["802.11ac 80 MHz 2x2"])
-    >>> full.aggregation.mpdus, single.aggregation, single.name
-    (64, None, '802.11ac 80 MHz 2x2')
     """
     radio = wifi.radio
     if radio is None or most_mpdus(radio.standard) == 1:
