@@ -8,6 +8,7 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
+from discostorm.protocols.as_built import configurations as configurations, products as products
 
 #: The first 12 s of a capture, or the 24 s after them.
 Window = Literal["startup", "steady"]
@@ -18,18 +19,6 @@ CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
 BEYOND = "; we did not measure the error for a fleet of this size"
-
-
-@cache
-def products() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
-
-
-@cache
-def configurations() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
 
 
 def size_of(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
@@ -104,13 +93,18 @@ def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, .
         for row in read_data("measured/bands.csv")
         if (row["protocol"], row["window"]) == (protocol, window)
     ]
-    names = ("most_hosts", "most_endpoints")
-    most = {name: max([1.0, *(float(row[name]) for row in rows)]) for name in names}
+    hosts, endpoints = (
+        max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
+    )
     return tuple(
         ErrorBand(
-            **{name: float(row[name]) for name in ("low", "high", "typical", "up_to")},
-            points=int(row["points"]),
-            **most,
+            float(row["low"]),
+            float(row["high"]),
+            float(row["typical"]),
+            int(row["points"]),
+            float(row["up_to"]),
+            hosts,
+            endpoints,
         )
         for row in rows
     )

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import as_built, product_rows
+from discostorm.protocols.as_built import as_built, configurations, products
 from discostorm.protocols.paper import DDS, ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
@@ -32,7 +32,9 @@ _FILES = 50
 
 def _tables() -> dict[str, Protocol]:
     tables = [
-        (int(row["place"]), as_built(name)) for name, row in product_rows().items() if row["place"]
+        (int(row["place"]), as_built(name))
+        for name, row in (products() | configurations()).items()
+        if row["place"]
     ]
     for file in sorted(module.name for module in iter_modules(__path__)):
         for key, value in vars(import_module(f"{__name__}.{file}")).items():
