@@ -9,15 +9,17 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, int_if_integral
+from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
     LEAST as LEAST,
+    MAX_BYTES as MAX_BYTES,
     error_context,
     fleet_tables,
-    read_fleet_file,
 )
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
@@ -211,7 +213,8 @@ class Fleet:
         missing, unknown or has a wrong value: file, group, key, value and allowed range.
         """
         name = _checks.path("path", path, "a TOML file")
-        return cls.from_bytes(read_fleet_file(name), name)
+        with open_input(name) as file:
+            return cls.from_bytes(file.read(MAX_BYTES + 1), name)
 
     @classmethod
     def from_bytes(cls, content: bytes | bytearray | memoryview, name: str) -> "Fleet":
@@ -374,6 +377,33 @@ def _group(table: dict[str, Any]) -> HostGroup:
     if "shared" not in table:
         group = replace(group, shared=usually_shared(group.endpoints, group.nodes))
     return replace(group, name=table.get("name", ""))
+
+
+def as_fleet(
+    hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
+) -> Fleet:
+    """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
+    for name, value in {"processes": processes, "endpoints": endpoints}.items():
+        if isinstance(hosts, Fleet) and value is not None:
+            raise TypeError(
+                f"{name} must be left out when hosts is a Fleet; got {_checks.short_repr(value)}"
+            )
+        if not isinstance(hosts, Fleet) and value is None:
+            raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
+    fleet = hosts if isinstance(hosts, Fleet) else Fleet.swarm(hosts, processes, endpoints)
+    reject_symbols(fleet)
+    return fleet
+
+
+def reject_symbols(fleet: Fleet) -> None:
+    """Raise a TypeError if the fleet is in symbols."""
+    for group in fleet.groups:
+        for name, count in zip(COUNTS, group.counts(), strict=True):
+            if is_symbolic(count):
+                raise TypeError(
+                    f"{name} must be a number here, not an expression; got {count}. "
+                    "In symbols: Protocol.utilization"
+                )
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

@@ -17,9 +17,8 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Value, compiled, evaluate, evaluate_each, shortened
-from discostorm.fleet import COUNTS, SWARM, Fleet
+from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols
 from discostorm.messages import (
     DATA,
     HOPS,
@@ -220,7 +219,10 @@ def weighted_sum(
     if len(fleet.groups) > 1 or fleet.has_wired:
         total = weighted_polynomial(costs, fleet)
     else:
-        total = _sum_of_swarm(costs, fleet)
+        (group,) = fleet.groups
+        function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
+        with np.errstate(under="ignore"):
+            total = function(*group.counts(), group.shared, *costs.values())
     if not shape:
         return float(total)
     return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
@@ -230,14 +232,6 @@ def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
     """Return the same sum as the counts are: a number, an array, or a `Polynomial`."""
     with np.errstate(under="ignore"):
         return sum(cost * unit.count(fleet) for unit, cost in costs.items())
-
-
-def _sum_of_swarm(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
-    """Return the same sum for one group, by a compiled function of its counts."""
-    (group,) = fleet.groups
-    function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
-    with np.errstate(under="ignore"):
-        return function(*group.counts(), group.shared, *costs.values())
 
 
 @cache

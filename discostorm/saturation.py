@@ -12,9 +12,8 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Polynomial, Value
-from discostorm.fleet import SWARM, Count, Fleet, symbolic_group
+from discostorm.fleet import SWARM, Count, Fleet, as_fleet, reject_symbols, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
 from discostorm.wifi import PAPER, Model, Wifi

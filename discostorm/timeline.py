@@ -16,9 +16,8 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm._arguments import as_fleet
 from discostorm._numeric import Value, evaluate
-from discostorm.fleet import COUNTS, Fleet
+from discostorm.fleet import COUNTS, Fleet, as_fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
 from discostorm.model import burst, utilization
 from discostorm.wifi import PAPER, Wifi

@@ -19,10 +19,9 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet
 from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
-from discostorm.fleet import Fleet
+from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
 from discostorm.model import resolve_symbols, utilization_at
 from discostorm.saturation import saturation_hosts

@@ -207,17 +207,6 @@ class Protocol:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
         return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))
 
-    def cost(
-        self,
-        unit: Unit,
-        phase: str | None = None,
-        model: Model = "linear",
-        window: sp.Expr | float = PAPER_WINDOW,
-    ) -> sp.Expr:
-        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
-        _checks.instance("unit", unit, Unit)
-        return self.costs(phase, model, window).get(unit, sp.Integer(0))
-
     def costs(
         self,
         phase: str | None = None,
@@ -225,7 +214,10 @@ class Protocol:
         window: sp.Expr | float = PAPER_WINDOW,
         by_hop: bool = False,
     ) -> dict[Unit, sp.Expr]:
-        """Return `cost` of each unit [s]; with ``by_hop`` each hop apart, for wired hosts."""
+        """Return the airtime that each unit adds to an average second, up and down [s].
+
+        With ``by_hop``, for wired hosts, each hop has units of its own.
+        """
         window_s = checked_window(window)
         return self.sum_by_unit(
             lambda message, hop: message.airtime_of(hop, model),

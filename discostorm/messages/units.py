@@ -296,9 +296,6 @@ PAIR = UNITS["ordered pair of processes on different hosts"]
 ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
 ENDPOINT = UNITS["endpoint"]
 HOST = UNITS["host"]
-HOST_PAIR = UNITS["ordered pair of hosts"]
-KIND_ENDPOINT = UNITS["endpoint of a kind of host"]
-FLEET = UNITS["fleet"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
 #: Without the messages that a server on the first host exchanges with its own host. The processes
 #: away from the server send both ways.

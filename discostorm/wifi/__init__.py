@@ -3,11 +3,9 @@
 from discostorm.wifi.aggregation import Aggregation as Aggregation
 from discostorm.wifi.airtime import (
     BITS_PER_BYTE as BITS_PER_BYTE,
-    MULTICAST as MULTICAST,
     UNICAST as UNICAST,
     Cast as Cast,
     Model as Model,
-    aggregated_airtime as aggregated_airtime,
     airtime as airtime,
     bits_airtime as bits_airtime,
     data_time as data_time,

@@ -1,7 +1,7 @@
 """Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be; presets, by name."""
 
 import re
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -322,12 +322,7 @@ def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
     return full, single
 
 
-def _named(*radios: Radio) -> Mapping[str, Wifi]:
-    return MappingProxyType({wifi.name: wifi for wifi in (radio.wifi() for radio in radios)})
-
-
-#: Channels to choose from by name, such as ``WIFI["802.11ax 80 MHz 2x2"]``.
-WIFI = _named(
+_RADIOS = (
     Radio("802.11a"),
     Radio("802.11g"),
     Radio("802.11n", streams=2),
@@ -340,6 +335,8 @@ WIFI = _named(
     Radio("802.11be", streams=2, width=80e6),
     Radio("802.11be", streams=2, width=320e6),
 )
+#: Channels to choose from by name, such as ``WIFI["802.11ax 80 MHz 2x2"]``.
+WIFI = MappingProxyType({wifi.name: wifi for wifi in (radio.wifi() for radio in _RADIOS)})
 
 #: The paper's channel: IEEE 802.11n, 2x2 MIMO, MCS 7 a stream (paper, Sec. IV-A and IV-B). Its
 #: rates and overheads are as printed; its radio is the one whose rates these are.
