@@ -131,19 +131,20 @@ def fleet_source(
 
 def _fleet_inputs(
     hosts: float | list[float] | None,
+    processes: float | None,
+    endpoints: float | None,
     robot: str | None,
     fleet: str | None,
     file: str | None,
-    **each: float | None,
 ) -> list[FleetInput]:
-    counts: dict[str, Any] = {"hosts": hosts} | each
+    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         return [FleetInput({"fleet": display_name(source)}, read_fleet(source))]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            swarm = ds.Fleet.swarm(count, **each)
+            swarm = ds.Fleet.swarm(count, processes, endpoints)
             inputs.append(FleetInput(counts | {"hosts": count}, swarm))
         else:
             group = ready_made(robot, count)

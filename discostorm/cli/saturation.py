@@ -53,12 +53,14 @@ class VariedGroup:
 
 def _varied_groups(
     hosts: float | None,
+    processes: float | None,
+    endpoints: float | None,
     robot: str | None,
     fleet: str | None,
     file: str | None,
     beside: str | None,
-    **counts: float | None,
 ) -> list[VariedGroup]:
+    counts = {"processes": processes, "endpoints": endpoints}
     source = fleets.fleet_source(fleet, file, robot, counts)
     if source == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
