@@ -54,12 +54,6 @@ class HostGroup:
     data : tuple of Flow, optional
         What each host publishes for others once discovery is complete; nothing if left out.
         `discostorm.utilization` counts it for the phase "data".
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> ds.HostGroup(10, 1, 678, name="robots")
-    HostGroup(hosts=10, processes=1, endpoints=678, name='robots')
     """
 
     hosts: Count

@@ -61,13 +61,7 @@ def topics() -> dict[str, dict[str, Any]]:
 
 
 def flow(topic: str, to: Receivers, **own: Any) -> Flow:
-    """Return a flow of a ready-made topic, or of your own with `rate`, `bytes`, `reliable`.
-
-    Examples
-    --------
-    >>> flow("scan", "all others", rate=10)
-    Flow(topic='scan', to='all others', rate=10.0, bytes=1500.0, reliable=False)
-    """
+    """Return a flow of a ready-made topic, or of your own with `rate`, `bytes`, `reliable`."""
     _checks.instance("topic", topic, str)
     ready = topics()
     given = ready.get(topic, {}) | own

@@ -2,11 +2,12 @@
 
 from dataclasses import asdict, dataclass, replace
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from discostorm.data import read_data
+from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.protocols.as_built import configurations as configurations, products as products
 
@@ -51,9 +52,9 @@ class ErrorBand:
     most_endpoints: float  #: the same in endpoints [1]
     beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 
-    def to_dict(self) -> dict[str, float | int | bool | None]:
+    def to_dict(self) -> Any:
         """Return it as what JSON can hold: infinity is None."""
-        return asdict(self) | {"up_to": self.up_to if np.isfinite(self.up_to) else None}
+        return json_ready(asdict(self))
 
     def sentence(self) -> str:
         """Return it in words, to follow a sentence that says what was captured."""

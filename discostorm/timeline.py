@@ -94,13 +94,6 @@ def demand(
 
     Of the shape that the arguments broadcast to; the channel has carried at most `time` seconds of
     it.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> timeline.demand(ds.PROTOCOLS["DDS, periods of Fast DDS"], [0, 3.4, 3.5], 3, 2, 10).round(4)
-    array([0.1495, 0.2245, 0.2395])
     """
     _checks.instance("protocol", protocol, Protocol)
     time_s = _checks.numbers("time", time, 0)
@@ -135,13 +128,6 @@ def first_idle(
 
     Zero if nothing is sent at once, infinity if periodic traffic fills the channel. A ValueError
     says if it does so so nearly that a million times would have to be tried.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> round(timeline.first_idle(ds.PROTOCOLS["DDS, periods of Fast DDS"], 12, 2, 10), 2)
-    4.61
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))

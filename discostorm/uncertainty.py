@@ -70,12 +70,6 @@ def parameter_ranges(
     """Return the range of every parameter that a protocol's utilization depends on.
 
     From symbol to (low, high) in bytes, seconds or bit/s; ``given`` replaces assumed ranges.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> ds.uncertainty.parameter_ranges(ds.DDS)[ds.notation.R_UNI]
-    (65000000.0, 144400000.0)
     """
     _checks.instance("protocol", protocol, Protocol)
     ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
@@ -289,15 +283,6 @@ def sample(
 
     From symbol to ``size`` samples, from 1 to 1e8, in bytes, seconds or bit/s: what a function of
     `discostorm.lambdify` in these symbols takes. The same seed, the same samples.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm.notation import N_E, N_H, N_P
-    >>> drawn = ds.uncertainty.sample(ds.DDS, size=1000)
-    >>> u = ds.lambdify([N_H, N_P, N_E, *drawn], ds.DDS.utilization())
-    >>> u(7, 2, 10, *drawn.values()).shape
-    (1000,)
     """
     _checks.instance("protocol", protocol, Protocol)
     (drawn,) = sample_together([protocol], size=size, seed=seed, ranges=[ranges])

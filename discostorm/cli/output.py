@@ -6,7 +6,6 @@ import csv
 import functools
 import io
 import json
-import math
 import os
 import shutil
 import stat
@@ -22,7 +21,7 @@ from typing import Any
 import click
 
 from discostorm import _checks, words
-from discostorm.files import atomic_write
+from discostorm.files import atomic_write, json_ready
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 
@@ -131,7 +130,7 @@ def print_table(rows: Rows, output: Output, columns: Sequence[Column]) -> None:
         text = io.StringIO()
         writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(_without_infinity(rows))
+        writer.writerows(json_ready(rows))
         click.echo(text.getvalue(), nl=False)
     else:
         click.echo(aligned(rows, [column for column in columns if column.key in rows[0]]))
@@ -215,20 +214,9 @@ def print_channel(wifi: Wifi, output: Output) -> None:
         say(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
-def _without_infinity(value: Any) -> Any:
-    """Return rows and their values with None for infinity and NaN, which JSON does not have."""
-    if isinstance(value, Mapping):
-        return {key: _without_infinity(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_without_infinity(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
 def to_json(value: Any) -> str:
     """Return JSON that every reader takes, in letters that the output can hold."""
-    dump = functools.partial(
-        json.dumps, _without_infinity(value), indent=2, default=str, allow_nan=False
-    )
+    dump = functools.partial(json.dumps, json_ready(value), indent=2, default=str, allow_nan=False)
     text = dump(ensure_ascii=False)
     try:
         text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")

@@ -152,12 +152,6 @@ class Protocol:
         -------
         sympy.Expr
             In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
-
-        Examples
-        --------
-        >>> import discostorm as ds
-        >>> ds.DDS.load("SPDP")
-        N_H*N_P
         """
         window_s = checked_window(window)
         return sp.factor(

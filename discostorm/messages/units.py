@@ -185,11 +185,6 @@ class Unit:
         Index of the group of the fleet that alone counts [1]; all if left out. For user data.
     wireless : {"holder", "receiver", "any"}, optional
         The end that has to be wireless to count, in a fleet with wired hosts.
-
-    Examples
-    --------
-    >>> Unit("endpoint", "remote process").count(Fleet.swarm(3, 2, 10))
-    240.0
     """
 
     what: str

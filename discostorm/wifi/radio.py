@@ -57,13 +57,6 @@ class Radio:
         Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for; 0 if left out.
     name : str, optional
         What to call it; standard, width, streams and unusual parameters if left out.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> radio = ds.Radio("802.11n", streams=2)
-    >>> round(radio.rate / 1e6, 1), round(radio.wifi().unicast.overhead * 1e6, 1)
-    (144.4, 185.5)
     """
 
     standard: str
