@@ -70,6 +70,10 @@ class Output:
     as_json: bool
     as_csv: bool
 
+    def __post_init__(self) -> None:
+        if self.as_json and self.as_csv:
+            raise click.UsageError("--json and --csv exclude each other")
+
     @property
     def for_people(self) -> bool:
         """Whether it is a table."""

@@ -97,12 +97,8 @@ class Protocol:
         _checks.instance("name", self.name, str)
         if not self.name.strip():
             raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
-        for name, kind in (
-            ("wired", Protocol),
-            ("product", str),
-            ("timers", Timers),
-            ("key", str),
-        ):
+        kinds = {"wired": Protocol, "product": str, "timers": Timers, "key": str}
+        for name, kind in kinds.items():
             if getattr(self, name) is not None:
                 _checks.instance(name, getattr(self, name), kind)
         for name, words in (("family", Family), ("basis", Basis)):

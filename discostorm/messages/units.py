@@ -6,7 +6,7 @@ has a say (`FACTORS`).
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -104,26 +104,35 @@ class Hosts:
     group: NDArray[np.int64] | None = None
     matching: float = 0.0
     shared: NDArray[np.float64] | None = None
+    first: NDArray[np.int64] = field(init=False)  #: index of the first process of each host
+    host_of: NDArray[np.int64] = field(init=False)
+    group_of: NDArray[np.int64] = field(init=False)
+    every: NDArray[np.int64] = field(init=False)  #: 1 for each process
+    endpoints_per_process: NDArray[np.int64] = field(init=False)
+    matched_per_process: NDArray[np.float64] = field(init=False)
+    unmatched_per_process: NDArray[np.float64] = field(init=False)
+    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: of all other processes
+    matches: bool = field(init=False)
 
-    @property
-    def first(self) -> NDArray[np.int64]:
-        """The index of the first process of each host."""
-        return np.cumsum(self.processes) - self.processes
-
-    @property
-    def host_of(self) -> NDArray[np.int64]:
-        """The host of each process."""
-        return np.repeat(np.arange(self.processes.size), self.processes)
-
-    @property
-    def group_of(self) -> NDArray[np.int64]:
-        """The group of each process."""
-        return 0 * self.every if self.group is None else self.group[self.host_of]
-
-    @property
-    def every(self) -> NDArray[np.int64]:
-        """1 for each process."""
-        return np.ones(self.host_of.size, np.int64)
+    def __post_init__(self) -> None:
+        host_of = np.repeat(np.arange(self.processes.size), self.processes)
+        every = np.ones(host_of.size, np.int64)
+        endpoints = self.endpoints[host_of]
+        shared = 0.0 * endpoints if self.shared is None else self.shared[host_of]
+        matched = shared + (endpoints - shared) * self.matching
+        derived = {
+            "first": np.cumsum(self.processes) - self.processes,
+            "host_of": host_of,
+            "group_of": 0 * every if self.group is None else self.group[host_of],
+            "every": every,
+            "endpoints_per_process": endpoints,
+            "matched_per_process": matched,
+            "unmatched_per_process": endpoints - matched,
+            "matched_elsewhere": matched.sum() - matched,
+            "matches": self.matching > 0 or bool(shared.any()),
+        }
+        for name, value in derived.items():
+            object.__setattr__(self, name, value)
 
     def holders(self, holder: Holder) -> NDArray[np.int64]:
         """Return 1 for each process that is one of these holders, else 0."""
@@ -134,35 +143,6 @@ class Hosts:
             return np.isin(self.host_of, self.host_of[first]).astype(np.int64)
         chosen = self.first if holder == "host" else self.first[:1]
         return np.isin(np.arange(self.host_of.size), chosen).astype(np.int64)
-
-    @property
-    def endpoints_per_process(self) -> NDArray[np.int64]:
-        """Endpoints [1]."""
-        return self.endpoints[self.host_of]
-
-    @property
-    def matched_per_process(self) -> NDArray[np.float64]:
-        """Endpoints that match one in every other process [1]."""
-        shared = 0.0 * self.endpoints if self.shared is None else self.shared
-        own = shared[self.host_of]
-        matched: NDArray[np.float64] = own + (self.endpoints_per_process - own) * self.matching
-        return matched
-
-    @property
-    def unmatched_per_process(self) -> NDArray[np.float64]:
-        """Endpoints that match none [1]."""
-        return self.endpoints_per_process - self.matched_per_process
-
-    @property
-    def matched_elsewhere(self) -> NDArray[np.float64]:
-        """Matched endpoints of all other processes [1]."""
-        others: NDArray[np.float64] = self.matched_per_process.sum() - self.matched_per_process
-        return others
-
-    @property
-    def matches(self) -> bool:
-        """Whether anything matches."""
-        return self.matching > 0 or (self.shared is not None and bool(self.shared.any()))
 
 
 @dataclass(frozen=True)

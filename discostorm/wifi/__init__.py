@@ -6,6 +6,7 @@ from discostorm.wifi.airtime import (
     UNICAST as UNICAST,
     Cast as Cast,
     Model as Model,
+    aggregated_airtime as aggregated_airtime,
     airtime as airtime,
     bits_airtime as bits_airtime,
     data_time as data_time,

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Hashable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
@@ -21,11 +21,15 @@ TOPOLOGY = "one access point, infrastructure"
 USUAL_MPDUS = 64
 
 
+def _derived() -> Any:
+    return field(init=False, compare=False, repr=False)
+
+
 @dataclass(frozen=True)
 class Radio:
     """A radio by the parameters of the standard, which decides those left out.
 
-    `wifi` gives the channel of the closed form, properties give what follows in SI units;
+    `wifi` gives the channel of the closed form, `carrier` to `least_subframe` follow in SI units;
     ``data/wifi/*.csv`` has the clause of each number. There is no RTS, and in 2.4 GHz no protection
     for 802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which
     is a lower bound for single frame exchanges, but not for stations that back off concurrently.
@@ -70,6 +74,17 @@ class Radio:
     mpdus: int = 1
     start_spacing: float = 0.0
     name: str | None = None
+    carrier: float = _derived()  #: its band [Hz], the standard's if none was given
+    slot: float = _derived()  #: duration of a slot [s]
+    sifs: float = _derived()  #: short interframe space [s]
+    aifs: float = _derived()  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
+    cw_min: int = _derived()  #: minimum contention window [slots]: a back-off is from 0 to this
+    cw_max: int = _derived()  #: maximum contention window [slots]
+    preamble: float = _derived()  #: duration of a unicast PPDU before its data [s]
+    multicast_preamble: float = _derived()  #: the same of a multicast PPDU [s]
+    signal_extension: float = _derived()  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
+    rate: float = _derived()  #: data rate of unicast frames [bit/s]
+    basic_rate: float = _derived()  #: data rate of multicast frames [bit/s]
 
     def __post_init__(self) -> None:
         if self.name is not None:
@@ -81,70 +96,28 @@ class Radio:
                 _checks.require_scalars([(key, value)])
                 if not isinstance(value, Hashable):  # as the parts are looked up by it
                     _checks.number(key, value, 0)
-        _ = self._parts  # raises if the standard has no such combination
+        parts = self._parts  # raises if the standard has no such combination
+        derived = {
+            "carrier": float(parts.timing["band_GHz"]) * GIGA,
+            "cw_min": int(parts.timing["cw_min"]),
+            "cw_max": int(parts.timing["cw_max"]),
+            "multicast_preamble": float(Fraction(parts.basic["preamble_us"]) / MICRO),
+            "signal_extension": float(parts.extension / MICRO),
+            "rate": float(parts.bits_exact / parts.symbol * MEGA),
+            "basic_rate": float(parts.basic["rate_Mbit_s"]) * MEGA,
+        }
+        for name in ("slot", "sifs", "aifs", "preamble"):
+            derived[name] = float(getattr(parts, name) / MICRO)
+        for name, value in derived.items():
+            object.__setattr__(self, name, value)
 
     def _given(self) -> dict[str, Any]:
-        return {key: value for key, value in vars(self).items() if key != "name"}
+        keys = [key.name for key in fields(self) if key.init and key.name != "name"]
+        return {key: getattr(self, key) for key in keys}
 
     @property
     def _parts(self) -> Parts:
         return parts_of(**self._given())
-
-    @property
-    def carrier(self) -> float:
-        """Its band [Hz], the standard's if none was given."""
-        return float(self._parts.timing["band_GHz"]) * GIGA
-
-    @property
-    def slot(self) -> float:
-        """Duration of a slot [s]."""
-        return float(self._parts.slot / MICRO)
-
-    @property
-    def sifs(self) -> float:
-        """Short interframe space [s]."""
-        return float(self._parts.sifs / MICRO)
-
-    @property
-    def aifs(self) -> float:
-        """Wait before the back-off [s]: SIFS and AIFSN slots; DIFS if AIFSN is 2."""
-        return float(self._parts.aifs / MICRO)
-
-    @property
-    def cw_min(self) -> int:
-        """Minimum contention window [slots]: the back-off is drawn from 0 to this."""
-        return int(self._parts.timing["cw_min"])
-
-    @property
-    def cw_max(self) -> int:
-        """Maximum contention window [slots]."""
-        return int(self._parts.timing["cw_max"])
-
-    @property
-    def preamble(self) -> float:
-        """Duration of a unicast PPDU before its data [s]."""
-        return float(self._parts.preamble / MICRO)
-
-    @property
-    def multicast_preamble(self) -> float:
-        """Duration of a multicast PPDU before its data [s]."""
-        return float(Fraction(self._parts.basic["preamble_us"]) / MICRO)
-
-    @property
-    def signal_extension(self) -> float:
-        """Signal extension of each OFDM PPDU in 2.4 GHz [s]; multicast at DSSS has none."""
-        return float(self._parts.extension / MICRO)
-
-    @property
-    def rate(self) -> float:
-        """Data rate of unicast frames [bit/s]."""
-        parts = self._parts
-        return float(parts.bits_exact / parts.symbol * MEGA)
-
-    @property
-    def basic_rate(self) -> float:
-        """Data rate of multicast frames [bit/s]."""
-        return float(self._parts.basic["rate_Mbit_s"]) * MEGA
 
     @property
     def padding(self) -> OfdmSymbols:
