@@ -126,8 +126,8 @@ class Column:
         return f"{title} [{self.unit}]" if self.unit else title
 
 
-def print_table(rows: Rows, output: Output, columns: Sequence[Column]) -> None:
-    """Print the columns that the rows have for people, or all keys and digits for machines."""
+def print_table(rows: Rows, output: Output, columns: Sequence[Column] | None = None) -> None:
+    """Print these columns, or all, for people, or all keys and digits for machines."""
     if output.as_json:
         click.echo(to_json(rows))
     elif output.as_csv:
@@ -137,22 +137,14 @@ def print_table(rows: Rows, output: Output, columns: Sequence[Column]) -> None:
         writer.writerows(json_ready(rows))
         click.echo(text.getvalue(), nl=False)
     else:
-        click.echo(aligned(rows, [column for column in columns if column.key in rows[0]]))
+        shown = columns_of(rows) if columns is None else columns
+        click.echo(aligned(rows, [column for column in shown if column.key in rows[0]]))
 
 
-def print_rows(
-    rows: Rows,
-    output: Output,
-    formats: Mapping[str, Format] | None = None,
-    headings: Mapping[str, str] | None = None,
-) -> None:
-    """Print all keys of the rows; `print_table` takes the columns."""
-    formats, headings = formats or {}, headings or {}
-    print_table(
-        rows,
-        output,
-        [Column(key, headings.get(key, ""), formats.get(key, plain)) for key in rows[0]],
-    )
+def columns_of(rows: Rows, *special: Column) -> list[Column]:
+    """Return a column for each key of the rows; a plain one unless it is among these."""
+    own = {column.key: column for column in special}
+    return [own.get(key, Column(key)) for key in rows[0]]
 
 
 def aligned(rows: Rows, columns: Sequence[Column]) -> str:

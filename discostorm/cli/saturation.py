@@ -147,7 +147,7 @@ def saturation(
         if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
                 row |= fleets.error_band(protocol, fleet)
-        print_table(rows, output, ())
+        print_table(rows, output)
         return
     fleets.print_robot(rows, output)
     print_table([_for_people(row) for row in rows], output, _columns(rows[0]))

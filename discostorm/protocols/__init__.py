@@ -12,8 +12,8 @@ from types import MappingProxyType
 from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import as_built, configurations, products
-from discostorm.protocols.paper import DDS, ZENOH
+from discostorm.protocols.as_built import as_built as as_built, configurations, products
+from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
 BASES: Mapping[Basis, str] = MappingProxyType(
@@ -83,16 +83,3 @@ MEASURED = _of_basis("measured")
 
 #: The names of tables with what products send in configurations that send less.
 MITIGATED = _of_basis("mitigated")
-
-__all__ = [
-    "BASES",
-    "DDS",
-    "MEASURED",
-    "MITIGATED",
-    "PROTOCOLS",
-    "ZENOH",
-    "aliases",
-    "as_built",
-    "named",
-    "offered",
-]

@@ -8,7 +8,7 @@ import sympy as sp
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.airtime import MULTICAST, UNICAST, Cast, Model
+from discostorm.wifi.airtime import MULTICAST, UNICAST, Model
 
 if TYPE_CHECKING:
     from discostorm.wifi.radio import Radio
@@ -96,14 +96,11 @@ class Link:
                 )
 
 
-def _printed(cast: Cast) -> Link:
-    """Return the rate and overhead that the paper prints for frames of one kind."""
-    (row,) = (row for row in read_data("paper/rates.csv") if row["rate"] == cast)
-    return Link(float(row["printed_Mbit_s"]) * 1e6, float(row["printed_overhead_us"]) / 1e6)
-
-
-#: The links of the paper's channel (paper, Sec. IV-A and IV-B).
-PAPER_LINKS = {"unicast": _printed("unicast"), "multicast": _printed("multicast")}
+#: The links of the paper's channel, as it prints them (paper, Sec. IV-A and IV-B).
+PAPER_LINKS = {
+    row["rate"]: Link(float(row["printed_Mbit_s"]) * 1e6, float(row["printed_overhead_us"]) / 1e6)
+    for row in read_data("paper/rates.csv")
+}
 
 
 @dataclass(frozen=True)
