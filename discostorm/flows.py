@@ -23,8 +23,8 @@ class Flow:
     access point, whether the fleet lists it or not; or on "all others", in unicast. With
     "multicast" they are on every other host, too, but Zenoh sends over TCP in unicast. `rate` is
     the samples a second of each host [Hz], from 1e-6 to 1e6; `bytes` the size of a serialized
-    sample without the four octets of its encapsulation [B], up to 1e8; `reliable` whether the
-    reader acknowledges.
+    sample without the four octets of its encapsulation [B], to 1e8; `reliable` whether readers
+    acknowledge, which multicast lacks.
     """
 
     topic: str

@@ -89,12 +89,6 @@ def utilization(
     >>> import discostorm as ds
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
-
-    With the periods of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
-
-    >>> fast_dds = ds.PROTOCOLS["DDS, periods of Fast DDS"]
-    >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
-    array([1.011, 0.263])
     """
     fleet = as_fleet(hosts, processes, endpoints)
     if phase == DATA:
@@ -202,10 +196,7 @@ def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
 
 @lru_cache(maxsize=4096)
 def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
-    """Return the airtime of a frame on a hop, or of octets inside of another frame [s].
-
-    The expression's function of the length is the same for all messages, and compiled once.
-    """
+    """Return the airtime of a frame on a hop, or of octets inside of another frame [s]."""
     expression = hop_airtime(hop, cast, framed, _OCTETS, wifi.model)
     with np.errstate(divide="ignore"):
         return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))

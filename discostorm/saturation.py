@@ -61,12 +61,6 @@ def saturation_hosts(
     >>> import discostorm as ds
     >>> round(ds.saturation_hosts(ds.DDS, processes=2, endpoints=10), 4)
     7.1554
-
-    How many of them beside a laptop that runs one process of 90 endpoints:
-
-    >>> fleet = ds.Fleet((ds.HostGroup(1, 2, 10), ds.HostGroup(1, 1, 90)))
-    >>> round(ds.saturation_hosts(ds.DDS, fleet=fleet), 4)
-    5.3365
     """
     others, index = _growing(processes, endpoints, fleet, group)
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)

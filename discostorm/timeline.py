@@ -118,11 +118,7 @@ def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
 
 
 def first_idle(
-    protocol: Protocol,
-    hosts: float,
-    processes: float,
-    endpoints: float,
-    wifi: Wifi = PAPER,
+    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> float:
     """Return when the channel goes idle for the first time after startup, for one swarm [s].
 
@@ -175,11 +171,7 @@ OUTLOOKS = ("within a second at best", "slow at best", "leases at risk", "never 
 
 
 def outlook(
-    protocol: Protocol,
-    hosts: float,
-    processes: float,
-    endpoints: float,
-    wifi: Wifi = PAPER,
+    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> str:
     """Return in words how the startup of one swarm ends, without losses or collisions.
 

@@ -172,11 +172,7 @@ def saturation_bounds(
 
 
 def _saturation(
-    protocol: Protocol,
-    processes: ArrayLike,
-    endpoints: ArrayLike,
-    limit: ArrayLike,
-    values: Values,
+    protocol: Protocol, processes: ArrayLike, endpoints: ArrayLike, limit: ArrayLike, values: Values
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
 

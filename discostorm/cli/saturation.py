@@ -102,11 +102,7 @@ def _varied_groups(
     click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
-    "--limit",
-    type=float,
-    default=1.0,
-    show_default=True,
-    help="Utilization to reach, 1 is 100%.",
+    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
 )
 @protocol_option
 @wifi_options

@@ -143,10 +143,7 @@ class Message:
 
     @property
     def frame_symbolic(self) -> sp.Expr:
-        """Its frame length [B] in symbols: payload and headers (paper, Sec. IV-A).
-
-        The mean length of frames that it shares; its payload if it is inside another's frame.
-        """
+        """Its mean frame length [B] in symbols; its payload if inside another frame."""
         if self.frames == 0:
             return self.payload_symbol
         return self.payload_symbol / int_if_integral(self.frames) + HEADER_SYMBOLS[self.transport]

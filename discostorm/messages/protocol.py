@@ -42,13 +42,9 @@ class Timers:
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
         for interval, above in (("announce_interval", False), ("heartbeat_period", True)):
-            initial, longest = f"{interval}_initial", f"{interval}_max"
-            _checks.number(
-                longest, getattr(self, longest), 0, _checks.MAX_SECONDS, exclusive_min=above
-            )
-            _checks.number(
-                initial, getattr(self, initial), 0, getattr(self, longest), exclusive_min=above
-            )
+            most = _checks.MAX_SECONDS
+            for name in (f"{interval}_max", f"{interval}_initial"):
+                most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
 
 
 @dataclass(frozen=True)

@@ -90,10 +90,7 @@ class Schedule:
         return len(self.starts) - self.starts[-1] / self.period
 
     def mean(self, window: Any) -> Any:
-        """Return how many are sent in an average second of the first `window` seconds [1/s].
-
-        As an upper bound, see `extra`. The window may be an array or a sympy expression [s].
-        """
+        """Return how many at most are sent in a mean second of the window (`extra`) [1/s]."""
         window_s = checked_window(window)
         if isinstance(window_s, float):
             return int_if_integral(self.extra / window_s + self.per_second)

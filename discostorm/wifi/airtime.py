@@ -31,10 +31,7 @@ def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
 
 
 def bits_airtime(octets: sp.Expr, cast: Cast) -> sp.Expr:
-    """Return the airtime of further octets in a frame that is sent anyway [s].
-
-    By the rate alone: with whole symbols, the mean over all lengths of a frame.
-    """
+    """Return the airtime of further octets in a frame, by the rate alone [s]."""
     return airtime(octets, nt.R_UNI if cast == "unicast" else nt.R_MULTI, sp.Integer(0))
 
 

@@ -75,7 +75,6 @@ class Link:
     padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper. The rate must be that of its symbols.
-
     """
 
     rate: float
