@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Hashable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
@@ -21,12 +21,24 @@ TOPOLOGY = "one access point, infrastructure"
 USUAL_MPDUS = 64
 
 
-def _derived() -> Any:
-    return field(init=False, compare=False, repr=False)
+class _Quantities:
+    """What follows from a radio's parameters, in SI units."""
+
+    carrier: float  #: its band [Hz], the standard's if none was given
+    slot: float  #: duration of a slot [s]
+    sifs: float  #: short interframe space [s]
+    aifs: float  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
+    cw_min: int  #: minimum contention window [slots]: a back-off is from 0 to this
+    cw_max: int  #: maximum contention window [slots]
+    preamble: float  #: duration of a unicast PPDU before its data [s]
+    multicast_preamble: float  #: the same of a multicast PPDU [s]
+    signal_extension: float  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
+    rate: float  #: data rate of unicast frames [bit/s]
+    basic_rate: float  #: data rate of multicast frames [bit/s]
 
 
 @dataclass(frozen=True)
-class Radio:
+class Radio(_Quantities):
     """A radio by the parameters of the standard, which decides those left out.
 
     `wifi` gives the channel of the closed form, `carrier` to `least_subframe` follow in SI units;
@@ -74,17 +86,6 @@ class Radio:
     mpdus: int = 1
     start_spacing: float = 0.0
     name: str | None = None
-    carrier: float = _derived()  #: its band [Hz], the standard's if none was given
-    slot: float = _derived()  #: duration of a slot [s]
-    sifs: float = _derived()  #: short interframe space [s]
-    aifs: float = _derived()  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
-    cw_min: int = _derived()  #: minimum contention window [slots]: a back-off is from 0 to this
-    cw_max: int = _derived()  #: maximum contention window [slots]
-    preamble: float = _derived()  #: duration of a unicast PPDU before its data [s]
-    multicast_preamble: float = _derived()  #: the same of a multicast PPDU [s]
-    signal_extension: float = _derived()  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
-    rate: float = _derived()  #: data rate of unicast frames [bit/s]
-    basic_rate: float = _derived()  #: data rate of multicast frames [bit/s]
 
     def __post_init__(self) -> None:
         if self.name is not None:
@@ -112,8 +113,8 @@ class Radio:
             object.__setattr__(self, name, value)
 
     def _given(self) -> dict[str, Any]:
-        keys = [key.name for key in fields(self) if key.init and key.name != "name"]
-        return {key: getattr(self, key) for key in keys}
+        keys = (field.name for field in fields(self))
+        return {key: getattr(self, key) for key in keys if key != "name"}
 
     @property
     def _parts(self) -> Parts:
