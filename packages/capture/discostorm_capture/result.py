@@ -10,9 +10,8 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks
-from discostorm._arguments import reject_symbols
 from discostorm._numeric import evaluate
-from discostorm.fleet import COUNTS, Fleet, HostGroup
+from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
 from discostorm.messages import HOPS, Hop, Protocol, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (

@@ -82,13 +82,7 @@ def _counted(product: str, message: str) -> Message:
 
 def _sent(product: str, message: str) -> list[float]:
     """Return, for each swarm with such messages, how many were sent for one of the paper's."""
-    counted = _counted(product, message)
-    keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
-    return [
-        sum(float(point.median(key)[0]) for key in keys) / load
-        for point in lab_counts.points(product)
-        if (load := float(counted.load(point.fleet)))
-    ]
+    return lab_counts.startup_ratios(product, _counted(product, message))
 
 
 def _startup_keys(point: lab_counts.Point) -> list[lab_counts.Key]:
