@@ -197,3 +197,7 @@ def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
         int(high) * 256 + int(low) for _, _, high, low in (name.split(".") for name in state.hosts)
     ]
     assert sorted(numbers) == list(range(1100 - 1024, 1100))
+
+
+def test_a_flood_is_told_from_twenty_messages_a_second_on_until_the_end() -> None:
+    assert (repeated(18), repeated(22), repeated(22, until=8.0)) == (False, True, False)
