@@ -24,7 +24,10 @@ _ARP_SIZE, _DESTINATION_UNREACHABLE = 28, 3
 
 
 def _events(kind: Array | int, **columns: Array) -> Columns:
-    """Return a table of events: frame, kind, source, target and port, 0 where not given."""
+    """Return a table of events: frame, kind, source, target and port, 0 where not given.
+
+    Of ARP, the port is the sender's MAC address.
+    """
     size = len(columns["frame"])
     table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
     return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
@@ -40,6 +43,7 @@ def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
         frame=packets["frame"],
         source=addresses.ids_of(data, at + 14, 4),
         target=addresses.ids_of(data, at + 24, 4),
+        port=numbers(data, at + 8, ">u4").astype(np.int64) << 16 | numbers(data, at + 12, ">u2"),
     )
 
 

@@ -55,7 +55,8 @@ class Capture:
         What `messages` and `processes` return copies of.
     _network_events : pandas.DataFrame
         What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
-        connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``.
+        connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``,
+        which is the sender's MAC address for ARP.
     _endpoints : pandas.DataFrame
         What `endpoints` returns a copy of.
     _truncated : int

@@ -11,6 +11,7 @@ import numpy as np
 
 from discostorm import _checks, words
 from discostorm_capture.diagnosis import (
+    addresses,
     capture_quality,
     gaps,
     lifecycle,
@@ -44,10 +45,14 @@ ANNOUNCING = (DATA, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for.
 UNKNOWN_QOS = ("encrypted", "QoS unknown")
 
+#: Findings that explain all others about their hosts.
+SAME = ("duplicate address", "duplicate id")
+
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
 #: what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
+    addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
     network.wrong_interface, network.unreachable, network.two_domains, traffic.server_down
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
@@ -180,6 +185,8 @@ class Diagnosis:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
+            if any(kinds()[one.kind]["blocks"] for one in self.wrong):
+                good = ""  # a pair that cannot work
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
             state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
@@ -252,6 +259,8 @@ def diagnose(obs: Observations) -> Diagnosis:
         for rules in (CAUSES, EVENTS, LIMITS)
     )
     causes += [one for one in events if one.about == "fleet"]
+    same = {host for one in causes if one.kind in SAME for host in one.hosts}
+    causes = [one for one in causes if one.kind in SAME or not same or {*one.hosts} - same]
     losses = list(traffic.loss(evidence))
     if obs.truncated > MAX_TRUNCATED:
         causes, losses = list(network.two_domains(evidence)), []

@@ -1,0 +1,59 @@
+"""Findings about addresses and ids that two hosts share, and hosts without a common protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from ipaddress import ip_address
+
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, listed
+
+#: So many ARP packets of each of two MAC addresses show that both use the IP address; a device that
+#: was replaced, or a probe, shows fewer.
+MIN_ARP = 2
+
+
+def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the IP addresses for which two MAC addresses speak by ARP."""
+    arp = evidence.obs.events("ARP request", "ARP reply")
+    counts = arp.groupby(["sender", "port"], observed=True)["frame"].count()
+    for address, macs in counts[counts >= MIN_ARP].groupby(level=0, observed=True):
+        if len(macs) > 1 and str(address) != "0.0.0.0":  # who probes before it has an address
+            names = [_mac(mac) for mac in macs.index.get_level_values("port")]
+            said = f"{address} belongs to the MAC addresses {listed(names)}, as ARP says"
+            yield Finding("duplicate address", (str(address),), said)
+
+
+def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts of one subnet that use one Zenoh id."""
+    obs = evidence.obs
+    zenoh = obs.messages[obs.isin("protocol", "Zenoh") & (obs.sender_index >= 0)]
+    for name, mine in zenoh.groupby("process", observed=True):
+        hosts = [str(host) for host in mine["sender"].unique()]
+        subnets = {str(ip_address(host)).rpartition(".")[0] for host in hosts}
+        if len(hosts) > 1 and len(subnets) == 1:
+            said = f"the Zenoh id {name} speaks from {listed(hosts)}"
+            yield Finding("duplicate id", tuple(hosts), said)
+
+
+def different_middleware(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that some hosts speak only DDS and others only Zenoh."""
+    speakers = {
+        protocol: {
+            host for scope in evidence.scopes if scope.protocol == protocol for host in scope.hosts
+        }
+        for protocol in ("RTPS", "Zenoh")
+    }
+    dds, zenoh = (sorted(hosts) for hosts in speakers.values())
+    if dds and zenoh and not {*dds} & {*zenoh}:
+        few = min(dds, zenoh, key=len)
+        said = f"{listed(dds)} {_verb(dds)} DDS, {listed(zenoh)} {_verb(zenoh)} Zenoh"
+        yield Finding("different middleware", tuple(few), said)
+
+
+def _verb(hosts: list[str]) -> str:
+    return "speaks" if len(hosts) == 1 else "speak"
+
+
+def _mac(number: int) -> str:
+    return ":".join(f"{octet:02x}" for octet in int(number).to_bytes(6, "big"))
