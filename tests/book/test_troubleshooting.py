@@ -41,6 +41,7 @@ SYMPTOMS = {
     "roaming": "roaming",
     "no-multicast": "turn multicast off",
     "empty-list": "`ros2 topic list` shows nothing",
+    "no-data": "Topics are listed, but no data come",
     "participant-index": "Failed to find a free participant index",
     "nav2": "Nav2 waits, or starves the other robot",
     "heartbeats": "idle robots use the CPU",
@@ -58,7 +59,7 @@ PARTS = (
     "| what you see |",
 )
 #: The entries for which the book has no number.
-NUMBERLESS = {"empty-list", "one-robot", "vpn", "docker", "capture"}
+NUMBERLESS = {"empty-list", "no-data", "one-robot", "vpn", "docker", "capture"}
 #: What is not discovery at all.
 NOT_DISCOVERY = {"storm", "images", "docker", "nav2"}
 
