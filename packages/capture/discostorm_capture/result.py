@@ -148,11 +148,18 @@ class Capture:
         """Return the addresses of hosts with servers and routers alone, beside hosts without.
 
         They are no robots. Unless `fleet`, `airtime` and `compare` are told which hosts are wired
-        to the access point, these are.
+        to the access point, these are. Where all processes are routers of Zenoh, it is the one that
+        all others connect to and that connects to none: the hub of a star.
         """
         found = self._processes[self._processes["host"] != ""]
         alone = found.groupby("host", sort=False, observed=True)["server"].all()
-        return () if alone.all() else tuple(map(str, alone.index[alone]))
+        if not alone.all():
+            return tuple(map(str, alone.index[alone]))
+        events = self._network_events
+        calls = events[(events["kind"] == "connection").to_numpy()].astype(str)
+        hubs, callers = set(calls["receiver"]), set(calls["sender"])
+        is_star = len(hubs) == 1 and len(callers) > 1 and {*alone.index} == hubs ^ callers
+        return tuple(hubs) if is_star else ()
 
     def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
         """Return the fleet that was found: hosts, processes and the endpoints they announced.

@@ -55,18 +55,21 @@ def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int]]:
         if len(lacks) and len(rows):
             begin = obs.first_last[0][[subject, observer]].max()
             lost += len(_lost_frames(obs, rows, lacks, begin + STARTUP))
-    tcp = obs.isin("transport", "TCP") & (obs.time > _both_spoke(obs) + STARTUP)
+    began, ended = _both_spoke(obs)
+    # Who has ended acknowledges nothing more.
+    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
     repeated = int((tcp & obs.isin("kind", "TCP retransmission")).sum())
     segments = len(np.unique(frame[tcp & ~obs.isin("protocol", "TCP")]))
     return (lost, sent), (repeated, segments + repeated)
 
 
-def _both_spoke(obs: Observations) -> Array:
-    """Return when both ends of each message had begun to speak [s]."""
+def _both_spoke(obs: Observations) -> tuple[Array, Array]:
+    """Return when both ends of each message had begun, and when the first one ended [s]."""
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
-    both: Array = np.maximum(*(first[obs.index(end, hosts)] for end in ("sender", "receiver")))
-    return both
+    last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
+    ends = [obs.index(end, hosts) for end in ("sender", "receiver")]
+    return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
 def _lost_frames(obs: Observations, sent: Array, lacks: Array, startup: float) -> set[int]:
@@ -99,17 +102,30 @@ def loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
     both = losses(evidence.obs)
     counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
-    if not any(lost >= few and lost >= some * sent for (lost, sent), (few, some, _) in counts):
+    if not any(
+        lost >= few and _interval(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
+    ):
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    share = f"{again / sent:.1%}" if again / sent < 0.1 else f"{again / sent:.0%}"
+    low, high = _interval(again, sent)
     yield Finding(
         "heavy loss" if heavy else "loss",
         (),
         f"{again} of {sent} frames with samples or segments that the capture shows were asked for "
-        f"or sent again, so at least {share} were lost",
+        f"or sent again, so about {words.percent(again / sent)} were lost ({words.percent(low)} to "
+        f"{words.percent(high)} with 95% confidence), or the answers to them",
     )
+
+
+def _interval(count: int, total: int) -> tuple[float, float]:
+    """Return Wilson's interval of a share, with 95% confidence."""
+    if not total:
+        return 0.0, 1.0
+    share, z = count / total, 1.96
+    middle, norm = share + z**2 / (2 * total), 1 + z**2 / total
+    half = z * (share * (1 - share) / total + (z / (2 * total)) ** 2) ** 0.5
+    return (middle - half) / norm, (middle + half) / norm
 
 
 def storm(evidence: Evidence) -> Iterator[Finding]:
