@@ -9,13 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from discostorm.fleet import Count, Fleet
-from discostorm.messages import (
-    ENDPOINT_PAIR,
-    MATCHED_WRITER,
-    PAIR,
-    Message,
-    Protocol,
-)
+from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Protocol
 from discostorm_capture import rtps, zenoh_messages
 
 if TYPE_CHECKING:

@@ -306,13 +306,13 @@ def test_shuffled_fragments_are_read_as_the_packets_that_they_complete(read: Rea
     """A segment of TCP in fragments is one of its stream, wherever its last fragment comes."""
     found = packets("zenoh_data")
     pieces = []
-    for number, (time, frame, length) in enumerate(found):
+    for number, (when, frame, length) in enumerate(found):
         ip = frame[14 : 14 + int.from_bytes(frame[16:18], "big")]
         if frame[12:15] == b"\x08\0\x45" and len(ip) > 276:
             parts = [frame[:14] + part for part in ipv4_fragments(ip, 256, number + 1)]
-            pieces += [(number, (time, part, len(part))) for part in parts]
+            pieces += [(number, (when, part, len(part))) for part in parts]
         else:
-            pieces.append((number, (time, frame, length)))
+            pieces.append((number, (when, frame, length)))
     for seed in (None, 1, 2):
         order = pieces if seed is None else random.Random(seed).sample(pieces, len(pieces))
         fragmented = read(pcap(packet for _, packet in order))

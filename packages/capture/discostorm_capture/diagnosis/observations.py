@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence, Set
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +20,7 @@ DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
-@dataclass(frozen=True)
+@dataclass
 class Observations:
     """The messages between hosts in a capture, once each, and what else it shows.
 
@@ -45,50 +45,31 @@ class Observations:
     capture_gaps: tuple[str, ...]
     #: The share of packets that were cut [1].
     truncated: float
+    #: When each message was captured [s], the sequence number that it is about, and the index of
+    #: its sender and receiver among the processes, -1 if it does not say.
+    time: Array = field(init=False)
+    number: Array = field(init=False)
+    sender_index: Array = field(init=False)
+    receiver_index: Array = field(init=False)
+    #: When the last message was captured [s].
+    end: float = field(init=False)
+    #: The address of each process; whether it is a server or router, and speaks RTPS.
+    process_host: Array = field(init=False)
+    is_server: Array = field(init=False)
+    is_rtps: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
+        self.sender_index = self.index("process", self.processes.index)
+        self.receiver_index = self.index("peer", self.processes.index)
+        self.end = float(self.time.max(initial=0.0))
+        self.process_host = self.processes["host"].to_numpy(object)
+        self.is_server = self.processes["server"].to_numpy(bool)
+        self.is_rtps = (self.processes["protocol"] == "RTPS").to_numpy()
 
     def __getitem__(self, column: str) -> Array:
         """Return a column of the messages."""
         return self.messages[column].to_numpy()
-
-    @cached_property
-    def time(self) -> Array:
-        """When each message was captured [s]."""
-        return self["time"].astype(np.float64)
-
-    @cached_property
-    def number(self) -> Array:
-        """The sequence number that each message is about."""
-        return self["number"].astype(np.int64)
-
-    @cached_property
-    def end(self) -> float:
-        """When the last message was captured [s]."""
-        return float(self.time.max(initial=0.0))
-
-    @cached_property
-    def sender_index(self) -> Array:
-        """The index of each sender among the processes, -1 if the message does not say."""
-        return self.index("process", self.processes.index)
-
-    @cached_property
-    def receiver_index(self) -> Array:
-        """The index of each receiver among the processes, -1 if the message does not say."""
-        return self.index("peer", self.processes.index)
-
-    @cached_property
-    def process_host(self) -> Array:
-        """The address of each process."""
-        return self.processes["host"].to_numpy(object)
-
-    @cached_property
-    def is_server(self) -> Array:
-        """Whether each process is a server or router."""
-        return self.processes["server"].to_numpy(bool)
-
-    @cached_property
-    def is_rtps(self) -> Array:
-        """Whether each process speaks RTPS."""
-        return (self.processes["protocol"] == "RTPS").to_numpy()
 
     def index(self, column: str, values: Any) -> Array:
         """Return the index of each message's value among `values`, -1 if it is none of them."""
@@ -172,15 +153,12 @@ def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
     return set(ends.itertuples(index=False, name=None))
 
 
-def vantage_host(messages: pd.DataFrame, server_hosts: frozenset[str]) -> str | None:
-    """Return the host whose unicast alone was captured, if there are at least three hosts.
-
-    As `Capture.view`; hosts that only look for others count, too.
-    """
-    hosts = set(messages["sender"].astype(str).unique())
+def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
+    """Return the host whose unicast alone was captured, if there are at least three hosts."""
     pairs = pairs_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
+    # All is from and to a server in any case.
     common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
 

@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from discostorm import _checks, words
-from discostorm_capture.diagnosis import (
-    capture_quality,
-    gaps,
-    lifecycle,
-    network,
-    tables,
-    traffic,
-)
+from discostorm_capture.diagnosis import capture_quality, gaps, lifecycle, network, tables, traffic
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, kinds, listed
 from discostorm_capture.diagnosis.observations import DATA, Observations
