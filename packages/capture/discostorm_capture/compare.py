@@ -130,25 +130,9 @@ def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float
 def table(
     protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
-    """Return what was captured of each kind, and what a table expects in so many seconds.
+    """Return the messages by kind, with what a model sends in so many seconds: `Capture.compare`.
 
-    Parameters
-    ----------
-    protocol : Protocol
-        The table.
-    shown : VisibleFleet
-        The fleet that sent.
-    rows : pandas.DataFrame
-        The messages between hosts, with ``airtime_s``.
-    wire : str or None
-        The protocol on the wire that they are of; all if None.
-    seconds : float
-        From the first message of the table on [s].
-
-    Returns
-    -------
-    pandas.DataFrame
-        See `Capture.compare`.
+    `wire` is the protocol on the wire of the messages; all if None.
     """
     import pandas as pd
 

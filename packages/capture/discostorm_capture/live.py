@@ -33,13 +33,7 @@ class Packets:
         self._order, self._size, self._tick = "<", 16, 1000
 
     def of(self, data: bytes) -> Iterator[tuple[float, bytes]]:
-        """Yield the time of each packet that is whole now [s], and its bytes with their header.
-
-        Raises
-        ------
-        CaptureError
-            If it is no stream of pcap, or broken.
-        """
+        """Yield the time of each packet that is whole now [s], and its bytes with their header."""
         self._rest += data
         if not self.header:
             if len(self._rest) < 24:

@@ -39,24 +39,15 @@ class CaptureError(ValueError):
 
 @dataclass(frozen=True)
 class Packets:
-    """All packets of a file.
-
-    Parameters
-    ----------
-    name : str
-        What the file is called.
-    data : numpy.ndarray
-        The bytes of the file, expanded, and padding.
-    table : dict
-        One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``,
-        its bytes on the wire; ``time`` [ns]; ``interface``.
-    links : tuple of int
-        Link type of each interface.
-    """
+    """All packets of a file."""
 
     name: str
+    #: The bytes of the file, expanded, and padding.
     data: Bytes
+    #: One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``, its
+    #: bytes on the wire; ``time`` [ns]; ``interface``.
     table: Columns
+    #: The link type of each interface.
     links: tuple[int, ...]
 
 

@@ -21,7 +21,7 @@ from discostorm_capture import (
     zenoh,
     zenoh_messages,
 )
-from discostorm_capture._bytes import Array, Columns, stack, take
+from discostorm_capture._bytes import Array, Columns, note, stack, take
 from discostorm_capture.result import Capture
 from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, categories
 from discostorm_capture.transport import Transport
@@ -119,8 +119,7 @@ def _dissected(
     transport.note_encrypted(data, take(datagrams, ~is_rtps), notes)
     scouts, others = zenoh.split_scouting(carried, take(datagrams, ~is_rtps))
     over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
-    if count := int(np.count_nonzero(over_tcp)):
-        notes["TCP segments with RTPS over TCP"] += count
+    note(notes, over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
         rtps_processes.dissect(carried, take(datagrams, is_rtps), notes),
         zenoh.dissect(carried, scouts, others, streams, notes),

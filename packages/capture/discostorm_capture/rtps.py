@@ -19,6 +19,7 @@ from discostorm_capture._bytes import (
     IdTable,
     Offsets,
     factorize,
+    note,
     numbers,
     take,
 )
@@ -130,28 +131,9 @@ def domains_from_ports(kind: Array, port: Array) -> Array:
 def messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Counter[str]
 ) -> tuple[Columns, Columns]:
-    """Return the messages in RTPS datagrams, and the announcements among them.
-
-    Parameters
-    ----------
-    data : numpy.ndarray
-        Where the datagrams are.
-    datagrams : dict
-        As `ip.datagrams` returns them, those that `is_rtps` chose.
-    processes : IdTable
-        The numbers of GUID prefixes.
-    notes : Counter
-        What could not be read is counted here.
-
-    Returns
-    -------
-    tuple
-        The messages, with the row of each one's ``datagram`` added to their columns. The
-        announcements: see `_announcements`.
-    """
+    """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
     good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
-    if count := int(np.count_nonzero(~good)):
-        notes["RTPS messages that are cut, or not of version 2"] += count
+    note(notes, ~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
@@ -172,9 +154,9 @@ def messages(
     group, entity = _groups(reader, writer)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
-        RTPS,
         datagrams,
         datagram,
+        protocol=RTPS,
         kind=group * 256 + kind,
         submessage=kind,
         size=_number(data, at + 2, "u2", little),
@@ -188,7 +170,7 @@ def messages(
         entity=entity,
         # Only a key: it is disposed of or unregistered.
         ends=(kind == DATA) & (data[at + 1] & 8 > 0),
-        udp=np.ones(len(at), bool),
+        udp=True,
         frames=datagrams["parts"][datagram] * share,
     )
     table["datagram"] = original[datagram]

@@ -69,13 +69,13 @@ class Dissection:
     processes: dict[int, Process]
 
 
-def message_table(protocol: int, packets: Columns, rows: Array, **columns: Array) -> Columns:
+def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
     """Return a table of messages, each of which a row of packets completed."""
     table = {name: packets[name][rows] for name in ("frame", "source", "target", "way")} | columns
     return {
-        name: table[name].astype(dtype) if name in table else np.full(len(rows), default, dtype)
+        name: np.broadcast_to(table.get(name, default), len(rows)).astype(dtype)
         for name, (dtype, default) in _COLUMNS.items()
-    } | {"protocol": np.full(len(rows), protocol, np.uint8)}
+    }
 
 
 def first_seen(

@@ -12,6 +12,7 @@ from discostorm_capture._bytes import (
     Columns,
     IdTable,
     factorize,
+    note,
     numbers,
     stack,
     take,
@@ -25,28 +26,17 @@ AGAIN = "packets seen again, on another interface or way, or mirrored; they are 
 
 @dataclass(frozen=True)
 class Transport:
-    """What the packets of a capture carry.
+    """What the packets of a capture carry, in the order of the capture."""
 
-    Parameters
-    ----------
-    data : numpy.ndarray
-        The bytes of the file and of reassembled datagrams, and padding.
-    addresses : IdTable
-        The numbers of IP addresses.
-    datagrams, segments : dict
-        UDP datagrams and TCP segments in the order of the capture; see `ip.datagrams`,
-        `ip.segments`.
-    events : dict
-        What else tells why discovery fails; see `network_events`.
-    packets : dict of str to int
-        How many packets are "ARP", "UDP", "TCP" and "other" [1].
-    """
-
+    #: The bytes of the file and of reassembled datagrams, and padding.
     data: Bytes
     addresses: IdTable
+    #: As `ip.datagrams` and `ip.segments`.
     datagrams: Columns
     segments: Columns
+    #: As `network_events`.
     events: Columns
+    #: How many packets are "ARP", "UDP", "TCP" and "other".
     packets: dict[str, int]
 
 
@@ -59,8 +49,7 @@ def carried(packets: Packets, notes: Counter[str]) -> Transport:
     network = ip.parse(data, network, addresses, notes)
     data, network = fragments.reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
-    if count := int(np.count_nonzero(network["protocol"] == ip.ENCRYPTED)):
-        notes["encrypted IP packets"] += count
+    note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
     tunnels = int(np.count_nonzero(np.isin(network["protocol"], ip.TUNNELS)))
     tunnels += int(np.count_nonzero(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS)))
     if tunnels:
@@ -85,8 +74,7 @@ def note_encrypted(data: Bytes, datagrams: Columns, notes: Counter[str]) -> None
     )
     guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
-        if count := int(np.count_nonzero(mask)):
-            notes[f"datagrams of {name}, which are encrypted"] += count
+        note(notes, mask, f"datagrams of {name}, which are encrypted")
 
 
 def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> Array:
@@ -120,6 +108,5 @@ def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> 
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    if count := int(np.count_nonzero(duplicates)):
-        notes[AGAIN] += count
+    note(notes, duplicates, AGAIN)
     return duplicates

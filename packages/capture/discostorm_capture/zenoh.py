@@ -6,7 +6,17 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp, zenoh_udp
-from discostorm_capture._bytes import PAD, Array, Bytes, Columns, IdTable, factorize, stack, take
+from discostorm_capture._bytes import (
+    PAD,
+    Array,
+    Bytes,
+    Columns,
+    IdTable,
+    factorize,
+    note,
+    stack,
+    take,
+)
 from discostorm_capture.tables import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.transport import Transport
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE, SCOUTING_PORT, UNREADABLE
@@ -116,14 +126,14 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
         role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
         roles.append((id_, role))
     messages = message_table(
-        ZENOH,
         scouts,
         np.arange(len(code)),
+        protocol=ZENOH,
         kind=code,
         submessage=code,
         bytes=scouts["wire"],
         process=process,
-        udp=np.ones(len(code), bool),
+        udp=True,
         frames=scouts["parts"],
     )
     return _Conversation([messages], sightings, roles)
@@ -137,15 +147,15 @@ def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str
     parsed = _parsed(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     messages = message_table(
-        ZENOH,
         table,
         batch,
+        protocol=ZENOH,
         kind=parsed["code"],
         submessage=parsed["code"],
         bytes=size,
         process=process[parsed["stream"]],
         peer=process[reverse[parsed["stream"]]],
-        udp=np.ones(len(batch), bool),
+        udp=True,
         frames=table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
     )
     return _with_endpoints(data, parsed, messages, process, seen, notes)
@@ -168,9 +178,9 @@ def _over_tcp(
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_segments_until(content, table, at) for at in (parsed["end"], begin))
     messages = message_table(
-        ZENOH,
         table,
         content.parts["done"][part],
+        protocol=ZENOH,
         kind=parsed["code"],
         submessage=parsed["code"],
         bytes=parsed["end"] - begin,
@@ -204,8 +214,7 @@ def _opened(
 def _parsed(data: Bytes, batches: Columns, notes: Counter[str]) -> Columns:
     """Return the messages in batches, with each one's ``stream``."""
     parsed = zenoh_messages.parse(data, batches["at"], batches["end"])
-    if unreadable := int(np.count_nonzero(parsed["code"] == UNREADABLE)):
-        notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    note(notes, parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end")
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
 
@@ -231,9 +240,9 @@ def _other_segments(
     kind = np.where(is_control, _CONTROL, _ACK)
     kind[len(empty) :] = _RETRANSMISSION
     return message_table(
-        TCP,
         table,
         rows,
+        protocol=TCP,
         kind=kind,
         submessage=kind,
         bytes=table["wire"][rows],
@@ -313,8 +322,7 @@ def _reassembled(
     length = np.bincount(whole, size).astype(np.int64)
     end = np.cumsum(length)
     inner = zenoh_messages.parse(content, end - length, end)
-    if unreadable := int(np.count_nonzero(inner["code"] == UNREADABLE)):
-        notes["Zenoh messages in fragments that cannot be read"] += unreadable
+    note(notes, inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
     ratio = size / np.maximum(messages["bytes"][rows], 1)
