@@ -44,10 +44,9 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     Parameters
     ----------
     path : str, path-like or binary file
-        A file of tcpdump, Wireshark or dumpcap: pcap or pcapng, also as gz or xz; of Ethernet
-        (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
-        radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
-        open, such as ``sys.stdin.buffer``, is read to its end.
+        pcap or pcapng, also as gz or xz, of Ethernet, Linux's "any" interface, loopback, raw IP or
+        802.11, also with VLAN or PPPoE. A pipe, or an open file such as ``sys.stdin.buffer``, is
+        read to its end.
 
     Returns
     -------
@@ -59,8 +58,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     OSError
         If the file cannot be opened.
     CaptureError
-        If it is no capture, is broken or ends inside of a packet; the message names the
-        file and the byte. It is a ValueError.
+        A ValueError, if it is no capture, is broken or ends inside of a packet.
     TypeError
         If `path` is neither a path nor a file opened in binary mode.
 
@@ -129,10 +127,7 @@ def _dissected(
 
 
 def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
-    """Return all messages in the order of frames, and all processes as they appeared.
-
-    Messages number processes in that order, and have -1 for those that are only spoken to.
-    """
+    """Return messages in the order of frames, and the processes that they number."""
     processes = sorted(
         (process.first_frame, number, index, process)
         for number, part in enumerate(dissections)
@@ -141,7 +136,8 @@ def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
     tables = []
     for number, part in enumerate(dissections):
         size = 1 + max(int(part.messages[name].max(initial=-1)) for name in ("process", "peer"))
-        positions = np.full(size + 1, -1, np.int32)  # the last one is of -1
+        # Processes that are only spoken to have -1, as the last one here.
+        positions = np.full(size + 1, -1, np.int32)
         for position, (_, of, index, _) in enumerate(processes):
             if of == number and index < size:
                 positions[index] = position

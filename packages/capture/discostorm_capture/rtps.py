@@ -222,16 +222,14 @@ def _prefixes(
 
 
 def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
-    """Return which submessages precede no message, and which precede encrypted keys.
-
-    A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
-    """
+    """Return which submessages precede no message, and which precede encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
     length = _number(data, after + 2, "u2", data[after + 1] & 1 > 0)
     encrypts = prefix & np.isin(transformation, _ENCRYPTED) & (np.roll(kind, -1) == SEC_BODY)
     key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
+    # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
     signs = prefix & np.isin(transformation, _SIGNED)
     return (
         signs | (encrypts & (length <= _MAX_INFO)),

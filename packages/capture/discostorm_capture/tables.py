@@ -71,7 +71,10 @@ class Dissection:
 
 def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
     """Return a table of messages, each of which a row of packets completed."""
-    table = {name: packets[name][rows] for name in ("frame", "source", "target", "way")} | columns
+    table: dict[str, Array | int] = {
+        name: packets[name][rows] for name in ("frame", "source", "target", "way")
+    }
+    table |= {"submessage": columns["kind"]} | columns
     return {
         name: np.broadcast_to(table.get(name, default), len(rows)).astype(dtype)
         for name, (dtype, default) in _COLUMNS.items()
@@ -81,10 +84,7 @@ def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Colu
 def first_seen(
     sightings: Iterable[tuple[int, int, int]], loopback: Array
 ) -> dict[int, tuple[int, int]]:
-    """Return the host and first frame of each process from frames, processes and sources.
-
-    The host is the first address that is not a loopback, if there is one.
-    """
+    """Return the host, no loopback if it can be, and first frame of each sighted process."""
     first: dict[int, tuple[int, int]] = {}
     for frame, process, source in sorted(sightings, key=itemgetter(0)):
         host, since = first.get(process, (source, frame))

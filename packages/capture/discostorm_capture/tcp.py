@@ -57,11 +57,8 @@ def streams(segments: Columns) -> Streams:
 
 
 def _starts(table: Columns, code: Array) -> tuple[Array, Array]:
-    """Return which segments start a stream, and which are a SYN.
-
-    Ports are used again: a SYN with another number, or after segments without a SYN, starts a
-    stream of its own.
-    """
+    """Return which segments start a stream, and which are a SYN."""
+    # Ports are used again: a SYN with another number, or after segments without one, starts anew.
     syn, sequence = table["flags"] & SYN > 0, table["sequence"]
     new = np.diff(code, prepend=-1) != 0
     index = np.arange(len(code))

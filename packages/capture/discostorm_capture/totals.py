@@ -21,9 +21,7 @@ _CARRIERS = ("Frame", "Fragment")
 def of_users(rows: pd.DataFrame) -> Array:
     """Return the part of each message that is of users' data, from 0 to 1.
 
-    Of RTPS it is what users' endpoints send, with their Heartbeats and acknowledgements; of Zenoh
-    what is published and asked for. A segment of TCP itself is shared between the two as the
-    other segments between its hosts are.
+    A segment of TCP itself is shared as the other segments between its hosts are.
     """
     kind = rows["kind"].astype(str).to_numpy()
     part = np.zeros(len(rows))

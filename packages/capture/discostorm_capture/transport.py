@@ -78,10 +78,9 @@ def note_encrypted(data: Bytes, datagrams: Columns, notes: Counter[str]) -> None
 
 
 def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> Array:
-    """Return whether each frame, captured at a time [ns], shows what an earlier frame showed.
+    """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
 
-    Another interface or direction may show a packet again, and so may a mirror port or a merged
-    file: a sender does not use an IP id again that soon (RFC 6864, 4.1).
+    A sender does not use an IP id again that soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
     tables = [

@@ -130,7 +130,6 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
         np.arange(len(code)),
         protocol=ZENOH,
         kind=code,
-        submessage=code,
         bytes=scouts["wire"],
         process=process,
         udp=True,
@@ -151,7 +150,6 @@ def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str
         batch,
         protocol=ZENOH,
         kind=parsed["code"],
-        submessage=parsed["code"],
         bytes=size,
         process=process[parsed["stream"]],
         peer=process[reverse[parsed["stream"]]],
@@ -182,7 +180,6 @@ def _over_tcp(
         content.parts["done"][part],
         protocol=ZENOH,
         kind=parsed["code"],
-        submessage=parsed["code"],
         bytes=parsed["end"] - begin,
         process=process[parsed["stream"]],
         peer=process[streams.reverse[parsed["stream"]]],
@@ -244,16 +241,12 @@ def _other_segments(
         rows,
         protocol=TCP,
         kind=kind,
-        submessage=kind,
         bytes=table["wire"][rows],
         process=process[stream],
         peer=process[streams.reverse[stream]],
         frames=table["parts"][rows],
         ends=flags & (tcp.FIN | tcp.RST) > 0,
     )
-
-
-# ---------------------------------------------------------------- fragments and declarations
 
 
 def _with_endpoints(
@@ -308,11 +301,7 @@ def _reassembled(
     fragments: list[list[int]],
     notes: Counter[str],
 ) -> tuple[Bytes, Columns, Columns, Columns]:
-    """Return the messages in fragments: their bytes, as `parse` does, and two tables.
-
-    The bytes of fragments, but for their heads, go from the first table, which has all other
-    messages, to the second, which has those in fragments.
-    """
+    """Return the bytes in fragments, parsed, and tables of all other messages and of those."""
     whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
@@ -352,10 +341,7 @@ def _ros_expressions(data: Bytes, parsed: Columns) -> set[tuple[int, int]]:
 
 
 def _declarations(data: Bytes, parsed: Columns, names: set[tuple[int, int]]) -> Columns:
-    """Return the declarations of endpoints: ``stream``, ``code``, ``number`` and ``counts``.
-
-    A token counts only if it is one of an endpoint of rmw_zenoh, by its text or key expression.
-    """
+    """Return declarations of endpoints; of tokens count those of rmw_zenoh, by text or key."""
     table = take(parsed, np.isin(parsed["code"], _ENDPOINTS))
     scopes = zenoh_messages.scopes(data, table["at"], table["end"])
     columns = (table[name].tolist() for name in ("code", "stream", "at", "end"))

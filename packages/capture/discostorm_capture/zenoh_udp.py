@@ -18,10 +18,7 @@ _TO_OPEN = 2
 def sessions(
     data: Bytes, datagrams: Columns, notes: Counter[str]
 ) -> tuple[Columns, dict[int, Opening], Array]:
-    """Return the datagrams of Zenoh's sessions, the openings of streams, and other directions.
-
-    A datagram gets the columns ``end`` and ``stream``, one direction of a session.
-    """
+    """Return the datagrams of sessions by ``stream``, a direction; openings; other directions."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = sockets(datagrams)
     opening = np.flatnonzero(zenoh_messages.may_open(data, datagrams["at"], datagrams["size"]))

@@ -65,10 +65,7 @@ def _others_speak(obs: Observations, process: int, since: float) -> bool:
 
 
 def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
-    """Return when and how processes end: by a goodbye, or as their kernel closes a connection.
-
-    The first one to close a connection ends, unless its host calls others afterwards.
-    """
+    """Return when and how processes end: by a goodbye, or as their kernel closes a connection."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
     calls = obs.events(*CALLS)
@@ -77,6 +74,7 @@ def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
     for rows in obs.groups(closing, *ends).values():
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
+        # The first one to close a connection ends, unless its host calls others afterwards.
         restarted = (obs.process_host == host) & (obs.first_last[0] > when)
         called = (calls["sender"] == host) & (calls["time"] > when)
         if (restarted.any() or not called.any()) and _others_speak(obs, process, when):

@@ -22,11 +22,7 @@ HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encryp
 
 @dataclass
 class Observations:
-    """The messages between hosts in a capture, once each, and what else it shows.
-
-    Tables have the columns of `Capture`, times without steps of the clock, and are in their order.
-    Arrays have a value per message unless they say otherwise.
-    """
+    """The messages between hosts, once each, and more, in order and without steps of the clock."""
 
     messages: pd.DataFrame
     processes: pd.DataFrame
@@ -166,10 +162,7 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
 def without_clock_steps(
     times: Array, frames: Array, steps: Sequence[tuple[int, float]], start: float
 ) -> Array:
-    """Return times since the first packet, as if the clock had not been set; a step takes no time.
-
-    The clock read `start` [s] when the first packet came.
-    """
+    """Return times since the first packet, at `start`, as if the clock had not been set [s]."""
     first_frames, seconds = np.array(steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     elapsed: Array = times - start - before[np.searchsorted(first_frames, frames, side="right")]

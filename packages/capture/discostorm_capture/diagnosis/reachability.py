@@ -49,10 +49,7 @@ class Reachability:
 def reachability(
     obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
 ) -> Reachability:
-    """Return which host of a scope hears which.
-
-    `missing` are hosts some of whose messages the capture lacks, each with the host they are for.
-    """
+    """Return which host of a scope hears which, but for ends of messages the capture lacks."""
     hosts = _announcing(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
     found = Reachability(

@@ -55,14 +55,11 @@ class Diagnosis:
     Parameters
     ----------
     findings : tuple of Finding
-        What is wrong with the fleet, most telling first; then what happened; then what the capture
-        cannot show.
+        What is wrong with the fleet, most telling first; what happened; limits of the capture.
     complete : bool or None
-        Whether all processes that ought to know each other do, for as long as they were there
-        together; None if the capture does not show it.
+        Whether all processes that ought to know each other do; None if the capture is silent on it.
     over : bool or None
-        Whether no endpoints were announced any more when the capture ended; None if it shows no
-        discovery.
+        Whether announcements had ended when the capture did; None if it shows no discovery.
     complete_at : float
         When the last pair completed, since the earliest packet and without steps of the clock [s];
         infinite if one never did, NaN if that is not known.
@@ -98,10 +95,9 @@ class Diagnosis:
         -------
         pandas.DataFrame
             By ``host``, its address: ``products``; ``processes`` and ``endpoints`` [1];
-            ``announced_s``, when it was heard first, ``knows_all_s``, when its processes had been
-            told all that they ought to know of others, and ``known_s``, when all others had been
-            told of it [s], infinite if never, NaN if not known; ``sent`` and ``received``
-            messages [1] and their ``sent_bytes`` and ``received_bytes`` [B].
+            ``announced_s``, when it was heard first, ``knows_all_s``, when it knew all others,
+            and ``known_s``, when all others knew it [s], infinite if never, NaN if not known;
+            ``sent`` and ``received`` messages [1]; ``sent_bytes`` and ``received_bytes`` [B].
         """
         return self._hosts.copy()
 
@@ -112,32 +108,28 @@ class Diagnosis:
         -------
         pandas.DataFrame
             A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to
-            be known, ``of_process`` and ``by_process``; ``heard_s``, when the one first spoke to
-            the other [s], infinite if never, and how many endpoints were ``sent`` to it [1].
+            be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to
+            the former [s], infinite if never; and the endpoints ``sent`` to it [1].
         """
         return tables.incomplete(self._evidence)
 
     def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
-        """Return who sent what when, until a little after the startup.
-
-        It ends when 1.25 times `complete_at` have passed, and 2 s at least; with the capture if
-        that is not finite.
+        """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
 
         Parameters
         ----------
         most : int
-            The rows that it may have [1]. If there are more, messages are put together in steps of
-            time, as short as that allows, and their receivers are left out.
+            The rows that it may have [1]: if there are more, it has steps of time, as short as
+            that allows, and no receivers.
 
         Returns
         -------
         pandas.DataFrame
             A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
-            was captured [s]; ``host``, who sent them; ``receiver``, an address, and whether it is
-            ``multicast``, None in steps; ``ends``, whether they take back an announcement or
-            end a connection; ``messages`` [1] and ``bytes`` [B]. In its ``attrs``: ``until_s``,
-            when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
-            messages it leaves out [1], as even the hosts and kinds were too many.
+            was captured [s]; ``host``, who sent them; ``receiver`` and ``multicast``, None in
+            steps; ``ends``, whether they are of a shutdown; ``messages`` [1] and ``bytes`` [B]. In
+            its ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without [s], and
+            ``left_out``, the messages for which there were too many hosts and kinds [1].
         """
         _checks.integer("most", most, 1)
         return tables.timeline(self._evidence, self.complete_at, most)

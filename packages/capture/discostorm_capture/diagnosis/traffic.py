@@ -33,8 +33,7 @@ PORT = 7447
 def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int]]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
-    A sample is lost if the capture shows it, and the process that it was for asks for it later.
-    What was sent before that process spoke is left out, and so is what it may not have read yet.
+    A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
     sender, receiver, frame = obs.sender_index, obs.receiver_index, obs["frame"]
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
