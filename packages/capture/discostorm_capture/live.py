@@ -38,8 +38,7 @@ class Packets:
         if not self.header:
             if len(self._rest) < 24:
                 return
-            magic = self._rest[:4]
-            if magic not in PCAP:
+            if (magic := self._rest[:4]) not in PCAP:
                 raise CaptureError(
                     f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what `tcpdump -U "
                     "-w -` or `dumpcap -P -w -` write"
@@ -70,7 +69,7 @@ class Packets:
 
 @dataclass
 class Host:
-    """A host: when it was heard first and last [s since 1970], and what it sent."""
+    """When a host was heard first and last [s since 1970], and what it sent."""
 
     first: float
     last: float = 0.0

@@ -103,7 +103,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _clock_steps=steps,
         _first=first,
         _last=last - first - sum(step for _, step in steps),
-        _packets_without_messages=_packets_without_messages(carried, messages),
+        _packets_without_messages=carried.packets | _without_messages(carried, messages),
         _capture_gaps=tuple(gaps),
     )
 
@@ -155,15 +155,11 @@ def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
-    """Return how many packets of each kind there are without a message [1]."""
-    frames = messages["frames"].astype(np.float64)
-    udp = round(float(frames[messages["udp"]].sum()))
-    tcp_ = round(float(frames[~messages["udp"]].sum()))
-    return carried.packets | {
-        "UDP": carried.packets["UDP"] - udp,
-        "TCP": carried.packets["TCP"] - tcp_,
-    }
+def _without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
+    """Return how many packets of UDP and TCP there are without a message [1]."""
+    frames, udp = messages["frames"].astype(np.float64), messages["udp"]
+    parts = {"UDP": frames[udp], "TCP": frames[~udp]}
+    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(

@@ -155,10 +155,9 @@ class Capture:
             If `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired(wired), set(self.serving())
-        if protocol is not None:
-            _checks.choice("protocol", protocol, PROTOCOLS[:2])
         found = self._processes
         if protocol is not None:
+            _checks.choice("protocol", protocol, PROTOCOLS[:2])
             found = found[found["protocol"] == protocol]
         found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
         found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
@@ -332,14 +331,7 @@ class Capture:
         )
 
         messages, events = (
-            table.assign(
-                time=without_clock_steps(
-                    table["time"].to_numpy(),
-                    table["frame"].to_numpy(),
-                    self._clock_steps,
-                    self._first,
-                )
-            )
+            without_clock_steps(table, self._clock_steps, self._first)
             for table in (self._between_hosts(), self._network_events)
         )
         if self._clock_steps:

@@ -121,13 +121,6 @@ def is_over_tcp(data: Bytes, at: Offsets) -> Array:
     return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def domains_from_ports(kind: Array, port: Array) -> Array:
-    """Return the domain of each multicast message of SPDP by its port; -1 for others."""
-    domain, rest = np.divmod(port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
-    known = (kind >> 8 == GROUPS.index("SPDP")) & (rest == 0) & (domain >= 0)
-    return np.where(known, domain, -1)
-
-
 def messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Counter[str]
 ) -> tuple[Columns, Columns]:
@@ -149,7 +142,10 @@ def messages(
     stop = np.where(np.roll(new, -1), wire_end[datagram], after)
     little = data[at + 1] & 1 > 0
     last = end[datagram]
-    reader, writer = (_entity(data, at, last, where[kind]) for where in (_READER_AT, _WRITER_AT))
+    big = np.zeros(1, bool)
+    reader, writer = (
+        _field(data, at, last, where[kind], big) for where in (_READER_AT, _WRITER_AT)
+    )
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _groups(reader, writer)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
@@ -162,7 +158,7 @@ def messages(
         size=_number(data, at + 2, "u2", little),
         reader=reader,
         writer=writer,
-        number=_sequence_number(data, at + _NUMBER_AT[kind], last, kind, little),
+        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF,
         missing=_nacked(data, at, last, kind, little),
         bytes=stop - begin,
         process=processes.ids_of(data, source[chosen], 12),
@@ -237,16 +233,10 @@ def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
     )
 
 
-def _entity(data: Bytes, at: Offsets, last: Offsets, offset: Array) -> Array:
-    """Return the entity id at an offset, 0 if there is none, or if it is truncated."""
-    value = numbers(data, np.minimum(at + offset, last), ">u4")
+def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
+    """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
+    value = _number(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
-
-
-def _sequence_number(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
-    """Return the lower half of each message's sequence number, 0 if it has none."""
-    there = (at + 4 <= last) & (_NUMBER_AT[kind] > 0)
-    return np.where(there, _number(data, at, "u4", little) & 0x7FFFFFFF, 0)
 
 
 def _nacked(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:

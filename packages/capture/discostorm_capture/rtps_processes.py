@@ -88,8 +88,10 @@ def _domains(
     messages: Columns, to_port: Array, addresses: IdTable, notes: Counter[str]
 ) -> list[tuple[int, int]]:
     """Return processes and their domains, as multicast messages of SPDP say; note if several."""
-    domain = rtps.domains_from_ports(messages["kind"], to_port)
-    rows = np.flatnonzero((domain >= 0) & ip.is_multicast(addresses)[messages["target"]])
+    domain, rest = np.divmod(to_port.astype(np.int64) - rtps.PORT_BASE, rtps.DOMAIN_GAIN)
+    spdp = messages["kind"] >> 8 == rtps.GROUPS.index("SPDP")
+    spdp &= ip.is_multicast(addresses)[messages["target"]]
+    rows = np.flatnonzero(spdp & (rest == 0) & (domain >= 0))
     process, domain = messages["process"][rows], domain[rows]
     _, first = factorize(process, domain)
     different = np.unique(domain).tolist()

@@ -160,10 +160,10 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
 
 
 def without_clock_steps(
-    times: Array, frames: Array, steps: Sequence[tuple[int, float]], start: float
-) -> Array:
-    """Return times since the first packet, at `start`, as if the clock had not been set [s]."""
+    table: pd.DataFrame, steps: Sequence[tuple[int, float]], start: float
+) -> pd.DataFrame:
+    """Return a table with times since the first packet, at `start`, as if no clock had been set."""
     first_frames, seconds = np.array(steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
-    elapsed: Array = times - start - before[np.searchsorted(first_frames, frames, side="right")]
-    return elapsed
+    step = before[np.searchsorted(first_frames, table["frame"], side="right")]
+    return table.assign(time=table["time"] - start - step)
