@@ -109,16 +109,14 @@ def uses_multicast_unlike(protocol: Protocol, rows: pd.DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def begin_of(protocol: Protocol, messages: pd.DataFrame) -> float:
-    """Return when the first message of a table was captured [s]; 0 if there is none."""
-    kinds = [message.kind for message in protocol.messages]
-    return float(messages.loc[messages["kind"].isin(kinds), "time"].min(skipna=True) or 0.0)
+def times_of(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+    """Return when messages of a model were captured [s]."""
+    return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
 def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
-    """Return the time from the first message of a table to the end of the capture [s]."""
-    kinds = [message.kind for message in protocol.messages]
-    mine = messages.loc[messages["kind"].isin(kinds), "time"]
+    """Return the time from the first message of a model to the end of the capture [s]."""
+    mine = times_of(protocol, messages)
     if mine.empty:
         return duration
     # Who is silent for longer than this is gone.

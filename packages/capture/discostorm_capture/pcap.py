@@ -11,12 +11,9 @@ from discostorm_capture._bytes import Bytes, Columns, as_memory
 #: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
 #: packet's header (the last two are of a patched libpcap).
 PCAP = {
-    b"\xa1\xb2\xc3\xd4": (">", 1000, 16),
-    b"\xd4\xc3\xb2\xa1": ("<", 1000, 16),
-    b"\xa1\xb2\x3c\x4d": (">", 1, 16),
-    b"\x4d\x3c\xb2\xa1": ("<", 1, 16),
-    b"\xa1\xb2\xcd\x34": (">", 1000, 24),
-    b"\x34\xcd\xb2\xa1": ("<", 1000, 24),
+    struct.pack(order + "I", magic): (order, tick, header)
+    for order in "<>"
+    for magic, tick, header in ((0xA1B2C3D4, 1000, 16), (0xA1B23C4D, 1, 16), (0xA1B2CD34, 1000, 24))
 }
 PCAPNG = b"\x0a\x0d\x0d\x0a"
 #: The byte order of a section of pcapng, by its byte-order magic.

@@ -228,16 +228,16 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
     announced = [" ".join(names[a] for a in p.announced_addresses) for p in processes]
     return pd.DataFrame(
         {
-            "protocol": [PROTOCOLS[process.protocol] for process in processes],
-            "product": [process.product for process in processes],
-            "host": [names[process.host] for process in processes],
-            "endpoints": [process.endpoints for process in processes],
+            "protocol": [PROTOCOLS[p.protocol] for p in processes],
+            "product": [p.product for p in processes],
+            "host": [names[p.host] for p in processes],
+            "endpoints": [p.endpoints for p in processes],
             "time": times,
-            "server": np.array([process.server for process in processes], bool),
-            "domain": np.array([process.domain for process in processes], np.int64),
+            "server": np.array([p.server for p in processes], bool),
+            "domain": np.array([p.domain for p in processes], np.int64),
             "announces": announced,
         },
-        index=pd.Index([process.name for process in processes], name="process", dtype=object),
+        index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )
 
 

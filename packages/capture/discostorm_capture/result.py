@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
@@ -13,13 +13,13 @@ from discostorm import _checks
 from discostorm._arguments import reject_symbols
 from discostorm._numeric import evaluate
 from discostorm.fleet import COUNTS, Fleet, HostGroup
-from discostorm.messages import HOPS, Hop, Protocol, header_bytes
-from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
+from discostorm.messages import Protocol, header_bytes
+from discostorm.wifi import PAPER, Wifi, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (
     VisibleFleet,
-    begin_of,
     infer_unannounced,
     table,
+    times_of,
     uses_multicast_unlike,
     visible_from,
     window as counted,
@@ -200,17 +200,18 @@ class Capture:
         size = payload + np.where(udp, headers["UDP"], headers["TCP"])
         # Lengths repeat, and half a byte more or less is from sharing a packet.
         lengths, which = np.unique(np.round(size, 3), return_inverse=True)
-        up, down = (~rows[end].isin(on_wires).to_numpy() for end in ("sender", "receiver"))
-        seconds = np.zeros(len(rows))
-        for hops, mine in ((HOPS, up & down), (("up",), up & ~down), (("down",), down & ~up)):
-            if not mine.any():
-                continue
-            each = {
-                cast: np.broadcast_to(_airtime(lengths, cast, hops, wifi), lengths.shape)[which]
-                for cast in get_args(Cast)
-            }
-            part = frames * np.where(rows["multicast"], each["multicast"], each["unicast"])
-            seconds[mine] = part[mine]
+        length, model = sp.Symbol("S"), wifi.model
+        given: dict[Any, Any] = {length: lengths, **wifi.values()}
+        up, multicast, unicast = (
+            np.broadcast_to(evaluate(hop, given), lengths.shape)[which]
+            for hop in (
+                uplink_airtime(length, model),
+                *(downlink_airtime(length, cast, model) for cast in ("multicast", "unicast")),
+            )
+        )
+        down = np.where(rows["multicast"], multicast, unicast)
+        goes_up, goes_down = (~rows[end].isin(on_wires) for end in ("sender", "receiver"))
+        seconds = frames * (goes_up.to_numpy() * up + goes_down.to_numpy() * down)
         return pd.Series(seconds, index=rows.index, name="airtime_s")
 
     def compare(
@@ -267,7 +268,7 @@ class Capture:
         rows = self._on_air()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            rows = rows[rows["time"] <= begin_of(protocol, self._messages) + seconds]
+            rows = rows[rows["time"] <= times_of(protocol, self._messages).min() + seconds]
         if protocol.wired is not None and uses_multicast_unlike(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
@@ -409,12 +410,3 @@ def _group_name(hosts: list[str], groups: int) -> str:
 def _loopback_rows(addresses: pd.Series) -> pd.Series:
     loop = [name for name in addresses.cat.categories if name.startswith("127.") or name == "::1"]
     return addresses.isin(loop)
-
-
-def _airtime(lengths: np.ndarray, cast: Cast, hops: tuple[Hop, ...], wifi: Wifi) -> Any:
-    length = sp.Symbol("S")
-    model = wifi.model
-    on = {"up": uplink_airtime(length, model), "down": downlink_airtime(length, cast, model)}
-    expression = sp.Add(*(on[hop] for hop in hops))
-    given: dict[Any, Any] = {length: lengths}
-    return evaluate(expression, given | wifi.values())

@@ -32,7 +32,9 @@ def of_users(rows: pd.DataFrame) -> Array:
     part[np.isin(kind, _CARRIERS) & np.isin(frame, with_users)] = 1.0
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
-        ends = _ends(rows)
+        # A number for each two hosts, whichever speaks.
+        pairs = np.sort(rows[["sender", "receiver"]].to_numpy(str), axis=1)
+        ends = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
         content = ~own & (rows["transport"] == "TCP").to_numpy()
         size = int(ends.max()) + 1
         weight = rows["frames"].to_numpy(np.float64)
@@ -40,16 +42,6 @@ def of_users(rows: pd.DataFrame) -> Array:
         theirs = np.bincount(ends[content], weight[content] * part[content], size)
         part[own] = (theirs / np.where(whole > 0, whole, 1.0))[ends[own]]
     return part
-
-
-def _ends(rows: pd.DataFrame) -> Array:
-    """Return a number for each two hosts, whichever speaks."""
-    numbers: dict[frozenset[str], int] = {}
-    found = [
-        numbers.setdefault(frozenset(pair), len(numbers))
-        for pair in zip(rows["sender"].astype(str), rows["receiver"].astype(str), strict=True)
-    ]
-    return np.array(found, np.int64)
 
 
 def sums(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:

@@ -270,25 +270,26 @@ def _complete(evidence: Evidence, times: list[float], wrong: bool, limits: set[s
 def not_authenticated(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
     obs = evidence.obs
-    pairs = [one for one in evidence.incomplete if {one.subject, one.observer} & obs.secured]
-    ends = [obs.hosts_of(sorted((pair.subject, pair.observer))) for pair in pairs]
+    pairs = [(one.subject, one.observer) for one in evidence.incomplete]
+    pairs = [pair for pair in pairs if {*pair} & obs.secured]
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
         yield Finding(
             "not authenticated",
-            obs.hosts_of(one for pair in pairs for one in (pair.subject, pair.observer)),
+            obs.hosts_of(process for pair in pairs for process in pair),
             f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never sent "
-            f"the other its keys: {listed([*dict.fromkeys(' with '.join(two) for two in ends)])}",
+            f"the other its keys: {listed([*ends])}",
         )
 
 
 def incomplete(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs that did not complete, where nothing at all explains it."""
     obs, pairs = evidence.obs, evidence.incomplete
-    ends = [obs.hosts_of((pair.observer, pair.subject)) for pair in pairs]
+    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
         yield Finding(
             "incomplete",
             obs.hosts_of(pair.observer for pair in pairs),
             f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed: "
-            f"{listed([*dict.fromkeys(' of '.join(two) for two in ends)])}",
+            f"{listed([*ends])}",
         )
