@@ -108,17 +108,13 @@ def _note_missing(
     """Count incomplete datagrams, but for repetitions of fragments that were used or counted."""
 
     def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
+        keys = ("source", "target", "id", "offset")
         return frozenset(
-            (
-                *(int(fragments[name][row]) for name in ("source", "target", "id", "offset")),
-                data[fragments["at"][row] : fragments["end"][row]].tobytes(),
-            )
+            (*(int(fragments[name][row]) for name in keys), data[begin:end].tobytes())
             for row in datagram.rows.values()
+            for begin, end in [(fragments["at"][row], fragments["end"][row])]
         )
 
-    if not incomplete:
-        return
-    used = set().union(*map(contents, complete))
-    missing = {part for part in map(contents, incomplete) if not part <= used}
-    if missing:
+    used = set().union(*map(contents, complete if incomplete else ()))
+    if missing := {part for part in map(contents, incomplete) if not part <= used}:
         notes[MISSING] += len(missing)

@@ -85,11 +85,8 @@ def _without_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[
             break
         ethertype, at = _u16(data, at + 2)[0], at + 4
     if ethertype == _PPPOE and at + 8 <= end:
-        (protocol,) = _u16(data, at + 6)
-        ethertype, at = (
-            _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype),
-            at + 8,
-        )
+        (protocol,), at = _u16(data, at + 6), at + 8
+        ethertype = _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype)
     return ethertype, at
 
 
@@ -138,11 +135,8 @@ def _radiotap(data: memoryview, at: int, end: int, view: int, notes: Notes) -> I
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
-    while (
-        words <= _MAX_PRESENT_WORDS
-        and 4 + 4 * words < length
-        and _le32(data, at + 4 * words)[0] >> 31
-    ):
+    last_word = min(_MAX_PRESENT_WORDS, (length - 5) // 4)
+    while words <= last_word and _le32(data, at + 4 * words)[0] >> 31:
         words += 1
     # The flags follow a time stamp, if there is one, at a multiple of eight.
     offset = 4 + 4 * words

@@ -23,7 +23,7 @@ from discostorm_capture import (
 )
 from discostorm_capture._bytes import Array, Columns, note, stack, take
 from discostorm_capture.result import Capture
-from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, categories
+from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
 from discostorm_capture.transport import Transport
 
 if TYPE_CHECKING:
@@ -99,12 +99,14 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _messages=table,
         _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
         _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
-        _truncated=truncated,
-        _clock_steps=steps,
-        _first=first,
-        _last=last - first - sum(step for _, step in steps),
-        _packets_without_messages=carried.packets | _without_messages(carried, messages),
-        _capture_gaps=tuple(gaps),
+        _quality=Quality(
+            truncated=truncated / max(len(time), 1),
+            clock_steps=steps,
+            first=first,
+            duration=last - first - sum(step for _, step in steps),
+            other_packets=carried.packets | _without_messages(carried, messages),
+            gaps=tuple(gaps),
+        ),
     )
 
 

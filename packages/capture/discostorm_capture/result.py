@@ -26,7 +26,7 @@ from discostorm_capture.compare import (
     wire_protocol,
 )
 from discostorm_capture.pcap import CaptureError
-from discostorm_capture.tables import PROTOCOLS
+from discostorm_capture.tables import PROTOCOLS, Quality
 from discostorm_capture.totals import sums
 
 if TYPE_CHECKING:
@@ -54,16 +54,8 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes, _network_events : pandas.DataFrame
         The tables: see `messages`, `processes` and the module `network_events`.
-    _truncated : int
-        Packets that were cut when they were captured [1].
-    _clock_steps : tuple of tuple
-        Where the clock was set: the frame, and by how much [s].
-    _first, _last : float
-        From the earliest packet to the first in the file, and from there to the last [s].
-    _packets_without_messages : dict of str to int
-        Packets of "ARP", "TCP", "UDP" and "other" that hold no message [1].
-    _capture_gaps : tuple of str
-        What the capture says that it lacks.
+    _quality : Quality
+        How it was recorded.
     """
 
     path: str
@@ -74,12 +66,7 @@ class Capture:
     _messages: pd.DataFrame = field(compare=False)
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
-    _truncated: int = field(compare=False)
-    _clock_steps: tuple[tuple[int, float], ...] = ()
-    _first: float = 0.0
-    _last: float = 0.0
-    _packets_without_messages: dict[str, int] = field(default_factory=dict, compare=False)
-    _capture_gaps: tuple[str, ...] = ()
+    _quality: Quality
 
     def __repr__(self) -> str:
         return (
@@ -324,36 +311,17 @@ class Capture:
         >>> capture.diagnosis().complete
         True
         """
-        from discostorm_capture.diagnosis import (
-            Observations,
-            diagnose,
-            vantage_host,
-            without_clock_steps,
-        )
+        from discostorm_capture.diagnosis import Observations, diagnose, without_clock_steps
 
         messages, events = (
-            without_clock_steps(table, self._clock_steps, self._first)
+            without_clock_steps(table, self._quality)
             for table in (self._between_hosts(), self._network_events)
         )
-        if self._clock_steps:
+        if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
-        serving = frozenset(self.serving())
-        # Hosts that only look for others count, too.
-        hosts = set(messages["sender"].astype(str).unique())
-        return diagnose(
-            Observations(
-                messages=messages,
-                processes=self._processes[self._processes["host"] != ""],
-                network_events=events,
-                duration=self._last,
-                vantage_host=vantage_host(messages, hosts, serving),
-                server_hosts=serving,
-                other_packets=self._packets_without_messages,
-                clock_steps=self._clock_steps,
-                capture_gaps=self._capture_gaps,
-                truncated=self._truncated / max(self.packets, 1),
-            )
-        )
+        processes = self._processes[self._processes["host"] != ""]
+        servers = frozenset(self.serving())
+        return diagnose(Observations(messages, processes, events, servers, self._quality))
 
     def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
         """Draw messages over time by kind, and below their share of the channel.

@@ -62,6 +62,23 @@ class Process:
 
 
 @dataclass(frozen=True)
+class Quality:
+    """How a capture was recorded: what it lacks, and its clock."""
+
+    #: The share of packets that were cut when they were captured [1].
+    truncated: float
+    #: Where the clock was set: the frame, and by how much [s].
+    clock_steps: tuple[tuple[int, float], ...]
+    #: From the earliest packet to the first in the file, and from there to the last [s].
+    first: float
+    duration: float
+    #: Packets without a message: of "ARP", "TCP", "UDP" and "other".
+    other_packets: dict[str, int]
+    #: What the capture itself says that it lacks, in words.
+    gaps: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Dissection:
     """The messages of a protocol as `message_table`, and by their numbers the processes."""
 

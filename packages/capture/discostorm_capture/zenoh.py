@@ -141,8 +141,10 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
 def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str]) -> _Conversation:
     """Return the messages of sessions over UDP, where each datagram is a batch."""
     table, opened, reverse = zenoh_udp.sessions(data, datagrams, notes)
-    first = {stream: int(np.argmax(table["stream"] == stream)) for stream in opened}
-    process, seen = _opened(opened, table, first, len(reverse), zids)
+    # The last value that is written stays, so write from the end.
+    first = np.zeros(len(reverse), np.int64)
+    first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
+    process, seen = _opened(opened, table, first, zids)
     parsed = _parsed(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     messages = message_table(
@@ -168,8 +170,7 @@ def _over_tcp(
     chosen = zenoh_tcp.streams_of_zenoh(data, streams)
     content = tcp.content(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    first = {stream: int(streams.first[stream]) for stream in opened}
-    process, seen = _opened(opened, table, first, len(streams.first), zids)
+    process, seen = _opened(opened, table, streams.first, zids)
     parsed = _parsed(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)
     # The length in front of a batch goes with its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
@@ -191,14 +192,10 @@ def _over_tcp(
 
 
 def _opened(
-    opened: dict[int, zenoh_messages.Opening],
-    table: Columns,
-    first: dict[int, int],
-    streams: int,
-    zids: IdTable,
+    opened: dict[int, zenoh_messages.Opening], table: Columns, first: Array, zids: IdTable
 ) -> tuple[Array, _Conversation]:
     """Return the process of each stream, -1 if unknown, the last of no stream, and what it says."""
-    process = np.full(streams + 1, -1, np.int64)
+    process = np.full(len(first) + 1, -1, np.int64)
     sightings, roles = [], []
     for stream, opening in opened.items():
         row = first[stream]

@@ -7,12 +7,10 @@ import numpy as np
 from discostorm_capture import zenoh_messages
 from discostorm_capture._bytes import Array, Bytes, Columns, cumcount, factorize, note, take
 from discostorm_capture.ip import sockets
-from discostorm_capture.zenoh_messages import Opening, openings, parse, special_of
+from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, parse, special_of
 
 #: The share of a session's datagrams that must be readable if its start was not captured.
 _MIN_READABLE = 0.8
-#: Batches that open a session on each side: Init and Open.
-_TO_OPEN = 2
 
 
 def sessions(
@@ -50,7 +48,7 @@ def sessions(
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := special_of(number, sides, opened):
-            rest = (stream == number) & (turn >= _TO_OPEN)
+            rest = (stream == number) & (turn >= TO_OPEN)
             notes[f"bytes of Zenoh sessions with {special}"] += int(table["wire"][rest].sum())
             kept &= ~rest
     return take(table | {"stream": stream}, kept), opened, reverse

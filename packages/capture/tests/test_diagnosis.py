@@ -21,6 +21,7 @@ from discostorm_capture.diagnosis.finding import kinds, remedies
 from discostorm_capture.diagnosis.observations import without_clock_steps
 from discostorm_capture.diagnosis.result import TIMELINE
 from discostorm_capture.live import Packets
+from discostorm_capture.tables import Quality
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
@@ -164,7 +165,7 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 def test_times_without_clock_steps() -> None:
     table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
-    found = without_clock_steps(table, ((3, 100.0), (4, -30.0)), 5.0)
+    found = without_clock_steps(table, Quality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
     assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
 
 

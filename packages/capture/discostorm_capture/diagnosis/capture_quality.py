@@ -58,7 +58,7 @@ def began_late(evidence: Evidence) -> Iterator[Finding]:
 
 def lost_part(evidence: Evidence) -> Iterator[Finding]:
     """Yield what the capture lacks."""
-    said = list(evidence.obs.capture_gaps)
+    said = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
@@ -86,7 +86,7 @@ def one_view(evidence: Evidence) -> Iterator[Finding]:
 
 def clock_set(evidence: Evidence) -> Iterator[Finding]:
     """Yield when the clock was set."""
-    for frame, step in evidence.obs.clock_steps[:MAX_STEPS]:
+    for frame, step in evidence.obs.quality.clock_steps[:MAX_STEPS]:
         way = "back" if step < 0 else "on"
         said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
         yield Finding(f"clock {way}", (), said)

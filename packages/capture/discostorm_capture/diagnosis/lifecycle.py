@@ -40,11 +40,8 @@ def ended(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not obs.is_server[dead].any():
-                yield Finding(
-                    "crash",
-                    (host,),
-                    f"{host}: last heard after {when:.1f} s, of a capture of {obs.duration:.1f} s",
-                )
+                of = f"of a capture of {obs.quality.duration:.1f} s"
+                yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:

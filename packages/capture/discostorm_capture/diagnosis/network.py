@@ -127,7 +127,7 @@ def _no_host_hears(
         said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
         said += f"does when it has found another process ({processes} processes); what they said "
         said += "to each other then was not captured"
-    elif not any(obs.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
+    elif not any(obs.quality.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
         kind = "nobody hears, or filter"
         said += ", and no answer was captured, nor anything else at all"
     else:
@@ -235,7 +235,7 @@ def _outside(found: Reachability) -> Array:
 def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear announcements, and no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
-    if not apart.any() or obs.duration < PATIENCE:
+    if not apart.any() or obs.quality.duration < PATIENCE:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)

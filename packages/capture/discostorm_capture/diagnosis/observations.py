@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from discostorm_capture._bytes import Array
+from discostorm_capture.tables import Quality
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,48 +20,34 @@ DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
-@dataclass
 class Observations:
     """The messages between hosts, once each, and more, in order and without steps of the clock."""
 
-    messages: pd.DataFrame
-    processes: pd.DataFrame
-    network_events: pd.DataFrame
-    #: From the first packet to the last [s].
-    duration: float
-    #: The host whose unicast alone was captured, if there is one.
-    vantage_host: str | None
-    #: Hosts that run nothing but servers.
-    server_hosts: frozenset[str]
-    #: Packets without a message, by type: "ARP", "TCP", "UDP", "other".
-    other_packets: dict[str, int]
-    #: The packets at which the clock was set, and by how much [s].
-    clock_steps: tuple[tuple[int, float], ...]
-    #: What the capture itself says that it lacks, in words.
-    capture_gaps: tuple[str, ...]
-    #: The share of packets that were cut [1].
-    truncated: float
-    #: When each message was captured [s], the sequence number that it is about, and the index of
-    #: its sender and receiver among the processes, -1 if it does not say.
-    time: Array = field(init=False)
-    number: Array = field(init=False)
-    sender_index: Array = field(init=False)
-    receiver_index: Array = field(init=False)
-    #: When the last message was captured [s].
-    end: float = field(init=False)
-    #: The address of each process; whether it is a server or router, and speaks RTPS.
-    process_host: Array = field(init=False)
-    is_server: Array = field(init=False)
-    is_rtps: Array = field(init=False)
-
-    def __post_init__(self) -> None:
+    def __init__(
+        self,
+        messages: pd.DataFrame,
+        processes: pd.DataFrame,
+        network_events: pd.DataFrame,
+        server_hosts: frozenset[str],
+        quality: Quality,
+    ) -> None:
+        self.messages, self.processes, self.network_events = messages, processes, network_events
+        #: Hosts that run nothing but servers.
+        self.server_hosts, self.quality = server_hosts, quality
+        #: The host whose unicast alone was captured, if any; those that only look for others count.
+        hosts = set(messages["sender"].astype(str).unique())
+        self.vantage_host = vantage_host(messages, hosts, server_hosts)
+        #: When each message was captured [s], the sequence number that it is about, and the index
+        #: of its sender and receiver among the processes, -1 if it does not say.
         self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
-        self.sender_index = self.index("process", self.processes.index)
-        self.receiver_index = self.index("peer", self.processes.index)
+        self.sender_index = self.index("process", processes.index)
+        self.receiver_index = self.index("peer", processes.index)
+        #: When the last message was captured [s].
         self.end = float(self.time.max(initial=0.0))
-        self.process_host = self.processes["host"].to_numpy(object)
-        self.is_server = self.processes["server"].to_numpy(bool)
-        self.is_rtps = (self.processes["protocol"] == "RTPS").to_numpy()
+        #: The address of each process; whether it is a server or router, and speaks RTPS.
+        self.process_host = processes["host"].to_numpy(object)
+        self.is_server = processes["server"].to_numpy(bool)
+        self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
 
     def __getitem__(self, column: str) -> Array:
         """Return a column of the messages."""
@@ -159,11 +145,9 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def without_clock_steps(
-    table: pd.DataFrame, steps: Sequence[tuple[int, float]], start: float
-) -> pd.DataFrame:
-    """Return a table with times since the first packet, at `start`, as if no clock had been set."""
-    first_frames, seconds = np.array(steps, float).reshape(-1, 2).T
+def without_clock_steps(table: pd.DataFrame, quality: Quality) -> pd.DataFrame:
+    """Return a table with times since the first packet, as if no clock had been set."""
+    first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]
-    return table.assign(time=table["time"] - start - step)
+    return table.assign(time=table["time"] - quality.first - step)

@@ -228,7 +228,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     )
     causes += [one for one in events if one.about == "fleet"]
     losses = list(traffic.loss(evidence))
-    if obs.truncated > MAX_TRUNCATED:
+    if obs.quality.truncated > MAX_TRUNCATED:
         causes, losses = list(network.two_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
@@ -242,7 +242,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     limits += [one for one in found if one.about == "capture"]
     times = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
     announced = obs.time[obs.isin("kind", *ANNOUNCING)]
-    over = obs.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
+    over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
         findings=(*wrong, *(one for one in events if one.about == "event"), *limits),
         complete=_complete(evidence, times, bool(wrong), {one.kind for one in limits}),
