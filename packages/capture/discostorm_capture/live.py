@@ -139,7 +139,6 @@ class Watch:
         self.payload.update(dict(zip(kinds.index, kinds["sum"].astype(int).tolist(), strict=True)))
         self.rates = {str(kind): int(count) / seconds for kind, count in kinds["size"].items()}
         self._count_airtime(rows["time"].to_numpy(np.int64), rows["airtime"].to_numpy())
-        products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, mine in rows.groupby("sender", observed=True):
             # The one that was heard last comes last.
             host = self.hosts.pop(str(address), None) or Host(float(mine["time"].min()))
@@ -149,6 +148,7 @@ class Watch:
             self.hosts[str(address)] = host
         for address in list(self.hosts)[:-MAX_HOSTS]:
             del self.hosts[address]
+        products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, host in self.hosts.items():
             host.products = products.get(address, host.products)
         self.new = self.new_size = 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import shlex
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -47,9 +47,8 @@ if TYPE_CHECKING:
 def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
-        raise click.BadParameter(
-            f"must end in .svg, .pdf or .png; got {_checks.shorten_name(value)!r}"
-        )
+        name = _checks.shorten_name(value)
+        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {name!r}")
     return value
 
 
@@ -126,9 +125,8 @@ def capture(
     if file == fleet == "-":
         raise click.UsageError("either FILE or --fleet may be -, for standard input")
     if file != "-" and Path(file).is_fifo():
-        click.echo(
-            f"Waiting for a program that writes into {visible(display_name(file))}.", err=True
-        )
+        pipe = visible(display_name(file))
+        click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
     with bad_input(), working("reading"):
         captured = ds.read_capture(standard_input() if file == "-" else file)
         members = compared(fleet, robot, hosts)
@@ -149,8 +147,8 @@ def capture(
             raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file(own, display_name(file))
-            write_file("--write-fleet", written, content.encode(), file, fleet)
+            content = _fleet_file(own, display_name(file)).encode()
+            write_file("--write-fleet", written, content, file, fleet)
         link = None if own is None or encrypted else link_of(own, own_model(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
@@ -248,16 +246,12 @@ def _show_messages(
         [{key: row[key] for key in row if key != "protocol"} for row in rows],
         output,
         formats={
-            **dict.fromkeys(("units", "expected"), _or_empty("{:,.0f}")),
-            "per_unit": _or_empty("{:,.3g}"),
+            **dict.fromkeys(("units", "expected"), lambda n: "" if n is None else f"{n:,.0f}"),
+            "per_unit": lambda n: "" if n is None else f"{n:,.3g}",
             "airtime_s": "{:.4f}".format,
         },
         headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
     )
-
-
-def _or_empty(template: str) -> Callable[[float | None], str]:
-    return lambda value: "" if value is None else template.format(value)
 
 
 def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
@@ -289,9 +283,8 @@ def _show_uses(written: str, link: Link | None) -> None:
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
-    click.echo(
-        f"Wrote {visible(_checks.shorten_name(written))}. Next: {visible(shlex.join(command))}"
-    )
+    name = visible(_checks.shorten_name(written))
+    click.echo(f"Wrote {name}. Next: {visible(shlex.join(command))}")
     if link is not None:
         click.echo(f"In the calculator: {link.address}")
         for note in link.notes:

@@ -75,16 +75,12 @@ def show_tables(diagnosis: Diagnosis, output: Output) -> None:
     hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
         click.echo()
+        headings = {"announced_s": "first [s]", "knows_all_s": "complete [s]"}
         print_rows(
             hosts.reset_index().to_dict("records"),
             output,
-            formats=dict.fromkeys(("announced_s", "knows_all_s"), _time),
-            headings={
-                "announced_s": "first [s]",
-                "knows_all_s": "complete [s]",
-                "endpoints": "endp.",
-                "processes": "proc.",
-            },
+            formats=dict.fromkeys(headings, _time),
+            headings=headings | {"endpoints": "endp.", "processes": "proc."},
         )
     pairs = diagnosis.incomplete()
     if len(pairs):

@@ -101,15 +101,10 @@ def _no_host_hears(
     subnets = _subnets(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
-        outside = tuple(
-            host for host, one in zip(hosts, subnets, strict=True) if one != largest or size == 1
-        )
-        yield Finding(
-            "other subnet",
-            outside,
-            f"{listed(hosts)} announce themselves from different networks, and none was answered "
-            "from another one",
-        )
+        pairs = zip(hosts, subnets, strict=True)
+        outside = tuple(host for host, one in pairs if one != largest or size == 1)
+        where = "from different networks, and none was answered from another one"
+        yield Finding("other subnet", outside, f"{listed(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
             return  # which explains it
     links = pairs_of(obs.messages)
@@ -169,12 +164,9 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     hosts, observable = np.array(found.hosts, object), found.observable
     deaf = observable & ~found.hears
     if (outside := _outside(found)).any():
-        yield Finding(
-            "other subnet",
-            tuple(hosts[outside]),
-            f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and only "
-            "hosts with addresses of one network answer each other",
-        )
+        said = f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and "
+        said += "only hosts with addresses of one network answer each other"
+        yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside
     several = observable.sum(axis=1) > 1
     hears_none, unheard = (
@@ -194,14 +186,10 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
         yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
-        answered = listed(hosts[found.multicast_ok[index]])
-        yield Finding(
-            "one direction",
-            (hosts[index],),
-            f"{hosts[index]} answers {answered}, and none of them ever answered it"
-            if answered
-            else f"none ever answered {hosts[index]}",
-        )
+        said = f"none ever answered {hosts[index]}"
+        if answered := listed(hosts[found.multicast_ok[index]]):
+            said = f"{hosts[index]} answers {answered}, and none of them ever answered it"
+        yield Finding("one direction", (hosts[index],), said)
         deaf[:, index] = False
     yield from _single_pairs(found, deaf, "never answered")
 
@@ -241,11 +229,9 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
         kept = apart.any(axis=1)
         good = found.unicast_ok & found.observable
         if not good[np.ix_(kept, kept)].any():
-            said = (
-                f"{listed(hosts[kept])} answer each other's announcements, but none of the unicast "
-                "between them is ever confirmed "
-                f"({words.count_noun(int(apart.sum()) // 2, 'pair')})"
-            )
+            pairs = words.count_noun(int(apart.sum()) // 2, "pair")
+            said = f"{listed(hosts[kept])} answer each other's announcements, but none of the "
+            said += f"unicast between them is ever confirmed ({pairs})"
             served = listed(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 said += f", while {served} exchanges unicast with all of them"

@@ -99,12 +99,9 @@ def loss(evidence: Evidence) -> Iterator[Finding]:
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share = f"{again / sent:.1%}" if again / sent < 0.1 else f"{again / sent:.0%}"
-    yield Finding(
-        "heavy loss" if heavy else "loss",
-        (),
-        f"{again} of {sent} frames with samples or segments that the capture shows were asked for "
-        f"or sent again, so at least {share} were lost",
-    )
+    said = f"{again} of {sent} frames with samples or segments that the capture shows were asked "
+    said += f"for or sent again, so at least {share} were lost"
+    yield Finding("heavy loss" if heavy else "loss", (), said)
 
 
 def storm(evidence: Evidence) -> Iterator[Finding]:
@@ -118,12 +115,8 @@ def storm(evidence: Evidence) -> Iterator[Finding]:
     if len(np.unique(last.astype(np.int64))) < STILL * third:
         return
     first = times[times <= times[0] + third]
-    yield Finding(
-        "storm",
-        (),
-        f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} in "
-        f"the first {third:.0f} s",
-    )
+    said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
+    yield Finding("storm", (), f"{said}in the first {third:.0f} s")
 
 
 def server_down(evidence: Evidence) -> Iterator[Finding]:
