@@ -251,25 +251,18 @@ def _notes(
     messages: pd.DataFrame,
 ) -> tuple[str, ...]:
     """Return what could not be read or counted, in sentences."""
-    notes = []
-    if truncated:
-        notes.append(
-            f"{truncated} of {packets} packets were cut when they were captured (snaplen): "
-            "what they held is missing, counts are lower bounds"
-        )
-    notes += [f"{count} {note}" for note, count in counts.items()]
-    if encrypted := int((messages["kind"] == "Encrypted").sum()):
-        notes.append(
-            f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
-            "discovery, though user data may be among them"
-        )
-    if silent := sum(not process.announced and not process.server for process in processes):
-        notes.append(
-            f"{silent} of {len(processes)} processes of which no announcement was "
-            "captured: their endpoints are not known"
-        )
-    if any(process.endpoints and not process.publishers for process in processes):
-        notes.append(
-            "Zenoh does not announce publishers: its endpoints are subscribers and queryables alone"
-        )
-    return tuple(notes)
+    encrypted = int((messages["kind"] == "Encrypted").sum())
+    silent = sum(not process.announced and not process.server for process in processes)
+    some = any(process.endpoints and not process.publishers for process in processes)
+    notes = {
+        f"{truncated} of {packets} packets were cut when they were captured (snaplen): what they "
+        "held is missing, counts are lower bounds": truncated,
+        **{f"{count} {note}": count for note, count in counts.items()},
+        f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
+        "discovery, though user data may be among them": encrypted,
+        f"{silent} of {len(processes)} processes of which no announcement was captured: their "
+        "endpoints are not known": silent,
+        "Zenoh does not announce publishers: its endpoints are subscribers and queryables "
+        "alone": some,
+    }
+    return tuple(note for note, count in notes.items() if count)

@@ -49,14 +49,9 @@ def sums(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
     import pandas as pd
 
     part = of_users(rows)
-    table = {}
-    for name, share in ((DISCOVERY, 1 - part), (USERS, part)):
-        table[name] = {
-            "messages": float(share.sum()),
-            "bytes": float((rows["bytes"].to_numpy() * share).sum()),
-            "airtime_s": float((rows["airtime_s"].to_numpy() * share).sum()),
-        }
-    found = pd.DataFrame.from_dict(table, orient="index")
+    shares = pd.DataFrame({DISCOVERY: 1 - part, USERS: part}, index=rows.index)
+    found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
+    for column in ("bytes", "airtime_s"):
+        found[column] = shares.mul(rows[column], axis=0).sum()
     found["of_time"] = found["airtime_s"] / seconds if seconds > 0 else np.nan
-    found.index.name = "what"
     return found

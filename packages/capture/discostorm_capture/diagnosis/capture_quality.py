@@ -97,9 +97,5 @@ def unconfirmed(evidence: Evidence) -> Iterator[Finding]:
     lacking = evidence.incomplete
     if lacking and all(stopped_asking(evidence.obs, pair) for pair in lacking):
         hosts = evidence.obs.hosts_of(pair.observer for pair in lacking)
-        yield Finding(
-            "capture lost part",
-            hosts,
-            f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
-            "lacks these confirmations",
-        )
+        said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
+        yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")

@@ -21,11 +21,9 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes started again."""
     for host, chain in evidence.restarts.items():
         times = listed([f"{evidence.lifetimes[process].first:.1f} s" for process in chain[1:]])
-        yield Finding(
-            "crash loop" if len(chain) >= LOOP else "restart",
-            (host,),
-            f"{host}: processes began at {times}, each after the one before had gone silent",
-        )
+        kind = "crash loop" if len(chain) >= LOOP else "restart"
+        said = f"{host}: processes began at {times}, each after the one before had gone silent"
+        yield Finding(kind, (host,), said)
 
 
 def ended(evidence: Evidence) -> Iterator[Finding]:
@@ -92,9 +90,6 @@ def forgotten(evidence: Evidence) -> Iterator[Finding]:
         return
     hosts = tuple(host for host, found in times.items() if len(found) == most)
     when = max((times_apart(times[host]) for host in hosts), key=len)
-    yield Finding(
-        "leases expire" if len(when) >= AGAIN else "forgotten",
-        hosts,
-        f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
-        "hosts that had known it before",
-    )
+    kind = "leases expire" if len(when) >= AGAIN else "forgotten"
+    said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
+    yield Finding(kind, hosts, f"{said}hosts that had known it before")

@@ -13,13 +13,12 @@ from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import DATA, Observations
 from discostorm_capture.diagnosis.scopes import clients
 
-#: Thresholds for loss: the fewest frames that count, their share, and the share of heavy loss [1].
-#: Samples are lost if asked for again, segments if sent again; of samples fewer are noticed. The
-#: lab's healthy runs had at most 1 sample and 2 segments, those with 5 % of loss less than the
-#: heavy shares.
+#: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
+#: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
+#: 5 % of loss less than the heavy shares.
 SAMPLES, SEGMENTS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 #: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
-#: when it has most to do. Segments do not count that soon: TCP repeats them at once.
+#: in which segments do not count: TCP repeats them at once.
 READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.25
 #: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
 #: third [1], of a capture of at least so long [s].
@@ -71,9 +70,8 @@ def _lost_frames(obs: Observations, sent: Array, lacks: Array, startup: float) -
 
     # By number and time, as one key: of each number the last one before it was asked for.
     key = obs.end + 1.0
-    asked = np.searchsorted(
-        number * key + time, obs.number[lacks] * key + obs.time[lacks], side="right"
-    )
+    lacking = obs.number[lacks] * key + obs.time[lacks]
+    asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.number[lacks])
     later &= obs.time[lacks] - time[last] > _reading(obs.time[lacks], startup)
