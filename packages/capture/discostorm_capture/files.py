@@ -83,8 +83,7 @@ def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]
 
     def fetch() -> bytes:
         nonlocal held
-        chunk = next(chunks, b"")
-        held += len(chunk)
+        held += len(chunk := next(chunks, b""))
         return chunk
 
     try:

@@ -49,12 +49,10 @@ def is_loopback(addresses: IdTable) -> Array:
 
 
 def parse(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
-    """Return the content of IP packets.
+    """Return the content of IP packets of `link.network_packets`, from ``at`` to ``end``.
 
-    Takes IP packets of `link.network_packets`. Adds ``source`` and ``target``, numbers of
-    addresses; ``protocol``; ``id``; ``offset`` of a fragment [B], and whether ``more`` follow;
-    ``wire``, the bytes that were sent; and ``parts``, the number of frames. ``at`` and ``end``
-    are those of the content then.
+    Adds ``source`` and ``target``, numbers of addresses; ``protocol``; ``id``; ``offset`` of a
+    fragment [B], and whether ``more`` follow; ``wire``, bytes sent; ``parts``, frames.
     """
     version = data[packets["at"]] >> 4
     note(notes, (version != 4) & (version != 6), "packets that are said to be IP, and are not")

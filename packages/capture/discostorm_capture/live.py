@@ -28,8 +28,7 @@ class Packets:
     """The packets of a stream in pcap's format, which are taken from its bytes as they come."""
 
     def __init__(self, name: str) -> None:
-        self.name, self.header = name, b""
-        self._rest = b""
+        self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
     def of(self, data: bytes) -> Iterator[tuple[float, bytes]]:
@@ -49,9 +48,8 @@ class Packets:
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
             if size > MOST:
-                raise CaptureError(
-                    f"{self.name}: a packet of {size} bytes; there are at most {MOST}"
-                )
+                said = f"a packet of {size} bytes; there are at most {MOST}"
+                raise CaptureError(f"{self.name}: {said}")
             end = at + self._size + size
             if end > len(self._rest):
                 break

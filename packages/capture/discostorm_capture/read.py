@@ -86,9 +86,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
     steps = _clock_steps(time)
     truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
-    gaps = [f"{count} {note}" for note, count in notes.items() if note in _CAPTURE_GAPS]
-    if truncated:
-        gaps.insert(0, f"{truncated} packets were cut when they were captured (snaplen)")
+    cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
+    cut |= {note: count for note, count in notes.items() if note in _CAPTURE_GAPS}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     return Capture(
         path=packets.name,
@@ -105,7 +104,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
             first=first,
             duration=last - first - sum(step for _, step in steps),
             other_packets=carried.packets | _without_messages(carried, messages),
-            gaps=tuple(gaps),
+            gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
         ),
     )
 

@@ -25,8 +25,7 @@ from discostorm_capture._bytes import (
 )
 from discostorm_capture.tables import RTPS, message_table
 
-#: The first four bytes of a message; the second is of Connext. Fast DDS has a header before it
-#: over TCP.
+#: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
 _HEADER = 20
 PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
@@ -41,15 +40,13 @@ _MAX_PARAMETERS = 512
 LOCATOR_KIND_UDPV4 = 1
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
-#: A participant of Fast DDS says in its properties that it is a Discovery Server
-#: (parameter_property_participant_type; two strings of CDR).
+#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
 #: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
-#: Submessages before one, or a message, that is signed or encrypted, and what is encrypted; kinds
-#: of transformation; the key that both ends derive from their handshake (DDS Security 1.1,
-#: 9.5.2.1).
+#: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
+#: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
 _SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
 #: With that key both ends tell each other all other keys.
@@ -76,8 +73,8 @@ def _offsets(column: str) -> Array:
 
 
 _READER_AT, _WRITER_AT = _offsets("reader_at"), _offsets("writer_at")
-#: The lower half of a sequence number: of a sample, the last one of a Heartbeat, the first one
-#: that an ACKNACK lacks; there the number of bits and these follow.
+#: The lower half of a sequence number: of a sample, the last of a Heartbeat, the first that an
+#: ACKNACK lacks, where a number of bits follows, and these.
 _NUMBER_AT = _offsets("number_at")
 _MAX_BITS = 256
 #: Submessages that are messages; the others say how to read the following ones, or fill up.

@@ -97,11 +97,10 @@ def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> 
     # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
     identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
     columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]
+    rows = zip(*(column.tolist() for column in columns), strict=True)
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
-    for packet, when, view, is_identified, frame in zip(
-        *(column.tolist() for column in columns), strict=True
-    ):
+    for packet, when, view, is_identified, frame in rows:
         in_time = packet == last_packet and when - since <= SEEN_AGAIN_WITHIN
         if in_time and (view != last_view or is_identified):
             duplicates[frame] = True

@@ -47,12 +47,9 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restarts.values() for process in chain[1:]}
     for scope in evidence.scopes:
-        members = [
-            member
-            for member in set(scope.members) - again - evidence.began_late
-            if np.isfinite(lifetimes[member].first)
-        ]
-        members.sort(key=lambda member: (lifetimes[member].first, member))
+        members = sorted(set(scope.members) - again - evidence.began_late)
+        members = [member for member in members if np.isfinite(lifetimes[member].first)]
+        members.sort(key=lambda member: lifetimes[member].first)
         hosts = obs.by_host(members)
         starts = [lifetimes[processes[0]].first for processes in hosts.values()]
         gaps = np.diff(starts, prepend=starts[:1])

@@ -18,11 +18,9 @@ from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")
-#: Fast DDS announces itself each 100 ms at first; sooner after the time before only if it found
-#: another process (until 2.14.5; data/vendors/middleware_defaults.csv, initial_period) [s].
-SOONER = 0.05
-#: So often it does by itself in its first seconds [1], [s].
-INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 6, 1.5
+#: Fast DDS announces itself each 100 ms at first, so often in its first seconds [1], [s]; sooner
+#: only if it found another process [s] (until 2.14.5; middleware_defaults.csv, initial_period).
+SOONER, INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 0.05, 6, 1.5
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
 
@@ -83,12 +81,8 @@ def _alone(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> It
     first, last = obs.host_first_last[host]
     if last - first >= PATIENCE:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        yield Finding(
-            "alone",
-            (host,),
-            f"{host} announced itself {count} times in {last - first:.1f} s, and nothing came "
-            "from another host",
-        )
+        said = f"{host} announced itself {count} times in {last - first:.1f} s"
+        yield Finding("alone", (host,), f"{said}, and nothing came from another host")
 
 
 def _no_host_hears(
@@ -151,9 +145,9 @@ def _found_others(obs: Observations, scope: DiscoveryScope) -> int:
     for member in scope.members:
         times = obs.time[announced & (obs.sender_index == member)]
         initial = times[times < times[:1].sum() + INITIAL_TIME]
-        # It finds those of its own host in any case.
-        local = int((obs.process_host == obs.process_host[member]).sum()) - 1
         if obs.processes["product"].iloc[member] == "Fast DDS":
+            # It finds those of its own host in any case.
+            local = int((obs.process_host == obs.process_host[member]).sum()) - 1
             more = len(initial) > INITIAL_ANNOUNCEMENTS + local
             count += more and bool(np.diff(initial).min() < SOONER)
     return count

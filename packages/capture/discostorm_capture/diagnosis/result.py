@@ -274,12 +274,10 @@ def not_authenticated(evidence: Evidence) -> Iterator[Finding]:
     pairs = [pair for pair in pairs if {*pair} & obs.secured]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        yield Finding(
-            "not authenticated",
-            obs.hosts_of(process for pair in pairs for process in pair),
-            f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never sent "
-            f"the other its keys: {listed([*ends])}",
-        )
+        said = f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never "
+        said += f"sent the other its keys: {listed([*ends])}"
+        hosts = obs.hosts_of(process for pair in pairs for process in pair)
+        yield Finding("not authenticated", hosts, said)
 
 
 def incomplete(evidence: Evidence) -> Iterator[Finding]:
@@ -287,9 +285,6 @@ def incomplete(evidence: Evidence) -> Iterator[Finding]:
     obs, pairs = evidence.obs, evidence.incomplete
     ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        yield Finding(
-            "incomplete",
-            obs.hosts_of(pair.observer for pair in pairs),
-            f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed: "
-            f"{listed([*ends])}",
-        )
+        said = f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed"
+        hosts = obs.hosts_of(pair.observer for pair in pairs)
+        yield Finding("incomplete", hosts, f"{said}: {listed([*ends])}")

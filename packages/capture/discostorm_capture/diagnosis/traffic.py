@@ -140,8 +140,8 @@ def _discovery_servers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
         if count < MESSAGES or end - obs.time[later].min() < WAIT:
             continue
         asking = words.count_noun(obs.messages["sender"][later].nunique(), "host")
-        said = [f"{asking} sent it {count} messages without answer"]
-        said.append("it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s")
+        spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
+        said = [f"{asking} sent it {count} messages without answer", spoke]
         if refused := int((obs.events("unreachable")["receiver"] == host).sum()):
             said.append(f"{refused} times its host said that no process has the port (ICMP)")
         yield host, said
