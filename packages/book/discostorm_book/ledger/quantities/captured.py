@@ -49,6 +49,12 @@ def messages_per_frame(product: str) -> float:
     return median(messages / frames for messages, frames in starts)
 
 
+def captured_payload_spread(product: str, message: str) -> float:
+    """Return half the range of the mean payload of the swarms, relative to the median swarm."""
+    sizes = lab_counts.payloads(product, message)
+    return (max(sizes) - min(sizes)) / 2 / median(sizes)
+
+
 def sessions_per_pair(product: str) -> float:
     """Return how many sessions a start opens for each two processes: the median swarm."""
     opened = ("startup", "Open", "OpenSyn", "unicast", "")

@@ -19,6 +19,8 @@ from discostorm_book import enumeration, lab_counts
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}
+#: Whose timers the simulations of the paper's messages have.
+_TIMERS = {"DDS": "Fast DDS", "Zenoh": "Zenoh peer"}
 
 
 def default(product: str | Protocol, name: str) -> float:
@@ -46,23 +48,28 @@ def payloads_measured(protocol: Protocol) -> float:
     return sum(right) / len(right)
 
 
-def start_saved(configuration: str, hosts: float) -> float:
-    """Return which part of the start's airtime a configuration saves, with any names the least.
+def start_ratio(configuration: str, hosts: float, processes: float) -> float:
+    """Return the start's airtime relative to the product without a configuration, at most.
 
-    Relative to the product without it, as both tables were measured, on the paper's channel, for
-    hosts of 2 processes with 10 endpoints, of which none or all match.
+    As both tables were measured, on the paper's channel, for processes of 10 endpoints, of which
+    none or all match.
     """
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
-    saved = []
+    ratios = []
     for matching in (0.0, 1.0):
-        fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
+        fleet = Fleet((HostGroup(hosts, processes, 10),), matching)
         with_it, without = (
             sum(costs["uplink_s"] + costs["downlink_s"] for costs in message_costs(table, fleet))
             for table in (PROTOCOLS[configuration], PROTOCOLS[instead_of])
         )
-        saved.append(1 - float(with_it) / float(without))
-    return min(saved)
+        ratios.append(float(with_it) / float(without))
+    return max(ratios)
+
+
+def least_saved(configuration: str, first: int, last: int, processes: float) -> float:
+    """Return the least part of the start's airtime saved in fleets of first to last hosts."""
+    return 1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
 
 
 def remedies_by_configuration() -> float:
@@ -158,6 +165,16 @@ def runs_converged(hosts: float) -> float:
     return min(
         int(row["converged"]) / int(row["runs"]) for row in rows if "periods" in row["protocol"]
     )
+
+
+def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
+    """Return the hosts that random delays are sure to add, within a lease and full queues."""
+    limit = PROTOCOLS[f"{protocol.name}, periods of {_TIMERS[protocol.name]}"].lease
+    (late,), (at_once,) = (
+        _simulated("ladder", protocol=protocol.name, step=step, mpdus=mpdus, limit_s=limit)
+        for step in ("staggered", "queues")
+    )
+    return int(late["hosts_low"]) - int(at_once["hosts_high"])
 
 
 def enumerated_down_for_up(protocol: Protocol, phase: str, *swarm: int) -> float:
