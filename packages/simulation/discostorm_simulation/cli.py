@@ -122,7 +122,7 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
     click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
     click.option("--seed", type=int, default=0, show_default=True, help="Random seed."),
     click.option(
-        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to 1."
+        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to below 1."
     ),
     click.option(
         "--window",
