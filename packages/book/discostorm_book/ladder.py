@@ -86,8 +86,7 @@ def rungs() -> Iterator[Rung]:
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = words.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
-            # The bound is late for the paper's messages, which all wait from the first moment on.
-            # Real messages leave gaps before startup is over; there the bound stays.
+            # The time, not its bound, which stays for real messages: they leave gaps earlier.
             while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield Rung(on, protocol, fit, within, hosts, (fit, fit))

@@ -25,10 +25,7 @@ def sent_ratio(product: str, message: str, other: str, other_message: str) -> fl
 
 
 def matching_ratio(product: str) -> float:
-    """Return how many times the messages a start has if names match instead of being unique.
-
-    The median over the swarms that were captured both ways.
-    """
+    """Return a start's messages with matching names to those with unique ones, in the median."""
     sent = {point.name: _startup(point)[0] for point in lab_counts.points(product)}
     swarms = [name[:-1] for name in sent if name[-1] == "m" and f"{name[:-1]}u" in sent]
     return median(sent[f"{swarm}m"] / sent[f"{swarm}u"] for swarm in swarms)

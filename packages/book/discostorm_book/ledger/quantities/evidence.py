@@ -16,11 +16,7 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
-
-#: Efforts of remedies that need neither new programs nor other software.
-_CONFIGURATION = {"setting", "file"}
-#: Whose timers the simulations of the paper's messages have.
-_TIMERS = {"DDS": "Fast DDS", "Zenoh": "Zenoh peer"}
+from discostorm_book.ladder import TABLES
 
 
 def default(product: str | Protocol, name: str) -> float:
@@ -29,31 +25,21 @@ def default(product: str | Protocol, name: str) -> float:
 
 
 def payloads_measured(protocol: Protocol) -> float:
-    """Return which part of the messages had, in captures, a payload in the paper's range.
-
-    Of at least one product that speaks the protocol, the median of all points of the lab.
-    """
-    products = [
-        name
-        for name, table in PROTOCOLS.items()
-        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name
+    """Return the part of messages with a median payload in the paper's range, in some product."""
+    products = [n for n in MEASURED if n in PROTOCOLS and PROTOCOLS[n].family == protocol.name]
+    right = [
+        any(
+            each.payload.low <= median(sizes) <= each.payload.high
+            for product in products
+            if (sizes := lab_counts.payloads(product, each.name))
+        )
+        for each in protocol.messages
     ]
-
-    def within(name: str, low: float, high: float) -> bool:
-        sizes = (lab_counts.payloads(product, name) for product in products)
-        return any(low <= median(each) <= high for each in sizes if each)
-
-    messages = protocol.messages
-    right = [within(each.name, each.payload.low, each.payload.high) for each in messages]
     return sum(right) / len(right)
 
 
 def start_ratio(configuration: str, hosts: float, processes: float) -> float:
-    """Return the start's airtime relative to the product without a configuration, at most.
-
-    As both tables were measured, on the paper's channel, for processes of 10 endpoints, of which
-    none or all match.
-    """
+    """Return the start's airtime to that without a configuration, with any names the most."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     ratios = []
@@ -75,7 +61,7 @@ def least_saved(configuration: str, first: int, last: int, processes: float) -> 
 def remedies_by_configuration() -> float:
     """Return which part of the planner's remedies is a setting or a file of configuration."""
     efforts = [row["effort"] for row in read_data("vendors/remedies.csv") if row["effort"]]
-    return sum(effort in _CONFIGURATION for effort in efforts) / len(efforts)
+    return sum(effort in ("setting", "file") for effort in efforts) / len(efforts)
 
 
 def runs_found(configuration: str, event: str) -> float:
@@ -169,7 +155,7 @@ def runs_converged(hosts: float) -> float:
 
 def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
     """Return the hosts that random delays are sure to add, within a lease and full queues."""
-    limit = PROTOCOLS[f"{protocol.name}, periods of {_TIMERS[protocol.name]}"].lease
+    limit = PROTOCOLS[TABLES[protocol.name][1]].lease
     (late,), (at_once,) = (
         _simulated("ladder", protocol=protocol.name, step=step, mpdus=mpdus, limit_s=limit)
         for step in ("staggered", "queues")
