@@ -6,7 +6,6 @@ however it ends, the kernel ends the rest. What is there already is not run agai
 
 import argparse
 import csv
-import fcntl
 import gzip
 import json
 import os
@@ -294,6 +293,8 @@ def alone() -> IO[str] | None:
 
     Tests of the lab hold the lock for what they begin (see the root's conftest.py).
     """
+    import fcntl  # here, as Windows has none, where tables are only read
+
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     lock = LOCK.open("a")
     if os.environ.get(HELD) != "tests":

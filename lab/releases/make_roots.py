@@ -12,7 +12,6 @@ tag's archive unpacks to. ADDRESS is that of a Debian mirror, else the machine's
 
 import argparse
 import csv
-import fcntl
 import hashlib
 import json
 import os
@@ -230,8 +229,9 @@ def make(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
             server = at[how] / "fast-discovery-server"
             if not server.exists():
                 raise MissingError("fast-discovery-server is not in it")
-            # The number of the command `server`, as `fastdds discovery` of 3.x gives it.
-            command = ["42"] if int(row["version"].split(".")[0]) > 2 else []
+            # The number of the command `server`, as `fastdds discovery` gives it since 3.2.
+            major, minor, _ = map(int, row["version"].split("."))
+            command = ["42"] if (major, minor) >= (3, 2) else []
             told["server"] = [*command_of(root, server.resolve(), how), *command]
     took = round(time.monotonic() - begun, 1)
     made.write_text(json.dumps(told | {"seconds": took}, indent=1) + "\n")
@@ -250,6 +250,8 @@ def main() -> int:
         parser.error(f"{', '.join(sorted(unknown))}: not one of {', '.join(names)}")
     if given.sources and not given.sources.is_dir():
         parser.error(f"SOURCES={given.sources}: there is no such folder")
+    import fcntl  # here, as Windows has none, where the table is only read
+
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     with LOCK.open("a") as lock:
         try:  # shared with tests, and kept until the end

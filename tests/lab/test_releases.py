@@ -1,7 +1,6 @@
 """The campaign of releases: its tables, its lock, and what it does without a root."""
 
 import csv
-import fcntl
 import os
 import re
 import subprocess
@@ -233,6 +232,7 @@ def begun(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_neither_tests_nor_another_campaign_run_beside_a_campaign(campaign: Path) -> None:
+    fcntl = pytest.importorskip("fcntl")
     tests = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "test_one.py")
     program = ("lab/measure/run_grid.py",)
     # Not set up there, which it says if nothing else is running.
