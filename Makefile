@@ -118,7 +118,7 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@[ "$$GRID" != short ] || ! $(BIN)/python lab/releases/make_roots.py fast_dds-2.9.1 || \
 		$(BIN)/python lab/measure/run_releases.py --grid lab/grids/releases_short.csv \
-		--captures build/lab/short_releases --out build/lab/short/releases
+		--once --captures build/lab/short_releases --out build/lab/short/releases
 	@test "$$GRID" != short || $(BIN)/python lab/measure/failures.py --short
 
 lab-roots: build/lab/.ready ## make what lab-releases measures (SOURCES=folder of sources, MIRROR=Debian's; once, half an hour)

@@ -1,6 +1,8 @@
 """The campaign of releases: its tables, its lock, and what it does without a root."""
 
 import csv
+import gzip
+import json
 import os
 import re
 import subprocess
@@ -168,6 +170,95 @@ def test_a_revision_of_debian_is_the_same_release() -> None:
     assert make_roots.upstream("") == ""
 
 
+class Machine:
+    """Stands in for the lab: its runs have a checksum each, and some cores are busy."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.folder, self.monkeypatch = folder, monkeypatch
+        self.begun: list[str] = []
+        self.told: dict[str, float] = {}
+        for name in ("run", "finish", "described", "counted"):
+            monkeypatch.setattr(lab, name, getattr(self, name))
+        monkeypatch.setattr(lab, "rooted", lambda _: (roots(), []))
+
+    def run(self, jobs: list[dict[str, Any]], folder: Path, finish: Any, **_: float) -> int:
+        for job in jobs:
+            self.begun.append(job["name"])
+            out = folder / job["name"]
+            with gzip.open(out.with_suffix(".pcap.gz"), "wb") as file:
+                file.write(b"RTPS\x02\x03\x01\x0f")
+            told = {"idle": 0.8, "idle_before": 1.0} | self.told
+            out.with_suffix(".json").write_text(json.dumps(job | told))
+            out.with_suffix(".1.1.log").write_text("matched 3 1 0.5\n")
+            out.with_suffix(".2.1.log").write_text("matched 2 4 0.25\n")
+            finish(out)
+        return 0
+
+    def finish(self, out: Path) -> str:
+        return out.name
+
+    def described(self, _: str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+        late = f"{self.told.get('late', 0):.4f}"
+        checksum = f"{len(self.begun):010d}{capture.name}"
+        return {"sha256": checksum, "start_skew_s": late, "idle": told["idle"]}
+
+    def counted(self, name: str, *_: object) -> list[dict[str, Any]]:
+        return [{"run": name, "kind": "SPDP", "messages": len(self.begun)}]
+
+    def main(self, grid: str, *more: str) -> int:
+        (self.folder / "grid.csv").write_text(grid)
+        where = ("--out", self.folder / "out", "--captures", self.folder / "captures")
+        words = ["run_releases.py", "--grid", self.folder / "grid.csv", *where, *more]
+        self.monkeypatch.setattr("sys.argv", list(map(str, words)))
+        return lab.main()
+
+    def runs(self) -> list[dict[str, str]]:
+        return lab.table(self.folder / "out" / "runs.csv")
+
+    def counts(self) -> list[dict[str, str]]:
+        return lab.table(self.folder / "out" / "counts.csv")
+
+
+@pytest.fixture
+def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Machine:
+    return Machine(tmp_path, monkeypatch)
+
+
+HEAD = "release,hosts,processes,endpoints,names,types,server,use,runs,seconds\n"
+TWICE = HEAD + "fast_dds-3.6.2,2,1,4,matching,one,,test,2,12\n"
+
+
+def test_what_is_stored_is_not_run_again(machine: Machine) -> None:
+    assert machine.main(TWICE) == 0
+    first = machine.runs()
+    assert [row["number"] for row in first] == ["1", "2"]
+    assert {(row["matched"], row["expected"], row["last_match_s"]) for row in first} == {
+        ("10", "16", "0.500")
+    }
+    assert machine.main(TWICE + "fast_dds-2.14.6,2,1,4,matching,one,,test,1,12\n") == 0
+    assert len(machine.begun) == 3
+    assert machine.runs()[:2] == first
+    assert {row["run"] for row in machine.counts()} == {row["run"] for row in machine.runs()}
+    assert not list((machine.folder / "captures").glob("*.log"))
+
+
+@pytest.mark.parametrize("why", [{"idle": 0.2}, {"idle_before": 0.8}, {"late": 0.15}])
+def test_a_run_whose_cores_were_not_idle_is_marked_and_repeated(
+    machine: Machine, why: dict[str, float]
+) -> None:
+    machine.told = why
+    assert machine.main(TWICE, "--once") == 0
+    assert len(machine.begun) == 2
+    assert machine.main(TWICE) == 1
+    assert len(machine.begun) == 2 + 2 * lab.PASSES
+    assert [row["again"] for row in machine.runs()] == ["1", "1"]
+    machine.told = {}
+    assert machine.main(TWICE) == 0
+    assert [row["again"] for row in machine.runs()] == ["0", "0"]
+    # What was counted in the runs before is gone.
+    assert [row["messages"] for row in machine.counts()] == ["9", "10"]
+
+
 def source(folder: Path) -> Path:
     (folder / "src").mkdir(parents=True)
     (folder / "CMakeLists.txt").write_text("project(a)\n")
@@ -247,7 +338,7 @@ def test_neither_tests_nor_another_campaign_run_beside_a_campaign(campaign: Path
         assert refused.returncode == 1
         assert "a campaign of the lab is running: run the tests" in refused.stdout + refused.stderr
         fcntl.flock(lock, fcntl.LOCK_SH)  # as tests
-        assert begun(campaign, *program).returncode == 1
+        assert "another campaign of the lab, or tests," in begun(campaign, *program).stderr
         assert begun(campaign, *tests).returncode == 0
 
 
