@@ -24,6 +24,7 @@ SERVING = 1.0  # s that servers have before anybody else runs
 LATE = 0.2  # s after the agreed time; what begins later spoils a run that does not allow for it
 IDLE = 0.2  # share of the start-up window that the processor has to be idle
 BUSY = 12.0  # s of the start-up window
+BEFORE_END = 0.3  # s before the end of the window, when all processes are still there
 PATIENCE = 30.0  # s beyond its time before a program is given up
 # Nothing of what configures middleware on the user's machine; the mark is of the tests.
 CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
@@ -138,6 +139,22 @@ def processor() -> tuple[int, int]:
     return idle + nice + others[0], user + nice + system + idle + sum(others)
 
 
+def taken_by_others() -> tuple[int, int]:
+    """Return the time that others than this stage took, and all time, of all processors so far.
+
+    All processes that are here are of this stage. What the kernel does for packets counts for
+    nobody.
+    """
+    with Path("/proc/stat").open() as file:
+        user, nice, system, *others = map(int, file.readline().split()[1:9])
+    own = 0
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            own += sum(map(int, path.read_text().rpartition(")")[2].split()[11:13]))
+    steal = others[-1]
+    return user + nice + system + steal - own, user + nice + system + sum(others)
+
+
 def idle_since(before: tuple[int, int]) -> float:
     """Return the share of the time since then that no process of the lab wanted [1]."""
     (idle, total), (idle_now, total_now) = before, processor()
@@ -206,11 +223,12 @@ def main() -> None:
         with contextlib.suppress(BrokenPipeError):
             program.stdin.write(f"{start + one['after']}\n")
             program.stdin.flush()
-    # All wait for the start: who is busy until then is not of the lab.
-    before = processor()
-    time.sleep(max(0.0, start - time.time()))
-    idle_before = idle_since(before)
-    time.sleep(min(BUSY, job["seconds"]))
+    before, others = processor(), taken_by_others()
+    end = start + min(BUSY, job["seconds"])
+    time.sleep(max(0.0, end - BEFORE_END - time.time()))
+    spent, passed = (now - then for now, then in zip(taken_by_others(), others, strict=True))
+    others_took = round(max(spent, 0) / max(passed, 1), 3)
+    time.sleep(max(0.0, end - time.time()))
     idle = idle_since(before)
     if idle < job.get("idle_needed", IDLE):
         raise SystemExit(f"the processor was idle for {idle:.0%}: machine too busy")
@@ -235,7 +253,7 @@ def main() -> None:
             raise SystemExit(f"the server on host {number} ended with {server.returncode}")
     end_capture(out, dump)
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
-    job |= {"start": start, "times": times, "idle": idle, "idle_before": idle_before}
+    job |= {"start": start, "times": times, "idle": idle, "others": others_took}
     job |= {"cpu_s": round(spent.ru_utime + spent.ru_stime, 3)}
     out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
     for path in out.parent.glob(f"{out.name}.*.log"):

@@ -98,7 +98,7 @@ def test_servers_and_types_are_where_they_have_a_say() -> None:
         assert int(row["endpoints"]) % 2 == 0
         # A topic that all share has one type.
         assert row["types"] == "one" or row["names"] == "unique"
-        assert (row["runs"], row["seconds"]) in {("2", "12"), ("5", "12")}
+        assert (row["runs"], row["seconds"]) in {(runs, "12") for runs in "235"}
 
 
 def test_runs_have_names_of_their_own_and_are_known_by_their_rows() -> None:
@@ -187,7 +187,7 @@ class Machine:
             out = folder / job["name"]
             with gzip.open(out.with_suffix(".pcap.gz"), "wb") as file:
                 file.write(b"RTPS\x02\x03\x01\x0f")
-            told = {"idle": 0.8, "idle_before": 1.0} | self.told
+            told = {"idle": 0.8, "others": 0.02} | self.told
             out.with_suffix(".json").write_text(json.dumps(job | told))
             out.with_suffix(".1.1.log").write_text("matched 3 1 0.5\n")
             out.with_suffix(".2.1.log").write_text("matched 2 4 0.25\n")
@@ -242,7 +242,7 @@ def test_what_is_stored_is_not_run_again(machine: Machine) -> None:
     assert not list((machine.folder / "captures").glob("*.log"))
 
 
-@pytest.mark.parametrize("why", [{"idle": 0.2}, {"idle_before": 0.8}, {"late": 0.15}])
+@pytest.mark.parametrize("why", [{"idle": 0.2}, {"others": 0.2}, {"late": 0.15}])
 def test_a_run_whose_cores_were_not_idle_is_marked_and_repeated(
     machine: Machine, why: dict[str, float]
 ) -> None:
