@@ -226,8 +226,8 @@ def main() -> None:
     before, others = processor(), taken_by_others()
     end = start + min(BUSY, job["seconds"])
     time.sleep(max(0.0, end - BEFORE_END - time.time()))
-    spent, passed = (now - then for now, then in zip(taken_by_others(), others, strict=True))
-    others_took = round(max(spent, 0) / max(passed, 1), 3)
+    taken, passed = (now - then for now, then in zip(taken_by_others(), others, strict=True))
+    others_took = round(max(taken, 0) / max(passed, 1), 3)
     time.sleep(max(0.0, end - time.time()))
     idle = idle_since(before)
     if idle < job.get("idle_needed", IDLE):

@@ -7,11 +7,13 @@ import os
 import re
 import subprocess
 import sys
+import time
 from collections import Counter
 from pathlib import Path
 from typing import Any
 
 import make_roots
+import netns_run
 import pytest
 import run_grid
 import run_releases as lab
@@ -168,6 +170,21 @@ def test_a_revision_of_debian_is_the_same_release() -> None:
     assert make_roots.upstream("2.9.1+ds-1+deb12u2") == "2.9.1" == make_roots.upstream("2.9.1-3")
     assert make_roots.upstream("3.1.2+ds-1") != "3.1"
     assert make_roots.upstream("") == ""
+
+
+@pytest.mark.skipif(not Path("/proc/stat").exists(), reason="not Linux")
+def test_what_others_take_leaves_out_all_processes_that_are_here() -> None:
+    """Here are all processes, so nothing is of others; but one that ends meanwhile, is."""
+    for _ in range(5):
+        others, total = netns_run.taken_by_others()
+        end = time.process_time() + 0.5
+        while time.process_time() < end:
+            pass
+        others_now, total_now = netns_run.taken_by_others()
+        assert total_now - total >= 40  # ticks of 10 ms, of one processor at least
+        if others_now - others < 40:
+            return
+    pytest.fail("what this process takes is counted as taken by others")
 
 
 class Machine:
