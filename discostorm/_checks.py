@@ -101,11 +101,7 @@ def numbers(
     allow_inf: bool = False,
     scalar: bool = False,
 ) -> float | NDArray[np.float64]:
-    """Return float64 numbers if all are in the range; a scalar or 0-d array as a float.
-
-    `exclusive_min` and `exclusive_max` exclude the ends; `allow_inf` allows infinity; `scalar`
-    refuses arrays.
-    """
+    """Return float64 numbers if all are in the range; a scalar or 0-d array as a float."""
     # Nearly all calls give a plain number in the range.
     if type(value) in (float, int) and (
         low < value < min(high, sys.float_info.max)  # type: ignore[operator]

@@ -5,36 +5,18 @@ from difflib import get_close_matches
 
 
 def key(name: str) -> str:
-    """Return a name without what people write differently: case, hyphens, spaces, commas.
-
-    Examples
-    --------
-    >>> key("Fast-DDS") == key("fastdds") == key("FAST DDS")
-    True
-    """
+    """Return a name without what people write differently: case, hyphens, spaces, commas."""
     return "".join(filter(str.isalnum, name.casefold()))
 
 
 def meant(name: str, names: Iterable[str], aliases: Mapping[str, str]) -> str | None:
-    """Return the name that is meant, by itself or by an alias of it; None if none is.
-
-    Examples
-    --------
-    >>> meant("fast-dds", ["Fast DDS"], {}), meant("rtps", ["Fast DDS"], {"RTPS": "Fast DDS"})
-    ('Fast DDS', 'Fast DDS')
-    """
+    """Return the name that is meant, by itself or by an alias of it; None if none is."""
     by_key = {key(alias): full for alias, full in aliases.items()}
     return (by_key | {key(full): full for full in names}).get(key(name))
 
 
 def nearest(name: str, valid: Iterable[str]) -> str | None:
-    """Return the valid name that begins with this one or looks most like it; None if none does.
-
-    Examples
-    --------
-    >>> nearest("fastdss", ["Fast DDS", "Cyclone DDS"]), nearest("mqtt", ["Fast DDS"])
-    ('Fast DDS', None)
-    """
+    """Return the valid name that begins with this one or looks most like it; None if none does."""
     by_key = {key(full): full for full in valid}
     longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
     matches = longer or get_close_matches(key(name), by_key, n=1)

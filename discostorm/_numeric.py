@@ -84,10 +84,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     --------
     >>> import sympy as sp
     >>> x, y = sp.symbols("x y")
-    >>> f = lambdify([x, y], 2 * x)
-    >>> f(3, y=1)
-    6.0
-    >>> f([1, 2], [[0], [0]])
+    >>> lambdify([x, y], 2 * x)([1, 2], y=[[0], [0]])
     array([[2., 4.],
            [2., 4.]])
     """

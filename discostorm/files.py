@@ -1,13 +1,15 @@
-"""Files of users: written whole or not at all, and read only if they end."""
+"""Files of users, written whole or not at all and read only if they end; values for JSON."""
 
 import errno
+import math
 import os
 import shutil
 import stat
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from threading import Thread
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 #: How long a pipe may have no writer before it is refused [s].
 PIPE_WAIT_S = 2.0
@@ -72,3 +74,12 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
     if not opened:
         raise OSError(errno.ENXIO, "no program writes into this pipe", str(path))
     return opened[0]
+
+
+def json_ready(value: Any) -> Any:
+    """Return a value, or all within it, without infinity and NaN, which JSON lacks."""
+    if isinstance(value, Mapping):
+        return {key: json_ready(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [json_ready(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

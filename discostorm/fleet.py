@@ -9,15 +9,17 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, int_if_integral
+from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
     LEAST as LEAST,
+    MAX_BYTES as MAX_BYTES,
     error_context,
     fleet_tables,
-    read_fleet_file,
 )
 from discostorm.flows import Flow, flow_of
 from discostorm.ros2 import check_nodes, usually_shared
@@ -35,32 +37,23 @@ class HostGroup:
 
     Parameters
     ----------
-    hosts : float, array or sympy.Expr
-        Number of hosts in the group [1], from 1 to 1e9.
-    processes : float, array or sympy.Expr
-        Processes on each host [1], from 1 to 1e9.
-    endpoints : float, array or sympy.Expr
-        Endpoints of each process [1], from 0 to 1e9; their mean if processes differ.
+    hosts, processes, endpoints : float, array or sympy.Expr
+        Number of hosts in the group, processes on each host, and endpoints of each process, their
+        mean if processes differ [1]; to 1e9, from 1, endpoints from 0.
     name : str, optional
         What to call it.
     nodes : float, optional
         Nodes with parameter services in each process [1], for `plan`; None if unknown.
     shared : float or sympy.Expr, optional
         Endpoints of each process that match one in every other process, whatever the names of its
-        others are [1], from 0 to `endpoints`. In ROS 2 those of topics with the same name
-        everywhere: `discostorm.robots.shared_endpoints`.
+        others are [1]. In ROS 2 those of topics with the same name everywhere:
+        `discostorm.robots.shared_endpoints`.
     wired : bool, optional
         Whether they are wired to the access point: their uplink takes no air, nor does the
         downlink to them. False if left out.
     data : tuple of Flow, optional
         What each host publishes for others once discovery is complete; nothing if left out.
         `discostorm.utilization` counts it for the phase "data".
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> ds.HostGroup(10, 1, 678, name="robots")
-    HostGroup(hosts=10, processes=1, endpoints=678, name='robots')
     """
 
     hosts: Count
@@ -192,52 +185,30 @@ class Fleet:
 
     @classmethod
     def from_toml(cls, path: str | PathLike[str]) -> "Fleet":
-        """Return the fleet that a TOML file describes.
+        """Return the fleet that a TOML file describes, with its groups in their order.
 
-        The file has a table ``[[groups]]`` for each group of hosts, with one number each
-        for ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process),
-        and optionally ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group
-        without ``shared`` shares what ROS 2 makes for its processes and nodes
-        (`discostorm.robots.shared_endpoints`), for the likely number of nodes if it has no
-        ``nodes`` either (`discostorm.robots.likely_nodes`); programs without ROS 2 say
-        ``shared = 0``. Above the groups it may have ``matching``; see `Fleet`::
+        The file has a table ``[[groups]]`` for each group of hosts, with one number each for
+        ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process), and optionally
+        ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group without ``shared``
+        shares what ROS 2 makes for its processes and nodes (`discostorm.robots.shared_endpoints`),
+        for the likely number of nodes if it has no ``nodes`` either
+        (`discostorm.robots.likely_nodes`); programs without ROS 2 say ``shared = 0``. Above the
+        groups it may have ``matching``; see `Fleet`. User data have a table for each topic, below
+        its group: one of `discostorm.flows.topics`, or one of your own with ``rate`` in Hz,
+        ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
 
             matching = 0
 
-            [[groups]]
-            name = "robots"
-            hosts = 10
-            processes = 1
-            endpoints = 678
+            [[groups]] name = "robots" hosts = 10 processes = 1 endpoints = 678
 
-        User data have a table for each topic, below its group: a ready-made topic
-        (`discostorm.flows.topics`) or one of your own, with ``rate`` in Hz, ``bytes`` and
-        ``reliable``; see `discostorm.flows.Flow`::
+            [[groups.data]] topic = "scan" to = "wired host"
 
-            [[groups.data]]
-            topic = "scan"
-            to = "wired host"
-
-        Parameters
-        ----------
-        path : str or path-like
-            The file, in UTF-8.
-
-        Returns
-        -------
-        Fleet
-            Its groups in the order of the file.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be read.
-        ValueError
-            If it is not TOML, or a key is missing, unknown or has a wrong value; the
-            message names the file, the group, the key, the value and the allowed range.
+        An OSError says if the file cannot be read; a ValueError if it is not TOML, or a key is
+        missing, unknown or has a wrong value: file, group, key, value and allowed range.
         """
         name = _checks.path("path", path, "a TOML file")
-        return cls.from_bytes(read_fleet_file(name), name)
+        with open_input(name) as file:
+            return cls.from_bytes(file.read(MAX_BYTES + 1), name)
 
     @classmethod
     def from_bytes(cls, content: bytes | bytearray | memoryview, name: str) -> "Fleet":
@@ -400,6 +371,33 @@ def _group(table: dict[str, Any]) -> HostGroup:
     if "shared" not in table:
         group = replace(group, shared=usually_shared(group.endpoints, group.nodes))
     return replace(group, name=table.get("name", ""))
+
+
+def as_fleet(
+    hosts: ArrayLike | Fleet, processes: ArrayLike | None, endpoints: ArrayLike | None
+) -> Fleet:
+    """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
+    for name, value in {"processes": processes, "endpoints": endpoints}.items():
+        if isinstance(hosts, Fleet) and value is not None:
+            raise TypeError(
+                f"{name} must be left out when hosts is a Fleet; got {_checks.short_repr(value)}"
+            )
+        if not isinstance(hosts, Fleet) and value is None:
+            raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
+    fleet = hosts if isinstance(hosts, Fleet) else Fleet.swarm(hosts, processes, endpoints)
+    reject_symbols(fleet)
+    return fleet
+
+
+def reject_symbols(fleet: Fleet) -> None:
+    """Raise a TypeError if the fleet is in symbols."""
+    for group in fleet.groups:
+        for name, count in zip(COUNTS, group.counts(), strict=True):
+            if is_symbolic(count):
+                raise TypeError(
+                    f"{name} must be a number here, not an expression; got {count}. "
+                    "In symbols: Protocol.utilization"
+                )
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

@@ -5,19 +5,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from discostorm import _checks, _names, files
+from discostorm import _checks, _names
 
 #: What each group counts, and its minimum; the maximum is `_checks.MOST`.
 LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(LEAST)
 #: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
-
-
-def read_fleet_file(path: str) -> bytes:
-    """Return the content of a file, one byte more than allowed if it is too large."""
-    with files.open_input(path) as file:
-        return file.read(MAX_BYTES + 1)
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:

@@ -19,26 +19,12 @@ KEYS = ("topic", "to", "rate", "bytes", "reliable")
 class Flow:
     """A topic that each host of a group publishes, once, to readers on other hosts.
 
-    Parameters
-    ----------
-    topic : str
-        Its name, distinct within a group.
-    to : {"one host", "wired host", "all others", "multicast"}
-        Where the readers are: on one of the other hosts, each as likely; on a host that is wired to
-        the access point, whether the fleet lists it or not; on every other host, in unicast; on
-        every other host, in multicast (over TCP, as Zenoh sends, in unicast).
-    rate : float
-        Samples a second of each host [Hz], from 1e-6 to 1e6.
-    bytes : float
-        Size of a serialized sample [B], without the four octets of its encapsulation; from 0 to
-        1e8.
-    reliable : bool
-        Whether the reader acknowledges; not by multicast.
-
-    Examples
-    --------
-    >>> Flow("scan", "wired host", rate=5, bytes=1500, reliable=False)
-    Flow(topic='scan', to='wired host', rate=5.0, bytes=1500.0, reliable=False)
+    Its readers, `to`, are on "one host" of the others, each as likely; on a "wired host" at the
+    access point, whether the fleet lists it or not; or on "all others", in unicast. With
+    "multicast" they are on every other host, too, but Zenoh sends over TCP in unicast. `rate` is
+    the samples a second of each host [Hz], from 1e-6 to 1e6; `bytes` the size of a serialized
+    sample without the four octets of its encapsulation [B], to 1e8; `reliable` whether readers
+    acknowledge, which multicast lacks.
     """
 
     topic: str
@@ -63,13 +49,7 @@ class Flow:
 
 
 def topics() -> dict[str, dict[str, Any]]:
-    """Return rate, bytes and reliability of each ready-made topic (``fleets/topics.csv``).
-
-    Examples
-    --------
-    >>> topics()["scan"]
-    {'rate': 5.0, 'bytes': 1500.0, 'reliable': False}
-    """
+    """Return rate, bytes and reliability of each ready-made topic (``fleets/topics.csv``)."""
     return {
         row["topic"]: {
             "rate": float(row["rate_Hz"]),
@@ -81,13 +61,7 @@ def topics() -> dict[str, dict[str, Any]]:
 
 
 def flow(topic: str, to: Receivers, **own: Any) -> Flow:
-    """Return a flow of a ready-made topic, or of your own with `rate`, `bytes`, `reliable`.
-
-    Examples
-    --------
-    >>> flow("scan", "all others", rate=10)
-    Flow(topic='scan', to='all others', rate=10.0, bytes=1500.0, reliable=False)
-    """
+    """Return a flow of a ready-made topic, or of your own with `rate`, `bytes`, `reliable`."""
     _checks.instance("topic", topic, str)
     ready = topics()
     given = ready.get(topic, {}) | own

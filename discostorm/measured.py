@@ -2,12 +2,14 @@
 
 from dataclasses import asdict, dataclass, replace
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from discostorm.data import read_data
+from discostorm.files import json_ready
 from discostorm.fleet import Fleet
+from discostorm.protocols.as_built import configurations as configurations, products as products
 
 #: The first 12 s of a capture, or the 24 s after them.
 Window = Literal["startup", "steady"]
@@ -18,18 +20,6 @@ CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
 BEYOND = "; we did not measure the error for a fleet of this size"
-
-
-@cache
-def products() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
-
-
-@cache
-def configurations() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
 
 
 def size_of(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
@@ -51,37 +41,20 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 @dataclass(frozen=True)
 class ErrorBand:
-    """How far a measured table was off in held-out runs: measured airtime by the table's.
+    """How far a measured table was off in held-out runs: measured airtime by the table's."""
 
-    Parameters
-    ----------
-    low, high : float
-        Minimum and maximum over the held-out points, each the median of its runs [1].
-    typical : float
-        Median error of the points [1].
-    points : int
-        Number of points [1].
-    up_to : float
-        Size of these fleets as a multiple of the measured range [1]: 1 is within it.
-    most_hosts, most_endpoints : float
-        Largest multiple of that range that any point had, in hosts or processes and in endpoints
-        [1].
-    beyond : bool
-        Whether the fleet in question is larger: its error was not measured.
-    """
-
-    low: float
+    low: float  #: minimum and maximum over the held-out points, each the median of its runs [1]
     high: float
-    typical: float
-    points: int
-    up_to: float
-    most_hosts: float
-    most_endpoints: float
-    beyond: bool = False
+    typical: float  #: median error of the points [1]
+    points: int  #: number of points [1]
+    up_to: float  #: size of their fleets as a multiple of the measured range [1]: 1 is within it
+    most_hosts: float  #: largest such multiple of any point, in hosts or processes [1]
+    most_endpoints: float  #: the same in endpoints [1]
+    beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 
-    def to_dict(self) -> dict[str, float | int | bool | None]:
+    def to_dict(self) -> Any:
         """Return it as what JSON can hold: infinity is None."""
-        return asdict(self) | {"up_to": self.up_to if np.isfinite(self.up_to) else None}
+        return json_ready(asdict(self))
 
     def sentence(self) -> str:
         """Return it in words, to follow a sentence that says what was captured."""
@@ -121,18 +94,18 @@ def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, .
         for row in read_data("measured/bands.csv")
         if (row["protocol"], row["window"]) == (protocol, window)
     ]
-    most_hosts, most_endpoints = (
+    hosts, endpoints = (
         max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
     )
     return tuple(
         ErrorBand(
-            low=float(row["low"]),
-            high=float(row["high"]),
-            typical=float(row["typical"]),
-            points=int(row["points"]),
-            up_to=float(row["up_to"]),
-            most_hosts=most_hosts,
-            most_endpoints=most_endpoints,
+            float(row["low"]),
+            float(row["high"]),
+            float(row["typical"]),
+            int(row["points"]),
+            float(row["up_to"]),
+            hosts,
+            endpoints,
         )
         for row in rows
     )

@@ -1,9 +1,7 @@
 """The model: utilization is the sum over units of what each costs times how many there are.
 
 `unit_costs` says what each unit adds to the airtime (paper, equation 11), a fleet how many of it
-there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12). All of
-it raises a ValueError for an argument that is NaN, infinite, out of range or does not broadcast,
-and a TypeError for one that is no number, `Protocol` or `Wifi`.
+there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12).
 """
 
 from __future__ import annotations
@@ -19,9 +17,8 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Value, compiled, evaluate, evaluate_each, shortened
-from discostorm.fleet import COUNTS, SWARM, Fleet
+from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols
 from discostorm.messages import (
     DATA,
     HOPS,
@@ -87,29 +84,11 @@ def utilization(
         Utilization [1]; 1 is a saturated channel, and larger values are seconds of
         airtime. Of the shape the arguments broadcast to; a float for scalars.
 
-    References
-    ----------
-    Paper, equations (11) and (12).
-
     Examples
     --------
     >>> import discostorm as ds
-    >>> round(ds.utilization(ds.DDS, hosts=7, processes=2, endpoints=10), 5)
-    0.95391
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
-
-    With the periods of Fast DDS, averaged over its lease of 20 seconds, and in the long run:
-
-    >>> fast_dds = ds.PROTOCOLS["DDS, periods of Fast DDS"]
-    >>> ds.utilization(fast_dds, 22, 2, 10, window=[20, float("inf")]).round(3)
-    array([1.011, 0.263])
-
-    Three robots that send each other their scans:
-
-    >>> robots = ds.HostGroup(3, 2, 10, data=(ds.flows.flow("scan", "all others"),))
-    >>> round(ds.utilization(ds.DDS, ds.Fleet((robots,)), phase="data"), 4)
-    0.0274
     """
     fleet = as_fleet(hosts, processes, endpoints)
     if phase == DATA:
@@ -138,15 +117,10 @@ def burst(
     float or ndarray
         Airtime [s]; with the paper's tables the utilization of their one second.
 
-    References
-    ----------
-    Paper, equations (11) and (12); `Protocol.burst`.
-
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm.model import burst
-    >>> burst(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
+    >>> ds.burst(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
@@ -222,10 +196,7 @@ def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
 
 @lru_cache(maxsize=4096)
 def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
-    """Return the airtime of a frame on a hop, or of octets inside of another frame [s].
-
-    The expression's function of the length is the same for all messages, and compiled once.
-    """
+    """Return the airtime of a frame on a hop, or of octets inside of another frame [s]."""
     expression = hop_airtime(hop, cast, framed, _OCTETS, wifi.model)
     with np.errstate(divide="ignore"):
         return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))
@@ -239,7 +210,10 @@ def weighted_sum(
     if len(fleet.groups) > 1 or fleet.has_wired:
         total = weighted_polynomial(costs, fleet)
     else:
-        total = _sum_of_swarm(costs, fleet)
+        (group,) = fleet.groups
+        function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
+        with np.errstate(under="ignore"):
+            total = function(*group.counts(), group.shared, *costs.values())
     if not shape:
         return float(total)
     return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
@@ -249,14 +223,6 @@ def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
     """Return the same sum as the counts are: a number, an array, or a `Polynomial`."""
     with np.errstate(under="ignore"):
         return sum(cost * unit.count(fleet) for unit, cost in costs.items())
-
-
-def _sum_of_swarm(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
-    """Return the same sum for one group, by a compiled function of its counts."""
-    (group,) = fleet.groups
-    function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
-    with np.errstate(under="ignore"):
-        return function(*group.counts(), group.shared, *costs.values())
 
 
 @cache
@@ -324,6 +290,8 @@ def breakdown(
 ) -> pd.DataFrame:
     """Return what each message of a protocol costs in an average second of the first ones.
 
+    A ValueError says if fractional hosts or processes would send a negative number of messages.
+
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi, window
@@ -334,15 +302,6 @@ def breakdown(
     pandas.DataFrame
         One row per message, indexed by its name, with columns phase, cast,
         frame_bytes [B], uplink_messages [1], uplink_s [s] and downlink_s [s].
-
-    Raises
-    ------
-    ValueError
-        Also if fractional hosts or processes would send a negative number of messages.
-
-    References
-    ----------
-    Paper, Table II and equations (1) to (12).
 
     Examples
     --------

@@ -36,11 +36,5 @@ PALETTE = {
 
 
 def lights(group: str) -> dict[str, str]:
-    """Return the colors of a group on light ground by their keys, in the order of the file.
-
-    Examples
-    --------
-    >>> lights("family")
-    {'DDS': '#0072B2', 'Zenoh': '#D55E00'}
-    """
+    """Return the colors of a group on light ground by their keys, in the order of the file."""
     return {key: color.light for (of, key), color in PALETTE.items() if of == group}

@@ -15,11 +15,6 @@ def robots() -> dict[str, HostGroup]:
     """Return a group of one host for each ready-made robot, by its name.
 
     Its endpoints are the mean over its processes, which suffices to count pairs.
-
-    Examples
-    --------
-    >>> robots()["Nav2 in one process"]
-    HostGroup(hosts=1, processes=1, endpoints=678, name='Nav2 in one process', nodes=13, shared=28)
     """
     return {
         name: _host(name, [row for row in read_data("fleets/robots.csv") if row["robot"] == name])
@@ -33,13 +28,7 @@ def aliases() -> dict[str, str]:
 
 
 def robot(name: str) -> HostGroup:
-    """Return a group of one ready-made robot; its name in any case, with or without hyphens.
-
-    Examples
-    --------
-    >>> robot("turtlebot4").name
-    'TurtleBot 4 with Nav2'
-    """
+    """Return a group of one ready-made robot, such as `robot("turtlebot4")`; see `_names.key`."""
     groups = robots()
     full_name = _names.meant(name, groups, aliases())
     if full_name is None:

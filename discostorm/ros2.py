@@ -14,17 +14,9 @@ def parameter_service_endpoints() -> int:
 def shared_endpoints(nodes: float = 0.0) -> float:
     """Return how many endpoints of a ROS 2 process match one in every other process [1].
 
-    Those of topics whose names no ROS 2 namespace changes: a writer and a reader of
-    ``ros_discovery_info`` for each process, and of ``/parameter_events`` for each of its nodes
-    (``fleets/shared_topics.csv``, with sources). It assumes that ``/tf`` and the like are
-    remapped into the namespace, and that no host subscribes to ``/rosout``. A process that rclcpp
-    did not make has 0 nodes.
-
-    Examples
-    --------
-    >>> from discostorm.ros2 import shared_endpoints
-    >>> shared_endpoints(), shared_endpoints(nodes=13)
-    (2.0, 28.0)
+    Those of topics whose names no ROS 2 namespace changes (``fleets/shared_topics.csv``). It
+    assumes that ``/tf`` and the like are remapped into the namespace, and that no host subscribes
+    to ``/rosout``. A process that rclcpp did not make has 0 nodes.
     """
     per = {"process": 1.0, "node": _checks.number("nodes", nodes, 0, _checks.MAX_COUNT)}
     rows = read_data("fleets/shared_topics.csv")
@@ -34,13 +26,8 @@ def shared_endpoints(nodes: float = 0.0) -> float:
 def likely_nodes(endpoints: float) -> float:
     """Return the likely number of nodes in a process with that many endpoints [1].
 
-    None if the endpoints do not suffice for the parameter services of one node, else at least one,
+    0 if the endpoints do not suffice for the parameter services of one node, else at least one,
     and in the ratio of the processes of ``fleets/robots.csv`` that have nodes.
-
-    Examples
-    --------
-    >>> likely_nodes(10), likely_nodes(20), round(likely_nodes(678))
-    (0.0, 1.0, 24)
     """
     given = _checks.number("endpoints", endpoints, 0, _checks.MAX_COUNT)
     if given < parameter_service_endpoints():

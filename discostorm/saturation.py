@@ -12,9 +12,8 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet, reject_symbols
 from discostorm._numeric import Polynomial, Value
-from discostorm.fleet import SWARM, Count, Fleet, symbolic_group
+from discostorm.fleet import SWARM, Count, Fleet, as_fleet, reject_symbols, symbolic_group
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
 from discostorm.wifi import PAPER, Model, Wifi
@@ -32,18 +31,14 @@ def saturation_hosts(
 ) -> Value:
     """Return the number of identical hosts at which utilization reaches a limit.
 
-    The largest number that stays below the limit is one less than this, rounded up.
+    The largest number that stays below the limit is one less than this, rounded up. A ValueError
+    says if the limit is below the utilization of a single host, or nothing that is sent grows with
+    hosts.
 
     Parameters
     ----------
-    protocol : Protocol
-        One of `PROTOCOLS`, such as `DDS` or `ZENOH`, or a table of your own.
-    processes : array_like
-        Processes on each host [1], from 1 to 1e9.
-    endpoints : array_like
-        Endpoints of each process [1], from 0 to 1e9.
-    wifi : Wifi, optional
-        The channel; the paper's if left out.
+    protocol, processes, endpoints, wifi
+        As for `utilization`.
     limit : array_like, optional
         Utilization to reach [1], at least that with a single such host and at most 1e100.
     fleet : Fleet, optional
@@ -53,8 +48,7 @@ def saturation_hosts(
         The group of the fleet that grows, by its index from 0 on [1] or its name; the first if left
         out. Its number of hosts does not matter.
     window : array_like, optional
-        The seconds over which utilization is averaged [s], at least 1e-9; the paper's one if left
-        out, infinity for the steady state.
+        As for `utilization` [s].
 
     Returns
     -------
@@ -62,30 +56,11 @@ def saturation_hosts(
         Hosts [1], a real number of at least 1; infinity where any number of hosts fits: if all
         hosts are wired, or nothing is periodic and the window is infinite, as with `DDS`.
 
-    Raises
-    ------
-    ValueError
-        If an argument is NaN, infinite or out of range, the shapes do not broadcast, the fleet
-        has no such group, or nothing that is sent grows with its hosts.
-    TypeError
-        If an argument is not made of real numbers, or `protocol`, `wifi` or `fleet` is not one.
-
-    References
-    ----------
-    Paper, Sec. IV-C. Utilization is a polynomial of the hosts; `saturation` is its root in
-    symbols. The root is found by bisection if messages grow faster than the square of the hosts.
-
     Examples
     --------
     >>> import discostorm as ds
     >>> round(ds.saturation_hosts(ds.DDS, processes=2, endpoints=10), 4)
     7.1554
-
-    How many of them beside a laptop that runs one process of 90 endpoints:
-
-    >>> fleet = ds.Fleet((ds.HostGroup(1, 2, 10), ds.HostGroup(1, 1, 90)))
-    >>> round(ds.saturation_hosts(ds.DDS, fleet=fleet), 4)
-    5.3365
     """
     others, index = _growing(processes, endpoints, fleet, group)
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)

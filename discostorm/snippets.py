@@ -1,8 +1,7 @@
 """Configuration to copy for a remedy: pieces, each for a version of a product.
 
-The pieces are files of ``data/vendors/snippets/``; ``data/vendors/snippets.csv`` has for each its
-remedy, place, loading, source, and whether its product loads it in ``tests/lab/test_snippets.py``.
-The other pieces are compared with documentation, and say so.
+``data/vendors/snippets.csv`` has for each file of ``data/vendors/snippets/`` its remedy, place,
+loading and source, and whether ``tests/lab/test_snippets.py`` has its product load it.
 """
 
 import textwrap
@@ -47,22 +46,6 @@ def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     """Return the pieces for a kind of ``data/vendors/remedies.csv``.
 
     ``names`` are families, products or radios; pieces for any of them always come.
-
-    Examples
-    --------
-    >>> print(snippets("multicast rate")[0].text)
-    # hostapd 2.10: hostapd.conf of the access point
-    # Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd
-    # reads it when it starts
-    # Frames to a group and those of management go out at the lowest basic rate, here 24 Mbit/s (in
-    # units of 100 kbit/s). Older rates (not those of 802.11n and later) below it are gone: who is
-    # too far away for it cannot join.
-    # Band and channel: as you have them.
-    hw_mode=a
-    channel=36
-    supported_rates=240 360 480 540
-    basic_rates=240
-    <BLANKLINE>
     """
     return tuple(
         Snippet(

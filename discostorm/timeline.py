@@ -1,13 +1,10 @@
 """What 100% means: which messages are sent once, which periodically, and how long startup takes.
 
 The paper divides the airtime of a startup burst by one second. The tables of products say when
-each message is sent, and how long their lease is. So burst and steady state come apart, and any
-window can replace the second.
-
-Assumes: all processes start at time 0, nothing is lost, repeated or collides, the channel carries
-waiting frames without a gap, and answers are sent at the time of what they answer. So times are
-lower bounds as far as losses, collisions and queues go. Bad arguments raise a ValueError (NaN,
-infinite, out of range, shapes that do not broadcast) or a TypeError (no number, no protocol).
+each message is sent, so that burst and steady state come apart. Assumes: all processes start at
+time 0, nothing is lost, repeated or collides, the channel carries waiting frames without a gap,
+and answers are sent at the time of what they answer. So times are lower bounds as far as losses,
+collisions and queues go.
 """
 
 from collections.abc import Iterable
@@ -19,9 +16,8 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm._arguments import as_fleet
 from discostorm._numeric import Value, evaluate
-from discostorm.fleet import COUNTS, Fleet
+from discostorm.fleet import COUNTS, Fleet, as_fleet
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
 from discostorm.model import burst, utilization
 from discostorm.wifi import PAPER, Wifi
@@ -74,10 +70,6 @@ def drain_time(
     float or ndarray
         Time after startup [s]; infinity where the steady state fills the channel.
 
-    References
-    ----------
-    Airtime: paper, equations (11) and (12). Periods: the tables of `PROTOCOLS`.
-
     Examples
     --------
     >>> import discostorm as ds
@@ -98,27 +90,10 @@ def demand(
     endpoints: ArrayLike,
     wifi: Wifi = PAPER,
 ) -> Value:
-    """Return the airtime of all messages from startup up to a time.
+    """Return the airtime of all messages from startup up to and including a time [s].
 
-    Parameters
-    ----------
-    protocol, hosts, processes, endpoints, wifi
-        As for `drain_time`.
-    time : array_like
-        Time after startup [s], at least 0; messages at that instant count.
-
-    Returns
-    -------
-    float or ndarray
-        Airtime [s], of the shape that the arguments broadcast to. The channel has carried
-        at most `time` seconds of it.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> timeline.demand(ds.PROTOCOLS["DDS, periods of Fast DDS"], [0, 3.4, 3.5], 3, 2, 10).round(4)
-    array([0.1495, 0.2245, 0.2395])
+    Of the shape that the arguments broadcast to; the channel has carried at most `time` seconds of
+    it.
     """
     _checks.instance("protocol", protocol, Protocol)
     time_s = _checks.numbers("time", time, 0)
@@ -143,37 +118,12 @@ def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
 
 
 def first_idle(
-    protocol: Protocol,
-    hosts: float,
-    processes: float,
-    endpoints: float,
-    wifi: Wifi = PAPER,
+    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> float:
-    """Return when the channel goes idle for the first time after startup.
+    """Return when the channel goes idle for the first time after startup, for one swarm [s].
 
-    Parameters
-    ----------
-    protocol, hosts, processes, endpoints, wifi
-        As for `drain_time`, but one swarm: numbers, not arrays.
-
-    Returns
-    -------
-    float
-        Time after startup [s]; zero if nothing is sent at once, infinity if periodic traffic
-        fills the channel.
-
-    Raises
-    ------
-    ValueError
-        Also if periodic traffic fills the channel so nearly that a million times would have to be
-        tried.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> round(timeline.first_idle(ds.PROTOCOLS["DDS, periods of Fast DDS"], 12, 2, 10), 2)
-    4.61
+    Zero if nothing is sent at once, infinity if periodic traffic fills the channel. A ValueError
+    says if it does so so nearly that a million times would have to be tried.
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))
@@ -221,32 +171,13 @@ OUTLOOKS = ("within a second at best", "slow at best", "leases at risk", "never 
 
 
 def outlook(
-    protocol: Protocol,
-    hosts: float,
-    processes: float,
-    endpoints: float,
-    wifi: Wifi = PAPER,
+    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> str:
-    """Return in words how the startup of a swarm ends, without losses or collisions.
+    """Return in words how the startup of one swarm ends, without losses or collisions.
 
-    Parameters
-    ----------
-    protocol, hosts, processes, endpoints, wifi
-        As for `drain_time`, but one swarm: numbers, not arrays.
-
-    Returns
-    -------
-    str
-        "within a second at best" if the burst drains in the paper's one second; "slow at best"
-        if it drains within the lease; "leases at risk" if it takes longer, so that peers may time
-        out and the burst be repeated; "never catches up" if the steady state fills the channel.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> timeline.outlook(ds.PROTOCOLS["Zenoh, periods of Zenoh peer"], 12, 2, 10)
-    'slow at best'
+    "within a second at best" if the burst drains in the paper's one second; "slow at best" if it
+    drains within the lease; "leases at risk" if it takes longer, so that peers may time out and the
+    burst be repeated; "never catches up" if the steady state fills the channel.
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(protocol, hosts, processes, endpoints, wifi)

@@ -3,8 +3,7 @@
 Parameters are all that utilization depends on besides the counts of hosts, processes and
 endpoints: payloads, headers, rates and overheads. The ranges of payloads come with the protocol's
 messages, those of the others from ``data/paper/parameter_ranges.csv``. ``ranges`` replaces them:
-symbol or its name to (low, high), in bytes, seconds or bit/s. Bad arguments raise a ValueError
-(out of range, unknown name, shapes that do not broadcast) or a TypeError (no number, no protocol).
+symbol or its name to (low, high), in bytes, seconds or bit/s.
 """
 
 from __future__ import annotations
@@ -20,10 +19,9 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks, notation as nt
-from discostorm._arguments import as_fleet
 from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
-from discostorm.fleet import Fleet
+from discostorm.fleet import Fleet, as_fleet
 from discostorm.messages import Message, Payload, Protocol, header_bytes
 from discostorm.model import resolve_symbols, utilization_at
 from discostorm.saturation import saturation_hosts
@@ -71,27 +69,7 @@ def parameter_ranges(
 ) -> dict[sp.Symbol, Range]:
     """Return the range of every parameter that a protocol's utilization depends on.
 
-    Parameters
-    ----------
-    protocol : Protocol
-        One of `PROTOCOLS`, or a table of your own.
-    given : mapping, optional
-        Ranges that replace the assumed ones.
-
-    Returns
-    -------
-    dict
-        Symbol to (low, high) in bytes, seconds or bit/s.
-
-    References
-    ----------
-    Paper, Table II; ``data/paper/parameter_ranges.csv``.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> ds.uncertainty.parameter_ranges(ds.DDS)[ds.notation.R_UNI]
-    (65000000.0, 144400000.0)
+    From symbol to (low, high) in bytes, seconds or bit/s; ``given`` replaces assumed ranges.
     """
     _checks.instance("protocol", protocol, Protocol)
     ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
@@ -112,8 +90,8 @@ def parameter_ranges(
 def directions(protocol: Protocol, phase: str | None = None) -> dict[sp.Symbol, int]:
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
-    Utilization is a sum of counts, which are never negative, times what each unit costs. So it is
-    enough that each cost is monotone, whatever the fleet. If one is not, a ValueError says so.
+    Counts are never negative, so that it is enough that the cost of each unit is monotone, whatever
+    the fleet. If one is not, a ValueError says so.
     """
     costs = list(protocol.costs(phase).values())
     signs = {}
@@ -167,10 +145,6 @@ def bounds(
     Bounds
         ``low`` and ``high`` [1], each of the shape the arguments broadcast to.
 
-    References
-    ----------
-    Paper, Table II and equation (12); ``data/paper/parameter_ranges.csv``.
-
     Examples
     --------
     >>> import discostorm as ds
@@ -191,38 +165,14 @@ def saturation_bounds(
     limit: ArrayLike = 1.0,
     ranges: GivenRanges | None = None,
 ) -> Bounds:
-    """Return the minimum and maximum number of hosts at which utilization can reach a limit.
-
-    Parameters
-    ----------
-    protocol, processes, endpoints, limit
-        As for `discostorm.saturation_hosts`.
-    ranges : mapping, optional
-        Ranges that replace the assumed ones; see `parameter_ranges`.
-
-    Returns
-    -------
-    Bounds
-        ``low`` and ``high`` [1], real numbers of hosts.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> low, high = ds.uncertainty.saturation_bounds(ds.DDS, processes=2, endpoints=10)
-    >>> low < ds.saturation_hosts(ds.DDS, 2, 10) < high
-    True
-    """
+    """Return the minimum and maximum of `saturation_hosts`: every parameter in its range [1]."""
     # Saturation needs the fewest hosts where utilization is maximal.
     corners = reversed(_corners(protocol, None, ranges))
     return Bounds(*(_saturation(protocol, processes, endpoints, limit, at) for at in corners))
 
 
 def _saturation(
-    protocol: Protocol,
-    processes: ArrayLike,
-    endpoints: ArrayLike,
-    limit: ArrayLike,
-    values: Values,
+    protocol: Protocol, processes: ArrayLike, endpoints: ArrayLike, limit: ArrayLike, values: Values
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
 
@@ -271,9 +221,8 @@ def sensitivity(
     pandas.DataFrame
         One row per parameter, the one that can move the saturation point most first, with
         columns value, low and high [B, s or bit/s], slope [hosts per unit of the
-        parameter], elasticity [1] (percent more hosts for one percent more of it), and
-        hosts_at_low and hosts_at_high [1], the saturation point with this parameter alone
-        at the ends of its range.
+        parameter], elasticity [1], and hosts_at_low and hosts_at_high [1], the saturation point
+        with this parameter alone at the ends of its range.
 
     Examples
     --------
@@ -328,31 +277,8 @@ def sample(
 ) -> Samples:
     """Draw every parameter from its range, uniformly and independently.
 
-    Parameters
-    ----------
-    protocol : Protocol
-        One of `PROTOCOLS`, or a table of your own.
-    size : int, optional
-        Number of samples, from 1 to 1e8.
-    seed : int, optional
-        Seed of NumPy's default generator, at least 0: the same seed, the same samples.
-    ranges : mapping, optional
-        Ranges that replace the assumed ones; see `parameter_ranges`.
-
-    Returns
-    -------
-    dict
-        Symbol to samples in bytes, seconds or bit/s: what a function of `discostorm.lambdify`
-        in these symbols takes.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> from discostorm.notation import N_E, N_H, N_P
-    >>> drawn = ds.uncertainty.sample(ds.DDS, size=1000)
-    >>> u = ds.lambdify([N_H, N_P, N_E, *drawn], ds.DDS.utilization())
-    >>> u(7, 2, 10, *drawn.values()).shape
-    (1000,)
+    From symbol to ``size`` samples, from 1 to 1e8, in bytes, seconds or bit/s: what a function of
+    `discostorm.lambdify` in these symbols takes. The same seed, the same samples.
     """
     _checks.instance("protocol", protocol, Protocol)
     (drawn,) = sample_together([protocol], size=size, seed=seed, ranges=[ranges])
@@ -366,10 +292,9 @@ def sample_together(
     seed: int = 2026,
     ranges: Sequence[GivenRanges | None] | None = None,
 ) -> tuple[Samples, ...]:
-    """Draw the parameters of several protocols that share a channel; see `sample`.
+    """Draw the parameters of several protocols that share a channel, each with its ``ranges``.
 
-    Parameters with the same name and range are drawn once for all. ``ranges`` has for each
-    protocol the ranges that replace the assumed ones, or None.
+    Parameters with the same name and range are drawn once for all; see `sample`.
     """
     _checks.integer("size", size, 1, MOST_SAMPLES)
     _checks.integer("seed", seed, 0)

@@ -8,8 +8,8 @@ import socket
 import sys
 
 
-def check() -> None:
-    """Exit with a message unless a connection from this machine to itself works."""
+def check_loopback() -> None:
+    """Exit with a message unless this machine can connect to itself."""
     try:
         with socket.create_server(("127.0.0.1", 0)) as server:
             socket.create_connection(server.getsockname(), timeout=5).close()
@@ -21,4 +21,4 @@ def check() -> None:
 
 
 if __name__ == "__main__":
-    check()
+    check_loopback()

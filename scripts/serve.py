@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 
-def server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTTPServer:
-    """Return a server of a folder whose files are below BASE, and of nothing else."""
+def make_server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTTPServer:
+    """Return a server for a folder; it serves only files below BASE."""
     if not (base.startswith("/") and base.endswith("/")):
         raise SystemExit(f"serve: BASE must begin and end with /, as /discostorm/; got {base!r}")
 
@@ -30,7 +30,7 @@ def main() -> None:
     parser.add_argument("--base", default="/")
     parser.add_argument("--port", type=int, default=8000)
     given = parser.parse_args()
-    with server(given.folder, given.base, given.port) as serving:
+    with make_server(given.folder, given.base, given.port) as serving:
         print(f"http://localhost:{given.port}{given.base} (Ctrl-C ends)", flush=True)
         try:
             serving.serve_forever()

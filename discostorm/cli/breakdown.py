@@ -9,12 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, words
-from discostorm.cli.fleet_options import (
-    FleetInput,
-    describe_matching,
-    print_fleet_note,
-    swarm_options,
-)
+from discostorm.cli import fleet_options as fleets
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Column,
@@ -50,9 +45,9 @@ COLUMNS = (
 )
 
 
-@describe_matching
+@fleets.describe_matching
 @click.command()
-@swarm_options
+@fleets.swarm_options
 @protocol_option
 @wifi_options
 @click.option(
@@ -65,7 +60,7 @@ COLUMNS = (
 )
 @output_options
 def breakdown(
-    members: FleetInput,
+    members: fleets.FleetInput,
     protocols: tuple[ds.Protocol, ...],
     wifi: Wifi,
     window: float,
@@ -94,7 +89,7 @@ def breakdown(
         print_channel(wifi, output)
         payload = math.fsum(row["payload_bytes"] for row in rows)
         say(f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload.")
-        print_fleet_note(members.fleet)
+        fleets.print_fleet_note(members.fleet)
 
 
 def _rows(

@@ -45,4 +45,4 @@ def figures(out: str, output: Output) -> None:
         line = f"[{len(paths):{len(str(count))}}/{count}] {path}"
         click.echo(visible(line), err=not output.for_people)
     if not output.for_people:
-        print_table(paths, output, ())
+        print_table(paths, output)

@@ -84,15 +84,9 @@ def _list_on_request(context: click.Context, value: str, names: Iterable[str]) -
     return value
 
 
-def _output(as_json: bool, as_csv: bool) -> Output:
-    if as_json and as_csv:
-        raise click.UsageError("--json and --csv exclude each other")
-    return Output(as_json, as_csv)
-
-
 output_options = option_group(
     "output",
-    _output,
+    Output,
     click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table."),
     click.option("--csv", "as_csv", is_flag=True, help="Print CSV instead of a table."),
 )

@@ -6,7 +6,6 @@ import csv
 import functools
 import io
 import json
-import math
 import os
 import shutil
 import stat
@@ -22,7 +21,7 @@ from typing import Any
 import click
 
 from discostorm import _checks, words
-from discostorm.files import atomic_write
+from discostorm.files import atomic_write, json_ready
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 
@@ -70,6 +69,10 @@ class Output:
 
     as_json: bool
     as_csv: bool
+
+    def __post_init__(self) -> None:
+        if self.as_json and self.as_csv:
+            raise click.UsageError("--json and --csv exclude each other")
 
     @property
     def for_people(self) -> bool:
@@ -123,33 +126,25 @@ class Column:
         return f"{title} [{self.unit}]" if self.unit else title
 
 
-def print_table(rows: Rows, output: Output, columns: Sequence[Column]) -> None:
-    """Print the columns that the rows have for people, or all keys and digits for machines."""
+def print_table(rows: Rows, output: Output, columns: Sequence[Column] | None = None) -> None:
+    """Print these columns, or all, for people, or all keys and digits for machines."""
     if output.as_json:
         click.echo(to_json(rows))
     elif output.as_csv:
         text = io.StringIO()
         writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(_without_infinity(rows))
+        writer.writerows(json_ready(rows))
         click.echo(text.getvalue(), nl=False)
     else:
-        click.echo(aligned(rows, [column for column in columns if column.key in rows[0]]))
+        shown = columns_of(rows) if columns is None else columns
+        click.echo(aligned(rows, [column for column in shown if column.key in rows[0]]))
 
 
-def print_rows(
-    rows: Rows,
-    output: Output,
-    formats: Mapping[str, Format] | None = None,
-    headings: Mapping[str, str] | None = None,
-) -> None:
-    """Print all keys of the rows; `print_table` takes the columns."""
-    formats, headings = formats or {}, headings or {}
-    print_table(
-        rows,
-        output,
-        [Column(key, headings.get(key, ""), formats.get(key, plain)) for key in rows[0]],
-    )
+def columns_of(rows: Rows, *special: Column) -> list[Column]:
+    """Return a column for each key of the rows; a plain one unless it is among these."""
+    own = {column.key: column for column in special}
+    return [own.get(key, Column(key)) for key in rows[0]]
 
 
 def aligned(rows: Rows, columns: Sequence[Column]) -> str:
@@ -215,20 +210,9 @@ def print_channel(wifi: Wifi, output: Output) -> None:
         say(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
-def _without_infinity(value: Any) -> Any:
-    """Return rows and their values with None for infinity and NaN, which JSON does not have."""
-    if isinstance(value, Mapping):
-        return {key: _without_infinity(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_without_infinity(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
 def to_json(value: Any) -> str:
     """Return JSON that every reader takes, in letters that the output can hold."""
-    dump = functools.partial(
-        json.dumps, _without_infinity(value), indent=2, default=str, allow_nan=False
-    )
+    dump = functools.partial(json.dumps, json_ready(value), indent=2, default=str, allow_nan=False)
     text = dump(ensure_ascii=False)
     try:
         text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")

@@ -11,18 +11,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleet_options import (
-    count_options,
-    describe_matching,
-    error_band,
-    file_options,
-    fleet_source,
-    is_all_wired,
-    print_error_bands,
-    print_robot,
-    read_fleet,
-    ready_made,
-)
+from discostorm.cli import fleet_options as fleets
 from discostorm.cli.options import (
     A_FILE,
     option_group,
@@ -72,20 +61,20 @@ def _varied_groups(
     beside: str | None,
 ) -> list[VariedGroup]:
     counts = {"processes": processes, "endpoints": endpoints}
-    source = fleet_source(fleet, file, robot, counts)
+    source = fleets.fleet_source(fleet, file, robot, counts)
     if source == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
     if source is not None and hosts is not None:
         raise click.UsageError("--fleet goes without --hosts here")
     if source is not None:
-        members = read_fleet(source)
+        members = fleets.read_fleet(source)
     elif robot is not None:
-        members = ds.Fleet((ready_made(robot),))
+        members = ds.Fleet((fleets.ready_made(robot),))
     else:
-        members = ds.Fleet.swarm(1, processes, endpoints)
+        members = ds.Fleet.swarm(1, **counts)
     together = members
     if beside is not None:
-        others = read_fleet(beside)
+        others = fleets.read_fleet(beside)
         if source is not None and others.matching != members.matching:
             raise click.UsageError(
                 "matching must be the same in FLEET and --beside; got "
@@ -100,7 +89,7 @@ def _varied_groups(
     return [VariedGroup(columns, together, asked=hosts)]
 
 
-@describe_matching
+@fleets.describe_matching
 @click.command()
 @option_group(
     "varied",
@@ -108,16 +97,12 @@ def _varied_groups(
     click.option(
         "--hosts", type=float, metavar="N", help="Hosts of your fleet, to see whether they fit."
     ),
-    *count_options,
-    *file_options,
+    *fleets.count_options,
+    *fleets.file_options,
     click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
-    "--limit",
-    type=float,
-    default=1.0,
-    show_default=True,
-    help="Utilization to reach, 1 is 100%.",
+    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
 )
 @protocol_option
 @wifi_options
@@ -157,19 +142,19 @@ def saturation(
     if not output.for_people:
         if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
-                row |= error_band(protocol, fleet)
-        print_table(rows, output, ())
+                row |= fleets.error_band(protocol, fleet)
+        print_table(rows, output)
         return
-    print_robot(rows, output)
+    fleets.print_robot(rows, output)
     print_table([_for_people(row) for row in rows], output, _columns(rows[0]))
     print_channel(single, output)
     if full != single:
         click.echo()
         say(words.AGGREGATES)
-    if is_all_wired(varied[0].fleet):
+    if fleets.is_all_wired(varied[0].fleet):
         click.echo()
         say(words.ALL_WIRED)
-    print_error_bands(saturated)
+    fleets.print_error_bands(saturated)
 
 
 def _row(
@@ -199,7 +184,7 @@ def _saturation_hosts(
     group: VariedGroup, limit: float, protocol: ds.Protocol, wifi: Wifi
 ) -> float | None:
     """Return at how many hosts of a group the channel is full; None if one is too many."""
-    if is_all_wired(group.fleet):
+    if fleets.is_all_wired(group.fleet):
         return math.inf
     if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
         return None
@@ -239,11 +224,7 @@ def _hosts(value: float | str | None) -> str:
         return "less than 1"
     if value == math.inf:
         return "any number"
-    return value if isinstance(value, str) else f"{value:.2f}"
-
-
-def _fitting(value: float | str) -> str:
-    return "any number" if value == math.inf else str(value)
+    return f"{value:.2f}" if isinstance(value, float) else str(value)
 
 
 def _columns(row: dict[str, Any]) -> list[Column]:
@@ -254,9 +235,9 @@ def _columns(row: dict[str, Any]) -> list[Column]:
         *map(Column, () if asked or named else ("processes", "endpoints")),
         *(() if asked or "group" in row else (Column("limit", format=percent),)),
         Column("hosts", "saturated at" if asked else "saturated at hosts", _hosts),
-        Column("fit", "hosts that fit", _fitting),
+        Column("fit", "hosts that fit", _hosts),
         Column("asked", "yours"),
         Column("asked_fit", "fit", yes),
         Column("hosts_full_ampdus", "with full A-MPDUs", _hosts),
-        Column("fit_full_ampdus", "hosts that may fit", _fitting),
+        Column("fit_full_ampdus", "hosts that may fit", _hosts),
     ]

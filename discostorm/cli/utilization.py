@@ -8,15 +8,7 @@ import click
 
 import discostorm as ds
 from discostorm import words
-from discostorm.cli.fleet_options import (
-    FleetInput,
-    describe_matching,
-    error_band,
-    print_error_bands,
-    print_fleet_note,
-    print_robot,
-    several_swarms_options,
-)
+from discostorm.cli import fleet_options as fleets
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
     Column,
@@ -43,14 +35,14 @@ COLUMNS = (
 )
 
 
-@describe_matching
+@fleets.describe_matching
 @click.command()
-@several_swarms_options
+@fleets.several_swarms_options
 @protocol_option
 @wifi_options
 @output_options
 def utilization(
-    members: list[FleetInput], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
+    members: list[fleets.FleetInput], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
@@ -74,11 +66,11 @@ def utilization(
             {"protocol": protocol.name}
             | each.columns
             | _discovery(protocol, each.fleet, *ends)
-            | (error_band(protocol, each.fleet) if banded else {})
+            | (fleets.error_band(protocol, each.fleet) if banded else {})
             | (_with_data(protocol, each.fleet, ends[1]) if each.fleet.has_data else {})
             for protocol, each in cases
         ]
-    print_robot(rows, output)
+    fleets.print_robot(rows, output)
     print_table(rows, output, COLUMNS)
     if output.for_people:
         print_channel(ends[1], output)
@@ -86,8 +78,8 @@ def utilization(
             click.echo()
             say(words.AGGREGATES)
         if len(members) == 1:
-            print_fleet_note(members[0].fleet)
-        print_error_bands((protocol, each.fleet) for protocol, each in cases)
+            fleets.print_fleet_note(members[0].fleet)
+        fleets.print_error_bands((protocol, each.fleet) for protocol, each in cases)
 
 
 def _discovery(protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi, single: Wifi) -> dict[str, Any]:

@@ -109,24 +109,15 @@ def _percent_axis(axis: Axes, maximum: float) -> None:
 def _draw_phases(
     axis: Axes, data: pd.DataFrame, processes: float, endpoints: float, *, crossings: bool = True
 ) -> None:
-    """Draw each phase and the total against hosts, and mark where totals cross 100%.
-
-    The total is the strongest line; the phases are thin and darker, so that a phase which is
-    nearly all of it stays visible on top. A dot marks each integer number of hosts.
-    """
+    """Draw each phase, thin and on top, and the total against hosts; mark where that is 100%."""
     for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
-        color = color_of(protocol)
+        color, dark = color_of(protocol), _dark(protocol)
         rows = data[data["protocol"] == protocol.name]
         total = rows[rows["phase"] == "total"]
-        axis.plot(
-            total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3,
-        )  # fmt: skip
+        axis.plot(total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3)
         for phase in protocol.phases:
             part = rows[rows["phase"] == phase]
-            axis.plot(
-                part["hosts"], part["utilization"], STYLES[phase], color=_dark(protocol),
-                linewidth=1.2,
-            )  # fmt: skip
+            axis.plot(part["hosts"], part["utilization"], STYLES[phase], color=dark, linewidth=1.2)
         integers = total[total["hosts"] % 1 == 0]
         axis.plot(integers["hosts"], integers["utilization"], "o", color=color, markersize=6)
         hosts = saturation_hosts(protocol, processes, endpoints)
@@ -166,8 +157,7 @@ def _name_phases(axis: Axes, data: pd.DataFrame, heights: Mapping[str, float]) -
 
 def _saturation_headline(figure: Figure, processes: float, endpoints: float) -> None:
     dds, zenoh = (saturation_hosts(each, processes, endpoints) for each in PAPER_PROTOCOLS)
-    text = f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second"
-    headline(figure, text)
+    headline(figure, f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second")
 
 
 def fig2() -> Figure:
@@ -254,10 +244,7 @@ def whole_divisions() -> list[int]:
 
 
 def fig4() -> Figure:
-    """Draw Fig. 4: utilization of the Nav2 scenario (N_P = 1, N_E = 678).
-
-    Below, on a logarithmic scale, the phases that the linear scale cannot show.
-    """
+    """Draw Fig. 4, the Nav2 scenario (N_P = 1, N_E = 678); below on a logarithmic scale."""
     data = fig4_data()
     with style():
         figure = Figure(figsize=(WIDTH, 5.2))

@@ -33,10 +33,8 @@ class Payload:
 
     Parameters
     ----------
-    nominal : float
-        The size to compute with [B], from `low` to `high`.
-    low, high : float
-        The range of sizes [B], from 0 to 1e9.
+    nominal, low, high : float
+        The size to compute with, and its range [B], from 0 to 1e9.
     source : str
         Where the numbers come from.
     """
@@ -77,28 +75,27 @@ class Message:
     schedule : Schedule, optional
         When they are sent; once, at startup, if left out.
     hops : tuple of {"up", "down"}, optional
-        Which hops take the air; both if left out. A peer that is wired to the access
-        point sends ``("down",)`` and receives ``("up",)``.
+        Which hops take the air; both if left out. A peer that is wired to the access point sends
+        ``("down",)`` and receives ``("up",)``.
     answers : str, optional
-        The message on whose arrival it is sent. None, or one that is not in the table, if
-        it is sent by the clock. Counts and airtime do not depend on it, the simulator does.
+        The message on whose arrival it is sent. None, or one that is not in the table, if it is
+        sent by the clock. Counts and airtime do not depend on it, the simulator does.
     frames : float, optional
-        Mean number of frames per message [1], from 1e-9 to 1e9: 1 if it has its own frame, less
-        if several messages share one. 0 if it is always inside the frame of another row, and
-        costs the air its bits alone.
+        Mean number of frames per message [1], from 1e-9 to 1e9: less than 1 if several messages
+        share one; 0 if it is always inside the frame of another row, and costs the air its bits
+        alone.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
     role : {"announcement", "data", "heartbeat", "acknowledgement", "other"}, optional
-        What it is for. An announcement introduces a process or a host, or answers one that does.
-        Data are endpoint announcements. A heartbeat asks a process which data have arrived, until
-        all have; an acknowledgement answers it. Anything else, such as liveliness, is other.
-        None if unknown: counts and airtime do not need it, the simulator does.
+        What it is for, which the simulator needs. An announcement introduces a process or a host,
+        or answers one that does. Data are endpoint announcements. A heartbeat asks a process which
+        data have arrived, until all have; an acknowledgement answers it. None if unknown.
     informs : bool, optional
         Whether the receiver has discovered the sender from then on; announcements alone if left
         out.
     inside : str, optional
-        The message in whose frames it is, if `frames` is 0; for the simulator, where more than
-        one message of its phase has frames.
+        The message in whose frames it is, if `frames` is 0; for the simulator, where more than one
+        message of its phase has frames.
     """
 
     name: str
@@ -146,10 +143,7 @@ class Message:
 
     @property
     def frame_symbolic(self) -> sp.Expr:
-        """Its frame length [B] in symbols: payload and headers (paper, Sec. IV-A).
-
-        The mean length of frames that it shares; its payload if it is inside another's frame.
-        """
+        """Its mean frame length [B] in symbols; its payload if inside another frame."""
         if self.frames == 0:
             return self.payload_symbol
         return self.payload_symbol / int_if_integral(self.frames) + HEADER_SYMBOLS[self.transport]

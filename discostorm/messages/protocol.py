@@ -29,14 +29,9 @@ Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 class Timers:
     """A middleware's timers for what its table does not repeat; the simulator needs them.
 
-    Parameters
-    ----------
-    announce_interval_initial, announce_interval_max : float, optional
-        Time from an announcement to the next [s], doubled each time up to the maximum, if the
-        table has announcements at startup alone. If left out they are not repeated.
-    heartbeat_period_initial, heartbeat_period_max : float, optional
-        Time from a heartbeat to the next [s] while data are not acknowledged, doubled each time up
-        to the maximum; 1 if left out.
+    An interval [s] is the time from an announcement to the next, doubled each time up to the
+    maximum, if the table has announcements at startup alone; 0 if they are not repeated. A period
+    [s] is the same for heartbeats while data are not acknowledged.
     """
 
     announce_interval_initial: float = 0.0
@@ -47,13 +42,9 @@ class Timers:
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
         for interval, above in (("announce_interval", False), ("heartbeat_period", True)):
-            initial, longest = f"{interval}_initial", f"{interval}_max"
-            _checks.number(
-                longest, getattr(self, longest), 0, _checks.MAX_SECONDS, exclusive_min=above
-            )
-            _checks.number(
-                initial, getattr(self, initial), 0, getattr(self, longest), exclusive_min=above
-            )
+            most = _checks.MAX_SECONDS
+            for name in (f"{interval}_max", f"{interval}_initial"):
+                most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
 
 
 @dataclass(frozen=True)
@@ -102,12 +93,8 @@ class Protocol:
         _checks.instance("name", self.name, str)
         if not self.name.strip():
             raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
-        for name, kind in (
-            ("wired", Protocol),
-            ("product", str),
-            ("timers", Timers),
-            ("key", str),
-        ):
+        kinds = {"wired": Protocol, "product": str, "timers": Timers, "key": str}
+        for name, kind in kinds.items():
             if getattr(self, name) is not None:
                 _checks.instance(name, getattr(self, name), kind)
         for name, words in (("family", Family), ("basis", Basis)):
@@ -150,21 +137,13 @@ class Protocol:
 
         Parameters
         ----------
-        phase : str, optional
-            One of `phases`; all of them if left out.
-        window : float or sympy.Expr, optional
-            The seconds that are averaged [s], at least 1e-9; the paper's one if left out.
+        phase, window
+            As for `utilization`.
 
         Returns
         -------
         sympy.Expr
             In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
-
-        Examples
-        --------
-        >>> import discostorm as ds
-        >>> ds.DDS.load("SPDP")
-        N_H*N_P
         """
         window_s = checked_window(window)
         return sp.factor(
@@ -185,9 +164,8 @@ class Protocol:
         .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
             L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
 
-        A message that is sent K times at startup, the last time at :math:`t_K`, and then
-        with period P counts :math:`x = K - t_K / P` times besides its period. The paper's
-        messages are sent once, in a window W of one second: :math:`x / W + 1 / P = 1`.
+        For the x of a message with period P see `Schedule.extra`. The paper's messages are sent
+        once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
         Parameters
         ----------
@@ -215,17 +193,6 @@ class Protocol:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
         return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))
 
-    def cost(
-        self,
-        unit: Unit,
-        phase: str | None = None,
-        model: Model = "linear",
-        window: sp.Expr | float = PAPER_WINDOW,
-    ) -> sp.Expr:
-        """Return the airtime that each `unit` adds to an average second, up and down [s]."""
-        _checks.instance("unit", unit, Unit)
-        return self.costs(phase, model, window).get(unit, sp.Integer(0))
-
     def costs(
         self,
         phase: str | None = None,
@@ -233,7 +200,10 @@ class Protocol:
         window: sp.Expr | float = PAPER_WINDOW,
         by_hop: bool = False,
     ) -> dict[Unit, sp.Expr]:
-        """Return `cost` of each unit [s]; with ``by_hop`` each hop apart, for wired hosts."""
+        """Return the airtime that each unit adds to an average second, up and down [s].
+
+        With ``by_hop``, for wired hosts, each hop has units of its own.
+        """
         window_s = checked_window(window)
         return self.sum_by_unit(
             lambda message, hop: message.airtime_of(hop, model),

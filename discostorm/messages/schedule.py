@@ -7,7 +7,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import _checks
+from discostorm import _checks, words
 from discostorm._numeric import Value, int_if_integral
 
 #: The window that the paper divides by [s] (Sec. IV-B).
@@ -70,11 +70,10 @@ class Schedule:
 
     def __str__(self) -> str:
         """Return the schedule in words: "at 0 and 0.1 s, then every 8 s"."""
-        times = [f"{time:g}" for time in self.starts]
-        before = ", ".join(times[:-1]) + " and " if len(times) > 1 else ""
-        if self.period == np.inf:
-            return f"at {before}{times[-1]} s" if len(times) > 1 else f"once, at {times[-1]} s"
-        return f"at {before}{times[-1]} s, then every {self.period:g} s"
+        times = words.join_words([f"{time:g}" for time in self.starts])
+        if self.period < np.inf:
+            return f"at {times} s, then every {self.period:g} s"
+        return f"at {times} s" if len(self.starts) > 1 else f"once, at {times} s"
 
     @property
     def per_second(self) -> float:
@@ -91,10 +90,7 @@ class Schedule:
         return len(self.starts) - self.starts[-1] / self.period
 
     def mean(self, window: Any) -> Any:
-        """Return how many are sent in an average second of the first `window` seconds [1/s].
-
-        As an upper bound, see `extra`. The window may be an array or a sympy expression [s].
-        """
+        """Return how many at most are sent in a mean second of the window (`extra`) [1/s]."""
         window_s = checked_window(window)
         if isinstance(window_s, float):
             return int_if_integral(self.extra / window_s + self.per_second)

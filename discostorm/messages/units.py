@@ -1,14 +1,12 @@
 """What messages are counted by: one of what, to whom, and how many of them a fleet has.
 
-A unit has two or three parts. *What* is sent for: a process, an endpoint, a host. *To* whom each
-goes: to all at once, or once to each remote process, host or server. A *factor* multiplies both
-where a third party has a say. What each of these means stands once, in `WHAT`, `FACTORS` and
-`To`. `Unit.count` adds it up over the groups of a fleet; `Unit.senders` and `Unit.receivers`
-list it process by process, for those who follow each message.
+*What* is sent for: a process, an endpoint, a host (`WHAT`). *To* whom each goes: to all at once, or
+once to each remote process, host or server (`To`). A *factor* multiplies both where a third party
+has a say (`FACTORS`).
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -96,16 +94,9 @@ class _Group:
 class Hosts:
     """A fleet host by host; its properties are arrays with one value per process.
 
-    Parameters
-    ----------
-    processes, endpoints : ndarray
-        Processes on each host, and endpoints of each of its processes [1].
-    group : ndarray, optional
-        The index of each host's group; all of one if left out.
-    matching : float, optional
-        `Fleet.matching` [1].
-    shared : ndarray, optional
-        `HostGroup.shared` of each host's processes [1].
+    `processes` and `endpoints` hold those on each host and of each of its processes, `group` the
+    index of each host's group, all of one if left out. For `matching` and `shared` see `Fleet` and
+    `HostGroup`.
     """
 
     processes: NDArray[np.int64]
@@ -113,26 +104,35 @@ class Hosts:
     group: NDArray[np.int64] | None = None
     matching: float = 0.0
     shared: NDArray[np.float64] | None = None
+    first: NDArray[np.int64] = field(init=False)  #: index of the first process of each host
+    host_of: NDArray[np.int64] = field(init=False)
+    group_of: NDArray[np.int64] = field(init=False)
+    every: NDArray[np.int64] = field(init=False)  #: 1 for each process
+    endpoints_per_process: NDArray[np.int64] = field(init=False)
+    matched_per_process: NDArray[np.float64] = field(init=False)
+    unmatched_per_process: NDArray[np.float64] = field(init=False)
+    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: of all other processes
+    matches: bool = field(init=False)
 
-    @property
-    def first(self) -> NDArray[np.int64]:
-        """The index of the first process of each host."""
-        return np.cumsum(self.processes) - self.processes
-
-    @property
-    def host_of(self) -> NDArray[np.int64]:
-        """The host of each process."""
-        return np.repeat(np.arange(self.processes.size), self.processes)
-
-    @property
-    def group_of(self) -> NDArray[np.int64]:
-        """The group of each process."""
-        return 0 * self.every if self.group is None else self.group[self.host_of]
-
-    @property
-    def every(self) -> NDArray[np.int64]:
-        """1 for each process."""
-        return np.ones(self.host_of.size, np.int64)
+    def __post_init__(self) -> None:
+        host_of = np.repeat(np.arange(self.processes.size), self.processes)
+        every = np.ones(host_of.size, np.int64)
+        endpoints = self.endpoints[host_of]
+        shared = 0.0 * endpoints if self.shared is None else self.shared[host_of]
+        matched = shared + (endpoints - shared) * self.matching
+        derived = {
+            "first": np.cumsum(self.processes) - self.processes,
+            "host_of": host_of,
+            "group_of": 0 * every if self.group is None else self.group[host_of],
+            "every": every,
+            "endpoints_per_process": endpoints,
+            "matched_per_process": matched,
+            "unmatched_per_process": endpoints - matched,
+            "matched_elsewhere": matched.sum() - matched,
+            "matches": self.matching > 0 or bool(shared.any()),
+        }
+        for name, value in derived.items():
+            object.__setattr__(self, name, value)
 
     def holders(self, holder: Holder) -> NDArray[np.int64]:
         """Return 1 for each process that is one of these holders, else 0."""
@@ -144,35 +144,6 @@ class Hosts:
         chosen = self.first if holder == "host" else self.first[:1]
         return np.isin(np.arange(self.host_of.size), chosen).astype(np.int64)
 
-    @property
-    def endpoints_per_process(self) -> NDArray[np.int64]:
-        """Endpoints [1]."""
-        return self.endpoints[self.host_of]
-
-    @property
-    def matched_per_process(self) -> NDArray[np.float64]:
-        """Endpoints that match one in every other process [1]."""
-        shared = 0.0 * self.endpoints if self.shared is None else self.shared
-        own = shared[self.host_of]
-        matched: NDArray[np.float64] = own + (self.endpoints_per_process - own) * self.matching
-        return matched
-
-    @property
-    def unmatched_per_process(self) -> NDArray[np.float64]:
-        """Endpoints that match none [1]."""
-        return self.endpoints_per_process - self.matched_per_process
-
-    @property
-    def matched_elsewhere(self) -> NDArray[np.float64]:
-        """Matched endpoints of all other processes [1]."""
-        others: NDArray[np.float64] = self.matched_per_process.sum() - self.matched_per_process
-        return others
-
-    @property
-    def matches(self) -> bool:
-        """Whether anything matches."""
-        return self.matching > 0 or (self.shared is not None and bool(self.shared.any()))
-
 
 @dataclass(frozen=True)
 class Unit:
@@ -183,7 +154,7 @@ class Unit:
     what : str
         What there is one of, a key of `WHAT`. Half of the matched endpoints are taken for writers.
         A *listed endpoint* is in the list of its process each time that the process makes an
-        endpoint: of :math:`N_E` endpoints :math:`N_E (N_E + 1) / 2` times.
+        endpoint.
     to : str, optional
         Who it is sent to: ``all`` at once if left out; to each ``other process``, but in one
         message for all; to each ``remote process``, on other hosts; to each ``other host``; to a
@@ -194,11 +165,6 @@ class Unit:
         Index of the group of the fleet that alone counts [1]; all if left out. For user data.
     wireless : {"holder", "receiver", "any"}, optional
         The end that has to be wireless to count, in a fleet with wired hosts.
-
-    Examples
-    --------
-    >>> Unit("endpoint", "remote process").count(Fleet.swarm(3, 2, 10))
-    240.0
     """
 
     what: str
@@ -305,9 +271,6 @@ PAIR = UNITS["ordered pair of processes on different hosts"]
 ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
 ENDPOINT = UNITS["endpoint"]
 HOST = UNITS["host"]
-HOST_PAIR = UNITS["ordered pair of hosts"]
-KIND_ENDPOINT = UNITS["endpoint of a kind of host"]
-FLEET = UNITS["fleet"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
 #: Without the messages that a server on the first host exchanges with its own host. The processes
 #: away from the server send both ways.

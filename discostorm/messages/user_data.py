@@ -3,7 +3,6 @@
 ``data/vendors/data_framing.csv`` says how a sample becomes datagrams, or a batch of Zenoh segments.
 These become frames by IP's fragments and TCP's segments on a link that carries 1500 octets.
 Each topic has a row of full frames, one of the others, with their mean length, and one of answers.
-All are sent with the topic's rate; none belongs to the burst.
 """
 
 from collections import Counter

@@ -12,8 +12,8 @@ from types import MappingProxyType
 from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import as_built, product_rows
-from discostorm.protocols.paper import DDS, ZENOH
+from discostorm.protocols.as_built import as_built as as_built, configurations, products
+from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
 BASES: Mapping[Basis, str] = MappingProxyType(
@@ -32,7 +32,9 @@ _FILES = 50
 
 def _tables() -> dict[str, Protocol]:
     tables = [
-        (int(row["place"]), as_built(name)) for name, row in product_rows().items() if row["place"]
+        (int(row["place"]), as_built(name))
+        for name, row in (products() | configurations()).items()
+        if row["place"]
     ]
     for file in sorted(module.name for module in iter_modules(__path__)):
         for key, value in vars(import_module(f"{__name__}.{file}")).items():
@@ -61,13 +63,7 @@ def aliases() -> dict[str, str]:
 
 
 def named(name: str) -> Protocol:
-    """Return the protocol of a name that people use, in any case, with or without hyphens.
-
-    Examples
-    --------
-    >>> named("fastdds").name, named("rmw_cyclonedds_cpp").name, named("ZENOH").name
-    ('Fast DDS', 'Cyclone DDS', 'Zenoh')
-    """
+    """Return the protocol of a name that people use, such as fastdds or rmw_zenoh_cpp."""
     full_name = _names.meant(name, PROTOCOLS, aliases())
     if full_name is None:
         like = _names.did_you_mean(name, (*PROTOCOLS, *aliases()))
@@ -87,16 +83,3 @@ MEASURED = _of_basis("measured")
 
 #: The names of tables with what products send in configurations that send less.
 MITIGATED = _of_basis("mitigated")
-
-__all__ = [
-    "BASES",
-    "DDS",
-    "MEASURED",
-    "MITIGATED",
-    "PROTOCOLS",
-    "ZENOH",
-    "aliases",
-    "as_built",
-    "named",
-    "offered",
-]

@@ -2,23 +2,23 @@
 
 ``data/vendors/as_built.csv`` says for each message what it is sent for and when, and where the
 source says so; ``data/measured/as_built.csv``, which `lab/measure/fit_models.py` writes, how many
-and how large.
-``mitigations.csv`` in both folders is the same for configurations that send less than the product
-as shipped. ``products.csv`` and ``configurations.csv`` list the tables: a row there and its
-messages are all that another product takes.
+and how large. ``mitigations.csv`` in both folders is the same for configurations that send less.
+``products.csv`` and ``configurations.csv`` list the tables: a row there and its messages are all
+that another product takes.
 
 A server or router that is wired to the access point costs each message one hop. On a robot it costs
-two, but none for its own host, which is one of the first group. The book's pages on servers and
-routers explain what each configuration filters, and what it then costs.
+two, but none for its own host, which is one of the first group.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import cache
 from typing import Any, cast as typed
 
 import numpy as np
 
 from discostorm import _checks, _names
+from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import (
     AWAY,
@@ -37,22 +37,34 @@ from discostorm.messages import (
 from discostorm.protocols.defaults import defaults, timers
 from discostorm.wifi import Cast
 
-#: The files that list the tables; and those of their messages by the basis of the table.
-TABLES = ("products", "configurations")
+#: The files of the messages of tables, by the basis of the table.
 ROWS = {"measured": "as_built", "mitigated": "mitigations"}
 #: Measured values of a row that is not fitted yet.
 _NOTHING = {"per_unit": "0"}
 
 
-def schedule(row: Mapping[str, str]) -> Schedule:
-    """Return when a message of the table is sent."""
-    starts = tuple(float(time) for time in row["starts_s"].split())
-    return Schedule(starts, float(row["period_s"] or np.inf))
+@cache
+def products() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
 
 
-def product_rows() -> dict[str, dict[str, str]]:
-    """Return the rows of the files that list the tables, by the name of the table."""
-    return {row["protocol"]: row for name in TABLES for row in read_data(f"vendors/{name}.csv")}
+@cache
+def configurations() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
+
+
+def schedule(row: Mapping[str, Any]) -> Schedule:
+    """Return when a message of a row is sent; at once and never again if it does not say."""
+    starts = tuple(float(time) for time in row.get("starts_s", "0").split())
+    return Schedule(starts, float(row.get("period_s") or np.inf))
+
+
+def messages_of(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
+    """Return the messages of the rows of a table; what answers none of them has no answers."""
+    table = {row["message"]: row for row in rows}
+    return tuple(_message(row, table) for row in table.values())
 
 
 def as_built(name: str) -> Protocol:
@@ -60,7 +72,7 @@ def as_built(name: str) -> Protocol:
 
     Messages of which none were measured are left out.
     """
-    tables = product_rows()
+    tables = products() | configurations()
     if name not in tables:
         _checks.instance("name", name, str)
         raise ValueError(
@@ -77,14 +89,15 @@ def as_built(name: str) -> Protocol:
     measured = {
         row["message"]: row for row in read_data(f"measured/{file}.csv") if row["protocol"] == name
     }
-    rows = {
-        row["message"]: row | measured[row["message"]]
+    size = f"size: measured (discostorm/data/measured/{file}.csv)"
+    rows = (
+        row | measured[row["message"]] | {"source": f"{row['source']}; {size}"}
         for row in read_data(f"vendors/{file}.csv")
         if row["protocol"] == name and float(measured.get(row["message"], _NOTHING)["per_unit"])
-    }
+    )
     return Protocol(
         name,
-        tuple(_message(row, rows, file) for row in rows.values()),
+        messages_of(rows),
         lease=defaults(table["defaults"])["lease"],
         wired=as_built(table["wired"]) if table["wired"] else None,
         family=typed(Family, table["family"]),
@@ -103,22 +116,21 @@ def _on_a_robot(message: Message) -> Message:
     return replace(message, unit=AWAY[message.unit], hops=HOPS)
 
 
-def _message(row: Mapping[str, str], rows: Mapping[str, Any], file: str) -> Message:
-    source = f"{row['source']}; size: measured (discostorm/data/measured/{file}.csv)"
-    nominal, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
+def _message(row: Mapping[str, Any], table: Mapping[str, Any]) -> Message:
+    size, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
     return Message(
         row["message"],
         row["phase"],
         typed(Cast, row["cast"]),
         typed(Transport, row["transport"]),
-        Payload(nominal, low, high, source),
+        Payload(size, low, high, row["source"]),
         UNITS[row["unit"]],
-        float(row["per_unit"]),
+        int_if_integral(float(row["per_unit"])),
         schedule(row),
         hops=(typed(Hop, row["hops"]),) if row.get("hops") else HOPS,
-        answers=row["answers"] if row["answers"] in rows else None,
-        frames=float(row["frames"]),
-        kind=row["kind"],
+        answers=row["answers"] if row["answers"] in table else None,
+        frames=float(row.get("frames", 1)),
+        kind=row.get("kind", ""),
         role=typed(Role, row["role"]),
         informs=row["informs"] == "yes",
         inside=row.get("inside") or None,

@@ -10,11 +10,6 @@ def defaults(product: str) -> dict[str, float]:
 
     The product is "Fast DDS", "Cyclone DDS", "Zenoh" or "rmw_zenoh"; values are in seconds, bytes
     or 1. ``vendors/middleware_defaults.csv`` has the unit, meaning and source of each.
-
-    Examples
-    --------
-    >>> defaults("Zenoh")["lease"]
-    10.0
     """
     rows = read_data("vendors/middleware_defaults.csv")
     _checks.choice("product", product, list(dict.fromkeys(row["product"] for row in rows)))
@@ -22,14 +17,7 @@ def defaults(product: str) -> dict[str, float]:
 
 
 def timers(product: str) -> Timers:
-    """Return a product's timers for what its table does not repeat; see `defaults`.
-
-    Examples
-    --------
-    >>> timers("Fast DDS")
-    Timers(announce_interval_initial=3.0, announce_interval_max=3.0,
-           heartbeat_period_initial=1.0, heartbeat_period_max=1.0)
-    """
+    """Return a product's timers for what its table does not repeat; see `defaults`."""
     values = defaults(product)
     rows = read_data("vendors/middleware_defaults.csv")
     own = {row["quantity"]: row["timers"].split() for row in rows if row["product"] == product}

@@ -54,13 +54,7 @@ ZENOH_PERIODS = _timed(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
 
 
 def by_product() -> dict[str, Protocol]:
-    """Return these tables by the name of their product's table, which they then bear.
-
-    Examples
-    --------
-    >>> list(by_product())
-    ['Cyclone DDS', 'Fast DDS', 'Zenoh peer']
-    """
+    """Return these tables by the name of their product's table, which they then bear."""
     tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
     products = {table.name.rpartition("periods of ")[2]: table for table in tables}
     return {name: replace(table, name=name) for name, table in products.items()}

@@ -3,7 +3,6 @@
 from discostorm.wifi.aggregation import Aggregation as Aggregation
 from discostorm.wifi.airtime import (
     BITS_PER_BYTE as BITS_PER_BYTE,
-    MULTICAST as MULTICAST,
     UNICAST as UNICAST,
     Cast as Cast,
     Model as Model,

@@ -43,17 +43,11 @@ class Aggregation:
 def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
     r"""Return the length of an A-MPDU subframe [B] that carries a frame of that length.
 
-    Under a block acknowledgement the frame has a QoS Control field of 2 octets, which the
-    paper's frames lack. A delimiter of 4 octets precedes it, and padding follows it up to a
-    multiple of 4; empty delimiters extend a short subframe to the minimum length:
-
     .. math:: A = \max\left(A_{least}, 4 + 4 \left\lceil\frac{S + 2}{4}\right\rceil\right)
 
-    The last subframe is padded, too, as in VHT and HE PPDUs.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, 9.2.4.5, 9.7.1 and 10.12.3 (minimum MPDU start spacing).
+    A delimiter of 4 octets precedes the frame, which has a QoS Control field of 2 octets that the
+    paper's frames lack; padding follows it, also in the last subframe, as in VHT and HE PPDUs.
+    Empty delimiters extend it to the minimum (IEEE Std 802.11-2020, 9.2.4.5, 9.7.1 and 10.12.3).
     """
     padding = _BYTES["A-MPDU padding"]
     frame = frame_bytes + _BYTES["QoS Control"]
@@ -64,9 +58,5 @@ def mpdus(frame_bytes: sp.Expr) -> sp.Expr:
     r"""Return the number of frames of that length [B] in a full exchange.
 
     .. math:: n = \min\left(n_{agg}, \left\lfloor\frac{A_{most}}{A}\right\rfloor\right)
-
-    References
-    ----------
-    IEEE Std 802.11-2020, 10.25 (block acknowledgement window), 9.7 and 10.12 (length).
     """
     return sp.Min(nt.N_AGG, sp.floor(nt.A_MOST / subframe_bytes(frame_bytes)))

@@ -31,27 +31,19 @@ def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
 
 
 def bits_airtime(octets: sp.Expr, cast: Cast) -> sp.Expr:
-    """Return the airtime of further octets in a frame that is sent anyway [s].
-
-    By the rate alone: with whole symbols, the mean over all lengths of a frame.
-    """
+    """Return the airtime of further octets in a frame, by the rate alone [s]."""
     return airtime(octets, nt.R_UNI if cast == "unicast" else nt.R_MULTI, sp.Integer(0))
 
 
 def data_time(
     octets: sp.Expr, bits: sp.Expr, added: sp.Expr, per_grid: sp.Expr, grid: sp.Expr
 ) -> sp.Expr:
-    r"""Return the duration of the data part of a PPDU, in the unit of ``grid``.
+    r"""Return the duration of the data part of a PPDU, in the unit of ``grid``; see `OfdmSymbols`.
 
     .. math:: G \left\lceil k \left\lceil\frac{N_{add} + 8 S}{N_{DBPS}}\right\rceil\right\rceil
 
-    ``octets`` is the length of the frame or A-MPDU [B], the others are as in `OfdmSymbols`. The
-    bits per symbol stay a symbol: sympy would split the fraction of a number, and floating point
-    then gets some lengths wrong.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
+    The bits per symbol stay a symbol: sympy would split the fraction of a number, and floating
+    point then gets some lengths wrong.
     """
     symbols = sp.ceiling((added + BITS_PER_BYTE * octets) / bits)
     return grid * sp.ceiling(per_grid * symbols)
@@ -61,9 +53,6 @@ def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
     r"""Return the airtime of one frame among its like in a full A-MPDU [s].
 
     .. math:: \mathcal{T} = \frac{1}{n}\left(O_{agg} + \mathcal{D}(n A)\right)
-
-    with n frames in subframes of A octets (`aggregation`), whose data take :math:`\mathcal{D}`
-    (`data_time`).
     """
     frames = agg.mpdus(frame_bytes)
     octets = frames * agg.subframe_bytes(frame_bytes)

@@ -8,7 +8,7 @@ import sympy as sp
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
-from discostorm.wifi.airtime import MULTICAST, UNICAST, Cast, Model
+from discostorm.wifi.airtime import MULTICAST, UNICAST, Model
 
 if TYPE_CHECKING:
     from discostorm.wifi.radio import Radio
@@ -19,7 +19,7 @@ TICK = 1e-7
 
 @dataclass(frozen=True)
 class OfdmSymbols:
-    """How a frame fills whole symbols.
+    """How a frame fills whole symbols (IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3).
 
     Parameters
     ----------
@@ -32,10 +32,6 @@ class OfdmSymbols:
         short guard intervals in HT-mixed and VHT PPDUs, a ninth longer.
     added : int, optional
         Bits added to the frame [bit]: 16 of the SERVICE field and a tail of 6.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
     """
 
     bits: int
@@ -79,7 +75,6 @@ class Link:
     padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper. The rate must be that of its symbols.
-
     """
 
     rate: float
@@ -100,14 +95,11 @@ class Link:
                 )
 
 
-def _printed(cast: Cast) -> Link:
-    """Return the rate and overhead that the paper prints for frames of one kind."""
-    (row,) = (row for row in read_data("paper/rates.csv") if row["rate"] == cast)
-    return Link(float(row["printed_Mbit_s"]) * 1e6, float(row["printed_overhead_us"]) / 1e6)
-
-
-#: The links of the paper's channel (paper, Sec. IV-A and IV-B).
-PAPER_LINKS = {"unicast": _printed("unicast"), "multicast": _printed("multicast")}
+#: The links of the paper's channel, as it prints them (paper, Sec. IV-A and IV-B).
+PAPER_LINKS = {
+    row["rate"]: Link(float(row["printed_Mbit_s"]) * 1e6, float(row["printed_overhead_us"]) / 1e6)
+    for row in read_data("paper/rates.csv")
+}
 
 
 @dataclass(frozen=True)
@@ -118,13 +110,11 @@ class Wifi:
     ----------
     name : str
         What to call it in tables and figures.
-    unicast : Link
-        Frames to one receiver; also every frame from a host up to the access point.
-    multicast : Link
-        Multicast frames from the access point down to all hosts.
+    unicast, multicast : Link
+        Frames to one receiver and every frame up to the access point; multicast frames down to all.
     aggregation : Aggregation, optional
-        If given, frames to one receiver share exchanges: uplink frames and unicast downlink
-        frames. Needs links with padding; its overhead replaces that of the unicast link.
+        If given, frames to one receiver share exchanges, if the links have padding; its overhead
+        replaces that of the unicast link.
     radio : Radio, optional
         The radio that has these rates, with the standard's timing; None for a channel of your
         own. Channels are compared without their radios.

@@ -1,8 +1,8 @@
 """Radios from the standard's own parameters: 802.11a, g, n, ac, ax and be; presets, by name."""
 
 import re
-from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Hashable
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
@@ -21,20 +21,36 @@ TOPOLOGY = "one access point, infrastructure"
 USUAL_MPDUS = 64
 
 
-@dataclass(frozen=True)
-class Radio:
-    r"""A radio by the parameters of the standard, which decides those left out.
+class _Quantities:
+    """What follows from a radio's parameters, in SI units."""
 
-    `dataclasses.replace` changes one parameter, `wifi` gives the channel of the closed form, and
-    properties give what follows in SI units. There is no RTS, and in 2.4 GHz no protection for
-    802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which is
-    a lower bound for single frame exchanges, but not for stations that back off concurrently.
+    carrier: float  #: its band [Hz], the standard's if none was given
+    slot: float  #: duration of a slot [s]
+    sifs: float  #: short interframe space [s]
+    aifs: float  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
+    cw_min: int  #: minimum contention window [slots]: a back-off is from 0 to this
+    cw_max: int  #: maximum contention window [slots]
+    preamble: float  #: duration of a unicast PPDU before its data [s]
+    multicast_preamble: float  #: the same of a multicast PPDU [s]
+    signal_extension: float  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
+    rate: float  #: data rate of unicast frames [bit/s]
+    basic_rate: float  #: data rate of multicast frames [bit/s]
+
+
+@dataclass(frozen=True)
+class Radio(_Quantities):
+    """A radio by the parameters of the standard, which decides those left out.
+
+    `wifi` gives the channel of the closed form, `carrier` to `least_subframe` follow in SI units;
+    ``data/wifi/*.csv`` has the clause of each number. There is no RTS, and in 2.4 GHz no protection
+    for 802.11b stations. An HE or EHT PPDU has no packet extension and no extra LDPC symbol, which
+    is a lower bound for single frame exchanges, but not for stations that back off concurrently.
 
     Parameters
     ----------
     standard : {"802.11a", "802.11g", "802.11n", "802.11ac", "802.11ax", "802.11be"}
-        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU
-        format to a single user.
+        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU format to
+        a single user.
     band : float, optional
         2.4e9, 5e9 or 6e9 [Hz]; the standard's highest if left out.
     width : float, optional
@@ -42,36 +58,21 @@ class Radio:
     streams : int, optional
         Spatial streams [1], at most 4.
     mcs : int, optional
-        Modulation and coding of a stream [1], from 0 (HT-MCS 15 is ``mcs=7`` with two
-        streams; in 802.11a and g, 0 to 7 are 6 to 54 Mbit/s). The fastest if left out.
+        Modulation and coding of a stream [1], from 0 (HT-MCS 15 is ``mcs=7`` with two streams; in
+        802.11a and g, 0 to 7 are 6 to 54 Mbit/s). The fastest if left out.
     guard_interval : float, optional
         Guard interval [s]; the shortest if left out.
     multicast_rate : float, optional
-        Basic rate of multicast frames [bit/s]: 6e6, 12e6, 24e6, and in 2.4 GHz 1e6 and
-        2e6 (DSSS with the long preamble). The lowest if left out.
+        Basic rate of multicast frames [bit/s]: 6e6, 12e6, 24e6, and in 2.4 GHz 1e6 and 2e6 (DSSS
+        with the long preamble). The lowest if left out.
     aifsn : int, optional
-        Slots after SIFS before the back-off [1], from 2 (DIFS) to 15; EDCA has 3 for best
-        effort.
+        Slots after SIFS before the back-off [1], from 2 (DIFS) to 15; EDCA has 3 for best effort.
     mpdus : int, optional
-        Maximum number of frames in an A-MPDU [1], from 1 (no aggregation) to the standard's limit:
-        64, with 802.11ax 256, with 802.11be 1024.
+        Maximum number of frames in an A-MPDU [1], from 1 (no aggregation) to the standard's limit.
     start_spacing : float, optional
-        Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for: 0, 0.25e-6, 0.5e-6,
-        1e-6, 2e-6, 4e-6, 8e-6 or 16e-6. 0 if left out.
+        Minimum MPDU Start Spacing in an A-MPDU [s] that the receiver asks for; 0 if left out.
     name : str, optional
         What to call it; standard, width, streams and unusual parameters if left out.
-
-    References
-    ----------
-    IEEE Std 802.11-2020, clauses 9, 10, 15 to 19 and 21; IEEE Std 802.11ax-2021, clause 27;
-    IEEE Std 802.11be-2024, clause 36. ``data/wifi/*.csv`` has the clause of each number.
-
-    Examples
-    --------
-    >>> import discostorm as ds
-    >>> radio = ds.Radio("802.11n", streams=2)
-    >>> round(radio.rate / 1e6, 1), round(radio.wifi().unicast.overhead * 1e6, 1)
-    (144.4, 185.5)
     """
 
     standard: str
@@ -96,70 +97,28 @@ class Radio:
                 _checks.require_scalars([(key, value)])
                 if not isinstance(value, Hashable):  # as the parts are looked up by it
                     _checks.number(key, value, 0)
-        _ = self._parts  # raises if the standard has no such combination
+        parts = self._parts  # raises if the standard has no such combination
+        derived = {
+            "carrier": float(parts.timing["band_GHz"]) * GIGA,
+            "cw_min": int(parts.timing["cw_min"]),
+            "cw_max": int(parts.timing["cw_max"]),
+            "multicast_preamble": float(Fraction(parts.basic["preamble_us"]) / MICRO),
+            "signal_extension": float(parts.extension / MICRO),
+            "rate": float(parts.bits_exact / parts.symbol * MEGA),
+            "basic_rate": float(parts.basic["rate_Mbit_s"]) * MEGA,
+        }
+        for name in ("slot", "sifs", "aifs", "preamble"):
+            derived[name] = float(getattr(parts, name) / MICRO)
+        for name, value in derived.items():
+            object.__setattr__(self, name, value)
 
     def _given(self) -> dict[str, Any]:
-        return {key: value for key, value in vars(self).items() if key != "name"}
+        keys = (field.name for field in fields(self))
+        return {key: getattr(self, key) for key in keys if key != "name"}
 
     @property
     def _parts(self) -> Parts:
         return parts_of(**self._given())
-
-    @property
-    def carrier(self) -> float:
-        """Its band [Hz], the standard's if none was given."""
-        return float(self._parts.timing["band_GHz"]) * GIGA
-
-    @property
-    def slot(self) -> float:
-        """Duration of a slot [s]."""
-        return float(self._parts.slot / MICRO)
-
-    @property
-    def sifs(self) -> float:
-        """Short interframe space [s]."""
-        return float(self._parts.sifs / MICRO)
-
-    @property
-    def aifs(self) -> float:
-        """Wait before the back-off [s]: SIFS and AIFSN slots; DIFS if AIFSN is 2."""
-        return float(self._parts.aifs / MICRO)
-
-    @property
-    def cw_min(self) -> int:
-        """Minimum contention window [slots]: the back-off is drawn from 0 to this."""
-        return int(self._parts.timing["cw_min"])
-
-    @property
-    def cw_max(self) -> int:
-        """Maximum contention window [slots]."""
-        return int(self._parts.timing["cw_max"])
-
-    @property
-    def preamble(self) -> float:
-        """Duration of a unicast PPDU before its data [s]."""
-        return float(self._parts.preamble / MICRO)
-
-    @property
-    def multicast_preamble(self) -> float:
-        """Duration of a multicast PPDU before its data [s]."""
-        return float(Fraction(self._parts.basic["preamble_us"]) / MICRO)
-
-    @property
-    def signal_extension(self) -> float:
-        """Signal extension of each OFDM PPDU in 2.4 GHz [s]; multicast at DSSS has none."""
-        return float(self._parts.extension / MICRO)
-
-    @property
-    def rate(self) -> float:
-        """Data rate of unicast frames [bit/s]."""
-        parts = self._parts
-        return float(parts.bits_exact / parts.symbol * MEGA)
-
-    @property
-    def basic_rate(self) -> float:
-        """Data rate of multicast frames [bit/s]."""
-        return float(self._parts.basic["rate_Mbit_s"]) * MEGA
 
     @property
     def padding(self) -> OfdmSymbols:
@@ -213,12 +172,11 @@ class Radio:
         return -(-octets // word) * word
 
     def wifi(self) -> Wifi:
-        r"""Return the channel of the closed form.
+        r"""Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
         The overhead of a unicast frame is :math:`\text{AIFS} + \frac{CW_{min}}{2}
         \text{slot} + \text{preamble} + \text{SIFS} + \text{ACK}`; that of a multicast frame the
-        first three. The back-off is the mean of a single station that never collides. Both links
-        have padding; there is aggregation if `mpdus` is above 1.
+        first three. The back-off is the mean of a single station that never collides.
         """
         parts = self._parts
         # Microseconds as fractions, so that the sums are exact.
@@ -317,12 +275,6 @@ def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
 
     Radios from 802.11n on aggregate by default, but the queues decide how full their exchanges are.
     For 802.11a and g, `PAPER`, and a changed channel of a radio, it is the channel itself, twice.
-
-    Examples
-    --------
-    >>> full, single = both_ends(WIFI["802.11ac 80 MHz 2x2"])
-    >>> full.aggregation.mpdus, single.aggregation, single.name
-    (64, None, '802.11ac 80 MHz 2x2')
     """
     radio = wifi.radio
     if radio is None or most_mpdus(radio.standard) == 1:
@@ -337,12 +289,7 @@ def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
     return full, single
 
 
-def _named(*radios: Radio) -> Mapping[str, Wifi]:
-    return MappingProxyType({wifi.name: wifi for wifi in (radio.wifi() for radio in radios)})
-
-
-#: Channels to choose from by name, such as ``WIFI["802.11ax 80 MHz 2x2"]``.
-WIFI = _named(
+_RADIOS = (
     Radio("802.11a"),
     Radio("802.11g"),
     Radio("802.11n", streams=2),
@@ -355,6 +302,8 @@ WIFI = _named(
     Radio("802.11be", streams=2, width=80e6),
     Radio("802.11be", streams=2, width=320e6),
 )
+#: Channels to choose from by name, such as ``WIFI["802.11ax 80 MHz 2x2"]``.
+WIFI = MappingProxyType({wifi.name: wifi for wifi in (radio.wifi() for radio in _RADIOS)})
 
 #: The paper's channel: IEEE 802.11n, 2x2 MIMO, MCS 7 a stream (paper, Sec. IV-A and IV-B). Its
 #: rates and overheads are as printed; its radio is the one whose rates these are.

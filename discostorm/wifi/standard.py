@@ -62,50 +62,38 @@ def parts_of(
         raise ValueError(f"standard must be {words.join_words(standards, 'or')}; got {standard!r}")
     (own,) = _rows("standards", standard=standard)
 
-    bands = own["bands_GHz"].split()
-    in_band = [(float(b) * GIGA, _rows("bands", band_GHz=b)[0]) for b in bands]
+    bands = [_rows("bands", band_GHz=band)[0] for band in own["bands_GHz"].split()]
+    in_band = _allowed(bands, "band_GHz", GIGA)
     hertz, timing = in_band[-1] if band is None else _choose("band", band, in_band, standard, "GHz")
     ghz = timing["band_GHz"]
-    widths = [
-        (float(row["width_MHz"]) * MEGA, row)
-        for row in _rows("widths", standard=standard, bands_GHz=ghz)
-    ]
+    widths = _allowed(_rows("widths", standard=standard, bands_GHz=ghz), "width_MHz", MEGA)
     _, channel = _choose("width", width, widths, standard, "MHz")
     mhz = channel["width_MHz"]
     counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
     streams = int(_choose("streams", streams, counts, standard)[0])
 
     exceptions = {
-        int(row["mcs"]): row
+        row["mcs"]: row
         for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
     }
-    codings = [
-        (float(row["mcs"]), row)
-        for row in _rows("mcs", standards=standard)
-        if exceptions.get(int(row["mcs"]), {}).get("encoders") != "0"
-    ]
+    rows = _rows("mcs", standards=standard)
+    codings = _allowed(
+        [row for row in rows if exceptions.get(row["mcs"], {}).get("encoders") != "0"], "mcs"
+    )
     where = f"{standard} at {mhz} MHz with {words.count_noun(streams, 'spatial stream')}"
     index, coding = codings[-1] if mcs is None else _choose("mcs", mcs, codings, where)
-    guards = [
-        (float(row["guard_interval_us"]) / MICRO, row)
-        for row in _rows("symbols", standard=standard)
-    ]
+    guards = _allowed(_rows("symbols", standard=standard), "guard_interval_us", 1 / MICRO)
     shortest = min(guard for guard, _ in guards)
     wanted = shortest if guard_interval is None else guard_interval
     guard, symbols = _choose("guard_interval", wanted, guards, standard, "µs")
-    basics = [
-        (float(row["rate_Mbit_s"]) * MEGA, row) for row in _rows("basic_rates", bands_GHz=ghz)
-    ]
-    basic_rate, basic = (
-        basics[0]
-        if multicast_rate is None
-        else _choose("multicast_rate", multicast_rate, basics, f"{ghz} GHz", "Mbit/s")
-    )
+    basics = _allowed(_rows("basic_rates", bands_GHz=ghz), "rate_Mbit_s", MEGA)
+    wanted = basics[0][0] if multicast_rate is None else multicast_rate
+    basic_rate, basic = _choose("multicast_rate", wanted, basics, f"{ghz} GHz", "Mbit/s")
     _checks.integer("aifsn", aifsn, 2, 15)
     limits = _rows("ampdu", standard=standard)
     most = int(limits[0]["most_mpdus"]) if limits else 1
     _checks.integer("mpdus", mpdus, 1, most, f" for {standard}")
-    spacings = [(float(row["us"]) / MICRO, row) for row in read_data("wifi/start_spacings.csv")]
+    spacings = _allowed(read_data("wifi/start_spacings.csv"), "us", 1 / MICRO)
     _choose("start_spacing", start_spacing, spacings, "an A-MPDU", "µs")
 
     slot, sifs = Fraction(timing["slot_us"]), Fraction(timing["sifs_us"])
@@ -114,7 +102,10 @@ def parts_of(
     # in the standard's tables are those before rounding down (27.5).
     coded = int(channel["data_subcarriers"]) * int(coding["coded_bits"]) * streams
     product = coded * Fraction(coding["coding_rate"])
-    encoders = _encoders(own, int(product), exceptions.get(int(index)))
+    # Each convolutional encoder adds its tail.
+    encoders = -(-int(product) // int(own["bits_per_encoder"])) if own["bits_per_encoder"] else 1
+    if coding["mcs"] in exceptions:
+        encoders = int(exceptions[coding["mcs"]]["encoders"])
     ldpc = bool(own["bcc_most_MHz"]) and (
         int(mhz) > int(own["bcc_most_MHz"]) or index > int(own["bcc_most_mcs"])
     )
@@ -143,6 +134,11 @@ def parts_of(
         response_rate=max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"])),
         usual_name=f"{standard} {mhz} MHz {streams}x{streams}" + "".join(unusual),
     )
+
+
+def _allowed(rows: Iterable[Row], column: str, si: float = 1.0) -> list[tuple[float, Row]]:
+    """Return rows with the value of a column in SI units."""
+    return [(float(row[column]) * si, row) for row in rows]
 
 
 def _rows(name: str, **values: object) -> list[Row]:
@@ -203,11 +199,3 @@ def block_ack(response_rate: int, mpdus: int) -> Fraction:
     ]
     room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
     return response(f"BlockAck {room}", response_rate)
-
-
-def _encoders(standard_row: Row, bits: int, exception: Row | None) -> int:
-    """Return the number of convolutional encoders; each adds its tail."""
-    if exception:
-        return int(exception["encoders"])
-    most = standard_row["bits_per_encoder"]
-    return -(-bits // int(most)) if most else 1

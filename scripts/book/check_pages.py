@@ -77,8 +77,8 @@ LITTLE = """<canvas id=c></canvas><script>(function draw(at) {
 })(0)</script>"""
 
 
-def moving() -> Iterator[str]:
-    """Yield the pages that carry data for scripts of their own."""
+def list_scripted_pages() -> Iterator[str]:
+    """Yield the pages that bring data for their own scripts."""
     for path in sorted(HTML.glob("[bn]*/*.html")):
         text = path.read_text(encoding="utf-8")
         if 'type="application/json" id="' in text or "calculator/calculator.js" in text:
@@ -97,8 +97,8 @@ def chromium() -> "Iterator[Browser]":
         )
 
 
-def by_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
-    """Return what pages say in Chromium, with the network off."""
+def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
+    """Return the text of the pages in Chromium, with the network off."""
     found = {}
     with (
         chromium() as browser,
@@ -113,8 +113,8 @@ def by_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
         return f"Chromium {browser.version.split('.')[0]}", found
 
 
-def by_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[str, Any]]:
-    """Return what pages say in Firefox, which nobody drives: a copy of a page posts it here."""
+def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[str, Any]]:
+    """Return the text of the pages in Firefox; a script in a copy of each page posts it here."""
     posted: list[dict[str, Any]] = []
 
     class Answering(BaseHTTPRequestHandler):
@@ -157,10 +157,10 @@ def by_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[st
     return f"Firefox {version}", found
 
 
-def compared() -> list[dict[str, Any]]:
-    """Return a row a page: how much it says in Chromium, and how much of that in Firefox."""
-    pages = list(moving())
-    (first, here), (second, there) = by_chromium(pages), by_firefox(pages)
+def compare_browsers() -> list[dict[str, Any]]:
+    """Return a row for each page: words in Chromium, and how many of them Firefox shows."""
+    pages = list(list_scripted_pages())
+    (first, here), (second, there) = read_pages_in_chromium(pages), read_pages_in_firefox(pages)
     rows = []
     for name in pages:
         said = [*here[name]["said"], *here[name]["sliders"]]
@@ -181,8 +181,8 @@ def compared() -> list[dict[str, Any]]:
     return rows
 
 
-def counted() -> list[dict[str, Any]]:
-    """Return how many frames a second the first page draws, and how long each takes the processor.
+def measure_frame_rate() -> list[dict[str, Any]]:
+    """Return the frames a second of the first page, and the processor time of each.
 
     Beside it a page that draws next to nothing: what this machine can do at the time.
     """
@@ -237,7 +237,7 @@ def _rates(page: "Page") -> tuple[dict[int, float], float]:
     return rates, statistics.median(each)
 
 
-def write(path: Path, rows: list[dict[str, Any]]) -> None:
+def write_csv(path: Path, rows: list[dict[str, Any]]) -> None:
     """Write rows as a table."""
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
@@ -250,10 +250,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=["said", "frames"])
     if parser.parse_args().what == "frames":
-        write(FRAMES, counted())
+        write_csv(FRAMES, measure_frame_rate())
         return
-    rows = compared()
-    write(SAID, rows)
+    rows = compare_browsers()
+    write_csv(SAID, rows)
     wrong = [row["page"] for row in rows if row["errors"] or row["same"] != row["texts"]]
     print(f"{len(rows)} pages, {sum(row['texts'] for row in rows)} texts")
     if wrong:

@@ -25,8 +25,8 @@ BOX = re.compile(
 MISSING = re.compile(r"Missing character: .*|LaTeX Warning: (?:Reference|Citation) .* undefined.*")
 
 
-def overfull(log: str) -> list[str]:
-    """Return what LaTeX says of each box that is too wide or too high."""
+def overfull_boxes(log: str) -> list[str]:
+    """Return LaTeX's warnings about boxes that are too wide or too high."""
     return [
         f"{float(points):.1f} pt{where}: {text.strip()[:90]}"
         for points, where, text in BOX.findall(log)
@@ -34,20 +34,20 @@ def overfull(log: str) -> list[str]:
     ]
 
 
-def missing(log: str) -> list[str]:
-    """Return what LaTeX says of letters and references that are printed as nothing."""
+def missing_characters(log: str) -> list[str]:
+    """Return LaTeX's warnings about letters and references that are not printed."""
     return sorted(set(MISSING.findall(log)))
 
 
-def words(pdf: Path, *options: str) -> list[str]:
+def page_texts(pdf: Path, *options: str) -> list[str]:
     """Return the text of each page."""
     command = ["pdftotext", *options, str(pdf), "-"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return done.stdout.split("\f")[:-1]
 
 
-def filled(pdf: Path) -> list[float]:
-    """Return how far down each page is printed, as a share of what can be."""
+def filled_shares(pdf: Path) -> list[float]:
+    """Return the share of each page's height that is printed."""
     done = subprocess.run(
         ["pdftoppm", "-r", "18", "-gray", str(pdf)], capture_output=True, check=True
     )
@@ -67,7 +67,7 @@ def filled(pdf: Path) -> list[float]:
     return shares
 
 
-def starts(reader: PdfReader) -> set[int]:
+def first_pages(reader: PdfReader) -> set[int]:
     """Return the pages, from 0, on which a part or a chapter begins."""
     found: set[int] = set()
     for entry in reader.outline:
@@ -84,9 +84,9 @@ def is_drawn_on(page: PageObject) -> bool:
     return any(thing.get_object()["/Subtype"] == "/Form" for thing in things.values())
 
 
-def gaps(reader: PdfReader, shares: list[float]) -> list[str]:
+def pages_with_gaps(reader: PdfReader, shares: list[float]) -> list[str]:
     """Return the pages that are half empty because of a figure there or on the next one."""
-    begins = starts(reader) | {len(shares)}
+    begins = first_pages(reader) | {len(shares)}
     drawn = [is_drawn_on(page) for page in reader.pages]
     return [
         f"page {page + 1} of the file is only {share:.0%} full, because of a figure"
@@ -95,9 +95,9 @@ def gaps(reader: PdfReader, shares: list[float]) -> list[str]:
     ]
 
 
-def scant(reader: PdfReader, texts: list[str]) -> list[str]:
-    """Return the pages with a few lines alone, but for those that name a part, and the title."""
-    begins = starts(reader) | {0}
+def nearly_empty_pages(reader: PdfReader, texts: list[str]) -> list[str]:
+    """Return the pages with only a few lines, except title pages."""
+    begins = first_pages(reader) | {0}
     pages = [text.strip().splitlines() for text in texts]
     lines = [sum(map(bool, map(str.strip, page))) - 2 for page in pages]  # without head and foot
     return [
@@ -116,8 +116,8 @@ def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None
             yield reader.get_destination_page_number(entry), entry.title or ""
 
 
-def alone(reader: PdfReader, texts: list[str]) -> list[str]:
-    """Return the headings with which a page ends.
+def stranded_headings(reader: PdfReader, texts: list[str]) -> list[str]:
+    """Return the headings at the bottom of a page.
 
     The texts are those of ``words(pdf, "-layout")``, whose lines come in the order of the page.
     """
@@ -145,9 +145,13 @@ def main() -> None:
     pdf = arguments.pdf
     reader = PdfReader(pdf)
     log = pdf.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
-    texts = words(pdf)
-    wrong = overfull(log) + missing(log) + gaps(reader, filled(pdf))
-    wrong += scant(reader, texts) + alone(reader, words(pdf, "-layout"))
+    texts = page_texts(pdf)
+    wrong = (
+        overfull_boxes(log) + missing_characters(log) + pages_with_gaps(reader, filled_shares(pdf))
+    )
+    wrong += nearly_empty_pages(reader, texts) + stranded_headings(
+        reader, page_texts(pdf, "-layout")
+    )
     if arguments.pages and len(reader.pages) > arguments.pages:
         wrong.append(f"{len(reader.pages)} pages; at most {arguments.pages} are wanted")
     if wrong:

@@ -37,8 +37,8 @@ CONTENTS = {
 LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
 
 
-def crate(contents: Mapping[str, bytes], version: str) -> str:
-    """Return the manifest, an RO-Crate: what the archive is, and every file with its checksum."""
+def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
+    """Return the manifest, an RO-Crate: the files with their checksums."""
     cff = json.loads(contents["codemeta.json"])
     files = [
         {
@@ -74,8 +74,8 @@ def crate(contents: Mapping[str, bytes], version: str) -> str:
     return json.dumps(graph, indent=1, ensure_ascii=False) + "\n"
 
 
-def collect() -> dict[str, bytes]:
-    """Return name in the archive and content of every file, checksums last."""
+def collect_files() -> dict[str, bytes]:
+    """Return the name and content of each file in the archive, checksums last."""
     found: dict[str, bytes] = {}
     for source, target in CONTENTS.items():
         path = ROOT / source
@@ -85,12 +85,12 @@ def collect() -> dict[str, bytes]:
             if file.is_file() and not LEFT_OUT & set(file.parts):
                 name = (Path(target) / file.relative_to(path)).as_posix()
                 found[name.removesuffix("/.")] = file.read_bytes()
-    found["ro-crate-metadata.json"] = crate(found, metadata("discostorm")["Version"]).encode()
+    found["ro-crate-metadata.json"] = ro_crate(found, metadata("discostorm")["Version"]).encode()
     sums = (f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in sorted(found.items()))
     return dict(sorted(found.items())) | {"SHA256SUMS": "".join(sums).encode()}
 
 
-def pack(path: Path, contents: dict[str, bytes], epoch: int) -> None:
+def write_zip(path: Path, contents: dict[str, bytes], epoch: int) -> None:
     """Write a zip archive in which every file has the given time."""
     # A zip archive knows no time before 1980.
     date = time.gmtime(max(epoch, 315_532_800))[:6]
@@ -108,8 +108,8 @@ def main() -> None:
     parser.add_argument("--epoch", type=int, default=0, help="time of the commit [s]")
     epoch = parser.parse_args().epoch
     path = ROOT / "build" / f"discostorm-{metadata('discostorm')['Version']}.zip"
-    contents = collect()
-    pack(path, contents, epoch)
+    contents = collect_files()
+    write_zip(path, contents, epoch)
     shutil.rmtree(ROOT / "build" / "release")
     print(f"\nThe release is ready: {path} ({len(contents)} files)")
     print(f"sha256 {hashlib.sha256(path.read_bytes()).hexdigest()}")

@@ -20,8 +20,8 @@ from discostorm_book import facts
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
 
-def other(text: str, chance: random.Random) -> str:
-    """Return a number with one digit changed; a word becomes another number word."""
+def change_number(text: str, chance: random.Random) -> str:
+    """Return a number with one digit changed; a number word becomes another one."""
     if not text[0].isdigit():
         words = [word for word in facts.NUMBER_WORDS if word != text.lower()]
         return chance.choice(words)
@@ -31,8 +31,8 @@ def other(text: str, chance: random.Random) -> str:
     return text[:place] + chance.choice(digits) + text[place + 1 :]
 
 
-def measure(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
-    """Return each change that was tried: its chapter, what was changed, whether it was caught."""
+def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
+    """Return each change: its chapter, the text, and whether the guard caught it."""
     chance = random.Random(seed)
     chapters = {path.stem: facts.read(path) for path in paths}
     places = [
@@ -48,7 +48,7 @@ def measure(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
         for name, index, numeral in chance.choices(of_kind, k=trials):
             cells = copy.deepcopy(chapters[name])
             text = "".join(cells[index]["source"])
-            changed = other(numeral.text, chance)
+            changed = change_number(numeral.text, chance)
             cells[index]["source"] = text[: numeral.start] + changed + text[numeral.end :]
             caught = facts.is_guarded(cells) and bool(facts.disagreements(cells))
             rows.append({"chapter": name, "what": "words" if words else "digits", "caught": caught})
@@ -61,7 +61,7 @@ def main() -> None:
     parser.add_argument("--trials", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     asked = parser.parse_args()
-    found = measure(sorted(NOTEBOOKS.glob("*.ipynb")), asked.trials, asked.seed)
+    found = try_changes(sorted(NOTEBOOKS.glob("*.ipynb")), asked.trials, asked.seed)
     table = found.groupby(["what", "chapter"])["caught"].agg(["size", "mean"])
     print(table.to_string(header=["tried", "caught"], float_format="{:.0%}".format))
     for what, caught in found.groupby("what")["caught"]:

@@ -25,14 +25,14 @@ NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
 
 @dataclass
-class Run:
-    """What came of a notebook."""
+class NotebookRun:
+    """The result of executing a notebook."""
 
     seconds: float
     changed: list[int]  # the cells, from 1, that have other outputs than before
 
 
-def run(path: Path) -> Run:
+def run(path: Path) -> NotebookRun:
     """Execute one notebook and write it back."""
     start = time.perf_counter()
     notebook = nbformat.read(path, as_version=4)
@@ -79,11 +79,11 @@ def run(path: Path) -> Run:
             beside.unlink(missing_ok=True)
     pairs = enumerate(zip(before, notebook.cells, strict=True), 1)
     changed = [number for number, (old, new) in pairs if old != new]
-    return Run(time.perf_counter() - start, changed)
+    return NotebookRun(time.perf_counter() - start, changed)
 
 
-def report(folder: Path, runs: dict[str, Run]) -> None:
-    """Write how long each notebook took, and which of its cells came out otherwise."""
+def write_report(folder: Path, runs: dict[str, NotebookRun]) -> None:
+    """Write the run time of each notebook, and the cells whose output changed."""
     tables: dict[str, list[tuple[str, float | str]]] = {
         "run_times.csv": [("notebook", "seconds")],
         "changed_cells.csv": [("notebook", "cells")],
@@ -110,7 +110,7 @@ def main(arguments: list[str]) -> int:
     if missing or not paths:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
-    runs: dict[str, Run] = {}
+    runs: dict[str, NotebookRun] = {}
     with warm_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
@@ -125,7 +125,7 @@ def main(arguments: list[str]) -> int:
                 kind = "" if type(error) is RuntimeError else f"{name}: {type(error).__name__}: "
                 print(f"{kind}{error}\n", file=sys.stderr, flush=True)
     if options.report:
-        report(options.report, dict(sorted(runs.items())))
+        write_report(options.report, dict(sorted(runs.items())))
     failed = len(jobs) - len(runs)
     if failed:
         print(f"{failed} of {len(jobs)} notebooks failed", file=sys.stderr)

@@ -75,8 +75,8 @@ if __name__ != "__main__":
                     os.environ["JUPYTER_PATH"] = before
 
 
-def ask(path: str, arguments: list[str]) -> int:
-    """Have a kernel start; return its exit status when it has ended."""
+def request_kernel(path: str, arguments: list[str]) -> int:
+    """Ask the server for a kernel; return its exit status when it has ended."""
     # Kernels are interrupted before they are told to end, which they do all the same.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     cwd = os.getcwd()  # noqa: PTH109 - pathlib takes longer to import than this runs
@@ -88,8 +88,8 @@ def ask(path: str, arguments: list[str]) -> int:
     return int(answer or 1)
 
 
-def load() -> None:
-    """Import the modules; one that cannot be is left to the cell that imports it."""
+def import_modules() -> None:
+    """Import the modules; skip one that fails, as its cell will show the error."""
     import contextlib
     import gc
     import importlib
@@ -107,8 +107,8 @@ def load() -> None:
     gc.freeze()
 
 
-def fork() -> int:
-    """Return the new process's number here, and 0 there."""
+def fork_process() -> int:
+    """Return the new process's number in the parent, and 0 in the child."""
     import warnings
 
     with warnings.catch_warnings():
@@ -117,8 +117,8 @@ def fork() -> int:
         return os.fork()
 
 
-def serve(listener: socket.socket) -> list[str]:
-    """Copy this process on each request; return in the copies, with their arguments."""
+def serve_forks(listener: socket.socket) -> list[str]:
+    """Fork on each request; return in the children, with their arguments."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # processes that `watch` need no wait
     while True:
@@ -126,21 +126,21 @@ def serve(listener: socket.socket) -> list[str]:
         if sys.stdin in ready:
             os._exit(0)
         link, _ = listener.accept()
-        if fork() == 0:
+        if fork_process() == 0:
             listener.close()
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            return watch(link)
+            return supervise(link)
         link.close()
 
 
-def watch(link: socket.socket) -> list[str]:
-    """Start a kernel and see to it that it ends with the process that asked, and this with both."""
+def supervise(link: socket.socket) -> list[str]:
+    """Start a kernel and end it when the process that asked for it has ended."""
     import contextlib
 
     with link.makefile("r", encoding="utf-8") as asked:
         wanted = json.loads(asked.readline())
     lives, held = os.pipe()
-    kernel = fork()
+    kernel = fork_process()
     if kernel:
         os.close(held)
         # Until who asked, the kernel, or who entered `warm_kernels` has ended.
@@ -168,10 +168,10 @@ def watch(link: socket.socket) -> list[str]:
 def main(where: str, *arguments: str) -> None:
     """Ask for a kernel at a path, or be what is copied, with the number of an open socket."""
     if arguments:
-        sys.exit(ask(where, list(arguments)))
-    load()
+        sys.exit(request_kernel(where, list(arguments)))
+    import_modules()
     with socket.socket(fileno=int(where)) as listener:
-        words = serve(listener)
+        words = serve_forks(listener)
     # Read from the environment on import, which was too early.
     parent = f"--IPKernelApp.parent_handle={os.getppid()}"
     sys.argv = ["ipykernel_launcher.py", *words, parent]

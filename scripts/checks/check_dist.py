@@ -45,14 +45,14 @@ for cell in cells:
 TEST_TOOLS = ("hypothesis", "pytest", "pytest-xdist")
 
 
-def packages() -> list[dict[str, str]]:
-    """Return the rows of packages/packages.csv, a package before those that rest on it."""
+def read_packages() -> list[dict[str, str]]:
+    """Return the rows of packages/packages.csv, each package after those that it requires."""
     with (ROOT / "packages/packages.csv").open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
-def needed(package: Distribution, extras: set[str]) -> set[str]:
-    """Return the names of the distributions that one needs, and all that these need."""
+def required_distributions(package: Distribution, extras: set[str]) -> set[str]:
+    """Return the names of the distributions that a package requires, directly or not."""
     names: set[str] = set()
     todo = [(package, frozenset(extras))]
     visited = set()
@@ -72,7 +72,7 @@ def needed(package: Distribution, extras: set[str]) -> set[str]:
     return names
 
 
-def link(folder: Path, names: set[str]) -> None:
+def link_distributions(folder: Path, names: set[str]) -> None:
     """Link distributions of this Python into a folder."""
     for name in sorted(names):
         for file in distribution(name).files or []:
@@ -81,8 +81,8 @@ def link(folder: Path, names: set[str]) -> None:
                 (folder / top).symlink_to(Path(str(distribution(name).locate_file(top))))
 
 
-def commands(page: str) -> Iterator[tuple[str, str]]:
-    """Yield each command of a page's console blocks, and the output that the page shows."""
+def console_examples(page: str) -> Iterator[tuple[str, str]]:
+    """Yield each command of a page's console blocks, with the output that the page shows."""
     for block in re.findall(r"^```console\n(.*?)^```$", page, re.M | re.S):
         for example in re.split(r"^\$ ", block, flags=re.M)[1:]:
             command, _, output = example.partition("\n")
@@ -117,8 +117,8 @@ def _sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def build(source: Path, folder: Path) -> list[Path]:
-    """Build source archive and wheel of a package; out of the archive comes the same wheel."""
+def build_package(source: Path, folder: Path) -> list[Path]:
+    """Build source archive and wheel of a package; the archive must give the same wheel."""
     folder.mkdir(parents=True, exist_ok=True)
     archive, wheel = _build("sdist", source, folder), _build("wheel", source, folder)
     with tempfile.TemporaryDirectory() as elsewhere:
@@ -136,7 +136,7 @@ def build(source: Path, folder: Path) -> list[Path]:
     return [archive, wheel]
 
 
-def environment(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
+def install_package(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
     """Install a package from a folder of wheels into a new environment; return its programs.
 
     What it needs from others is linked from this Python, and so are the tools.
@@ -145,12 +145,14 @@ def environment(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
     programs = folder / ("Scripts" if os.name == "nt" else "bin")
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     site = Path(_run(programs / "python", "-c", where).strip())
-    own = {row["name"] for row in packages()}
+    own = {row["name"] for row in read_packages()}
     requirement = Requirement(wanted)
-    asked = needed(distribution(requirement.name), set(requirement.extras)) | set(tools)
+    asked = required_distributions(distribution(requirement.name), set(requirement.extras)) | set(
+        tools
+    )
     for tool in tools:
-        asked |= needed(distribution(tool), set())
-    link(site, asked - own)
+        asked |= required_distributions(distribution(tool), set())
+    link_distributions(site, asked - own)
     pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
     python = ("--python", programs / "python")
     _run(*pip, *python, "install", "--quiet", "--no-index", "--find-links", wheels, wanted)
@@ -158,8 +160,8 @@ def environment(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
     return programs
 
 
-def examples(page: Path, programs: Path) -> int:
-    """Run a page's examples in the environment, in an empty folder; return how many there are."""
+def run_examples(page: Path, programs: Path) -> int:
+    """Run a page's examples in the environment, in an empty folder; return their number."""
     text = page.read_text(encoding="utf-8")
     tried = len(doctest.DocTestParser().get_examples(text))
     run = (
@@ -169,7 +171,7 @@ def examples(page: Path, programs: Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         where = Path(folder)
         _run(programs / "python", "-I", "-c", run, page, cwd=where)
-        for command, shown in commands(text):
+        for command, shown in console_examples(text):
             tried += 1
             program, *arguments = shlex.split(command)
             output = _run(programs / program, *arguments, cwd=where, more={"PYTHONUTF8": "1"})
@@ -179,7 +181,7 @@ def examples(page: Path, programs: Path) -> int:
 
 
 def run_chapter(name: str, programs: Path) -> None:
-    """Run a downloaded chapter in an empty folder, in which it leaves nothing."""
+    """Run a downloaded chapter in an empty folder; it must leave no file there."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, "downloads", f"{name}.ipynb")
         copy.parent.mkdir()
@@ -192,7 +194,7 @@ def run_chapter(name: str, programs: Path) -> None:
 
 def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
     """Run the tests of a package where nothing is installed but what it names."""
-    programs = environment(folder, wheels, row["name"], *TEST_TOOLS)
+    programs = install_package(folder, wheels, row["name"], *TEST_TOOLS)
     tests = "tests/core" if row["folder"] == "." else f"{row['folder']}/tests"
     print(f"\nTesting {row['name']} alone ...", flush=True)
     options = ("-q", "-n", "2", "-p", "no:cacheprovider", "--doctest-modules")
@@ -211,10 +213,12 @@ def main() -> None:
     parser.add_argument("--alone", metavar="NAME", help="test this package alone, or all")
     given = parser.parse_args()
     shutil.rmtree(given.out, ignore_errors=True)
-    built = [file for row in packages() for file in build(ROOT / row["folder"], given.out)]
+    built = [
+        file for row in read_packages() for file in build_package(ROOT / row["folder"], given.out)
+    ]
     with tempfile.TemporaryDirectory() as folder:
         if given.alone:
-            for row in packages():
+            for row in read_packages():
                 if given.alone in ("all", row["name"]):
                     test_alone(row, given.out, Path(folder, row["name"]))
             return
@@ -223,10 +227,10 @@ def main() -> None:
         _run(sys.executable, "-m", "check_wheel_contents", *built[1::2], more=tools)
         validate = "from cffconvert.cli.cli import cli; cli()"
         _run(sys.executable, "-c", validate, "--validate", "-i", "CITATION.cff", more=tools)
-        programs = environment(Path(folder, "env"), given.out, "discostorm[all]")
+        programs = install_package(Path(folder, "env"), given.out, "discostorm[all]")
         pages = [ROOT / name for name in PAGES]
-        pages += [ROOT / row["folder"] / "README.md" for row in packages()[1:]]
-        tried = {page: examples(page, programs) for page in pages}
+        pages += [ROOT / row["folder"] / "README.md" for row in read_packages()[1:]]
+        tried = {page: run_examples(page, programs) for page in pages}
         for name in CHAPTERS:
             run_chapter(name, programs)
     for file in built:

@@ -21,15 +21,15 @@ KEPT = {
 }
 
 
-def newest(package: str) -> str:
-    """Return the newest version that npm has of a package."""
+def newest_npm_version(package: str) -> str:
+    """Return the newest version of a package on npm."""
     command = ["npm", "view", package, "version"]
     done = subprocess.run(command, text=True, capture_output=True, timeout=60, check=True)
     return done.stdout.strip()
 
 
-def rows(static: Path = STATIC) -> list[dict[str, str]]:
-    """Return the rows of vendored.csv, with whether each file is as it came."""
+def vendored_files(static: Path = STATIC) -> list[dict[str, str]]:
+    """Return the rows of vendored.csv, and whether each file is unchanged."""
     with (static / "vendored.csv").open(encoding="utf-8", newline="") as file:
         found = [*csv.DictReader(file)]
     for row in found:
@@ -40,8 +40,8 @@ def rows(static: Path = STATIC) -> list[dict[str, str]]:
     return found
 
 
-def table(found: list[dict[str, str]], columns: tuple[str, ...]) -> str:
-    """Return rows as text, each column as wide as it must be."""
+def format_table(found: list[dict[str, str]], columns: tuple[str, ...]) -> str:
+    """Return rows as text with aligned columns."""
     lines = [list(columns), *([row.get(name, "") for name in columns] for row in found)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     texts = (
@@ -56,18 +56,21 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--newest", action="store_true", help="ask npm for newer versions")
     given = parser.parse_args()
-    found = rows()
+    found = vendored_files()
     columns: tuple[str, ...] = ("file", "npm_package", "version", "license", "state", "sha256")
     if given.newest:
         try:
-            known = {name: newest(name) for name in sorted({row["npm_package"] for row in found})}
+            known = {
+                name: newest_npm_version(name)
+                for name in sorted({row["npm_package"] for row in found})
+            }
         except (OSError, subprocess.SubprocessError) as error:
             print(f"list_vendored: npm did not answer: {error}", file=sys.stderr)
             return 1
         for row in found:
             row["newest"] = known[row["npm_package"]]
         columns = (*columns[:3], "newest", *columns[3:])
-    print(table(found, columns))
+    print(format_table(found, columns))
     for name, why in KEPT.items():
         print(f"\n{name} stays at its version: {why}")
     return int(any(row["state"] != "as it came" for row in found))

@@ -19,8 +19,8 @@ from discostorm_capture.live import Packets, Watch
 _SOURCE, _TARGET = 16 + 26, 16 + 30
 
 
-def storm(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
-    """Yield packets of so many seconds, so many a second, from ever other hosts."""
+def storm_packets(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
+    """Yield packets of a storm in which ever more hosts send, at a given rate."""
     whole = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )
@@ -36,7 +36,7 @@ def storm(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
         yield when, bytes(packet)
 
 
-def megabytes() -> float:
+def memory_used() -> float:
     """Return the memory of this process [MB]."""
     status = Path("/proc/self/status")
     if not status.exists():
@@ -57,16 +57,16 @@ def main() -> None:
     )[:24]
     told, shown, folded = Watch(), 0, 0.0
     print("seconds,packets,hosts,megabytes")
-    for when, packet in storm(given.seconds, given.rate):
+    for when, packet in storm_packets(given.seconds, given.rate):
         told.add(when, packet)
         if told.full or when - folded >= given.every:
             told.fold(head)
             folded = when
         if when >= shown * given.seconds / 10 + given.every:
-            print(f"{when:.0f},{told.packets},{len(told.hosts)},{megabytes():.0f}", flush=True)
+            print(f"{when:.0f},{told.packets},{len(told.hosts)},{memory_used():.0f}", flush=True)
             shown += 1
     told.fold(head)
-    print(f"{given.seconds},{told.packets},{len(told.hosts)},{megabytes():.0f}")
+    print(f"{given.seconds},{told.packets},{len(told.hosts)},{memory_used():.0f}")
 
 
 if __name__ == "__main__":

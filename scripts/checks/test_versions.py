@@ -13,8 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 
 
-def requirements(age: str) -> list[str]:
-    """Return what pyproject.toml asks for, each at its lower bound or without a bound."""
+def pinned_requirements(age: str) -> list[str]:
+    """Return the requirements of pyproject.toml, at their lower bounds or without bounds."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     bounds = [requirement.split(">=") for requirement in project["dependencies"]]
     return [f"{name}=={bound}" if age == "oldest" else name for name, bound in bounds]
@@ -26,7 +26,7 @@ def main() -> int:
     parser.add_argument("age", choices=["oldest", "newest"])
     age = parser.parse_args().age
     folder = ROOT / "build" / age
-    wanted = requirements(age)
+    wanted = pinned_requirements(age)
     print(f"Installing {', '.join(wanted)} ...", flush=True)
     install = ["sh", ROOT / "scripts" / "install.sh", folder, *wanted]
     if subprocess.run(install, cwd=ROOT, check=False).returncode:

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import compile_live
 import numpy as np
-from write_live import ENGINE, RADIOS, WASM, behavior
+from write_live import ENGINE, RADIOS, WASM, schedule_data
 
 import discostorm as ds
 from discostorm_simulation import cell_setup, state as st
@@ -59,11 +59,13 @@ def _group(rng: random.Random, hosts: int) -> Setting:
     return group | {"shared": min(shared, endpoints)}
 
 
-def settings(count: int, seed: int) -> Iterator[Setting]:
-    """Yield random settings; every table and channel comes in turn."""
+def random_settings(count: int, seed: int) -> Iterator[Setting]:
+    """Yield random settings that use every table and channel in turn."""
     rng = random.Random(seed)
     names, channels = list(ds.PROTOCOLS), list(RADIOS)
-    whole = {name for name in names if "refused" not in behavior(ds.PROTOCOLS[name], recovery=True)}
+    whole = {
+        name for name in names if "refused" not in schedule_data(ds.PROTOCOLS[name], recovery=True)
+    }
     for number in range(count):
         sizes = [rng.randint(1, 4) for _ in range(rng.choice((1, 1, 2, 3)))]
         if sum(sizes) < 2:
@@ -142,8 +144,8 @@ def _begin(setup: Setup, seed: np.random.SeedSequence) -> tuple[st.CellState, in
     return cell, min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
 
-def natively(setting: Setting) -> dict[str, Any]:
-    """Return what Python makes of a setting: digests of all arrays at start and end, the result."""
+def run_in_python(setting: Setting) -> dict[str, Any]:
+    """Return Python's result for a setting, with digests of all arrays at start and end."""
     try:
         setup = _setup(setting)
     except ValueError as error:
@@ -164,8 +166,8 @@ def natively(setting: Setting) -> dict[str, Any]:
     return found
 
 
-def differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
-    """Return in what two machines differ: names of arrays and results; nothing if in nothing."""
+def list_differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
+    """Return the names of the arrays and results that differ between two engines."""
     if "refused" in here or "refused" in there:
         return [] if here.keys() == there.keys() else ["refused"]
     return [
@@ -185,22 +187,22 @@ def offline_page(browser: "Browser") -> "Iterator[Page]":
         yield page
 
 
-def in_browser(page: "Page", given: list[Setting], steps: int = 5000) -> list[dict[str, Any]]:
-    """Return what the page makes of settings, in shares of so many steps."""
+def run_in_page(page: "Page", given: list[Setting], steps: int = 5000) -> list[dict[str, Any]]:
+    """Return the page's results for settings, run in parts of a given number of steps."""
     found: list[dict[str, Any]] = page.evaluate(
         "([settings, steps]) => compare(settings, steps)", [given, steps]
     )
     return found
 
 
-def swarm(hosts: int) -> Setting:
+def paper_swarm(hosts: int) -> Setting:
     """Return the setting of the paper's robots."""
     groups = [{"hosts": hosts, "processes": 2, "endpoints": 10}]
     return {"table": "DDS", "radio": ds.PAPER.name, "fleet": {"groups": groups}}
 
 
-def times(browser: "Browser", page: "Page") -> dict[int, float]:
-    """Return how long a run of the paper's robots takes, in time of the processor [ms]."""
+def run_times(browser: "Browser", page: "Page") -> dict[int, float]:
+    """Return the processor time of a run of the paper's robots [ms]."""
     session = browser.new_browser_cdp_session()
 
     def spent() -> float:
@@ -209,23 +211,23 @@ def times(browser: "Browser", page: "Page") -> dict[int, float]:
 
     found = {}
     for hosts in TIMED:
-        in_browser(page, [swarm(hosts)], 10**7)  # has the browser optimize its code
+        run_in_page(page, [paper_swarm(hosts)], 10**7)  # has the browser optimize its code
         before = spent()
-        in_browser(page, [swarm(hosts)] * ROUNDS, 10**7)
+        run_in_page(page, [paper_swarm(hosts)] * ROUNDS, 10**7)
         found[hosts] = (spent() - before) / ROUNDS * 1e3
     return found
 
 
 @dataclass(frozen=True)
-class Answers:
-    """What a browser made of settings, and how long runs took where that was measured [ms]."""
+class BrowserResults:
+    """A browser's results for settings, and its run times [ms] where measured."""
 
     browser: str
     settings: list[dict[str, Any]]
     times: dict[int, float]
 
 
-def by_chromium(tried: list[Setting]) -> Answers:
+def run_in_chromium(tried: list[Setting]) -> BrowserResults:
     """Run settings in headless Chromium, with the network off."""
     from playwright.sync_api import sync_playwright
 
@@ -237,15 +239,15 @@ def by_chromium(tried: list[Setting]) -> Answers:
         with offline_page(browser) as page:
             found = []
             for first in range(0, len(tried), 50):
-                found += in_browser(page, tried[first : first + 50])
-            took = times(browser, page)
+                found += run_in_page(page, tried[first : first + 50])
+            took = run_times(browser, page)
         name = f"Chromium {browser.version.split('.')[0]}"
         browser.close()
-    return Answers(name, found, took)
+    return BrowserResults(name, found, took)
 
 
-def by_firefox(program: str, tried: list[Setting]) -> Answers:
-    """Run settings in headless Firefox: its page asks this machine for them, and posts answers."""
+def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
+    """Run settings in headless Firefox; its page fetches them and posts results."""
     asked = f"const ASKED = {json.dumps(tried)};"
     posted: list[dict[str, Any]] = []
 
@@ -283,27 +285,32 @@ def by_firefox(program: str, tried: list[Setting]) -> Answers:
     for one in answer["settings"]:  # JSON has no infinity
         found = one.get("result", {})
         found.update({key: np.inf for key, value in found.items() if value is None})
-    return Answers(name[0].replace("/", " "), answer["settings"], {})
+    return BrowserResults(name[0].replace("/", " "), answer["settings"], {})
 
 
 def check_bytes() -> str:
-    """Compile the inner loop and compare it; return what was found."""
-    if compile_live.linker() is None:
+    """Compile the engine anew and compare its bytes; return a report."""
+    if compile_live.find_linker() is None:
         return "no wasm-ld here: the committed engine is compared by its results alone"
-    kept, versions = ENGINE.read_text(encoding="utf-8").splitlines()[1], compile_live.made_with()
-    if not kept.endswith(f"sources {compile_live.sources()}"):
+    kept, versions = (
+        ENGINE.read_text(encoding="utf-8").splitlines()[1],
+        compile_live.tool_versions(),
+    )
+    if not kept.endswith(f"sources {compile_live.sources_digest()}"):
         raise SystemExit("discostorm: the engine is of other sources: make live")
-    if compile_live.webassembly() == WASM.read_bytes():
+    if compile_live.compile_webassembly() == WASM.read_bytes():
         return f"engine: the same bytes with {versions}"
     if f" {versions};" in kept:
         raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
     return f"engine: of other versions than here, {kept[3:]}; its results are compared instead"
 
 
-def by_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list[str]:
-    """Return in what the engine differs from its source, compiled by numba for this machine."""
+def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list[str]:
+    """Return the differences between the engine and its source compiled by numba."""
     # numba looks at one file only to see whether what it has kept is of today's sources.
-    os.environ["NUMBA_CACHE_DIR"] = str(ROOT / "build" / "numba" / compile_live.sources()[:16])
+    os.environ["NUMBA_CACHE_DIR"] = str(
+        ROOT / "build" / "numba" / compile_live.sources_digest()[:16]
+    )
     from discostorm_simulation.kernels.advance import advance
 
     loop: Any = advance
@@ -333,11 +340,11 @@ def _grown(cell: st.CellState) -> st.CellState:
     return cell._replace(pool=pool, events=events)
 
 
-def compared(
-    tried: list[Setting], here: list[dict[str, Any]], there: Answers
+def format_comparison(
+    tried: list[Setting], here: list[dict[str, Any]], there: BrowserResults
 ) -> tuple[dict[str, Any], list[str]]:
-    """Return what is told of a comparison, and what is wrong."""
-    pairs = zip(map(differences, here, there.settings), tried, strict=True)
+    """Return the report of a comparison, and its errors."""
+    pairs = zip(map(list_differences, here, there.settings), tried, strict=True)
     wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
     slow = [hosts for hosts, time in there.times.items() if time > TIMED[hosts]]
     told = {
@@ -363,17 +370,17 @@ def main() -> None:
     given = parser.parse_args()
     if not given.no_bytes:
         print(check_bytes(), flush=True)
-    tried = list(settings(given.settings, given.seed))
-    here = [natively(setting) for setting in tried]
-    if beside := by_numba(tried, here):
+    tried = list(random_settings(given.settings, given.seed))
+    here = [run_in_python(setting) for setting in tried]
+    if beside := compare_with_numba(tried, here):
         raise SystemExit("\n".join(["discostorm: the engine differs from its source", *beside[:5]]))
     print(f"engine: as numba's in {len(tried)} settings", flush=True)
-    answers = [by_chromium(tried)]
+    answers = [run_in_chromium(tried)]
     if given.firefox:
-        answers.append(by_firefox(given.firefox, tried))
+        answers.append(run_in_firefox(given.firefox, tried))
     rows, wrong = [], []
     for there in answers:
-        told, found = compared(tried, here, there)
+        told, found = format_comparison(tried, here, there)
         print(", ".join(f"{name} {value}" for name, value in told.items()), *found[:5], sep="\n")
         rows.append(told | {"source": f"make live-check, seed {given.seed}"})
         wrong += found

@@ -79,20 +79,20 @@ declare void @llvm.trap()
 
 
 @cache
-def sources() -> str:
-    """Return a digest of all that is compiled."""
+def sources_digest() -> str:
+    """Return a digest of all compiled sources."""
     files = [*sorted((PACKAGE / "kernels").glob("*.py")), PACKAGE / "state.py"]
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-def linker() -> str | None:
+def find_linker() -> str | None:
     """Return the program that links WebAssembly, if there is one."""
     return next(filter(None, map(shutil.which, LINKERS)), None)
 
 
 def linker_release() -> int | None:
     """Return the release of the linker, such as 14."""
-    program = linker()
+    program = find_linker()
     if program is None:
         return None
     told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
@@ -100,16 +100,16 @@ def linker_release() -> int | None:
     return int(found[1]) if found else None
 
 
-def made_with() -> str:
-    """Return which versions decide the bytes."""
+def tool_versions() -> str:
+    """Return the versions that decide the bytes."""
     return f"numba {version('numba')}, llvmlite {version('llvmlite')}, lld {linker_release()}"
 
 
-def head() -> str:
-    """Return the first lines of the page's script: what it was made with, and of which sources."""
+def script_header() -> str:
+    """Return the first lines of the page's script: tool versions and the digest of the sources."""
     return (
         "// The simulator's inner loop, engine.wasm of discostorm_simulation; made by `make live`; "
-        f"do not edit.\n// {made_with()}; sources {sources()}\n"
+        f"do not edit.\n// {tool_versions()}; sources {sources_digest()}\n"
     )
 
 
@@ -194,9 +194,9 @@ def _object(ir: str) -> bytes:
     return bytes(machine.emit_object(module))
 
 
-def webassembly() -> bytes:
+def compile_webassembly() -> bytes:
     """Return the loop as a module that imports nothing."""
-    program = linker()
+    program = find_linker()
     if program is None:
         raise SystemExit(f"discostorm: make live needs wasm-ld (Debian: apt-get install lld-{LLD})")
     with tempfile.TemporaryDirectory() as name:

@@ -29,19 +29,19 @@ def pins(lock: str) -> list[str]:
     ]
 
 
-def packages() -> list[Path]:
+def package_files() -> list[Path]:
     """Return the files of the five packages, the core's first."""
     return [ROOT / "pyproject.toml", *sorted(ROOT.glob("packages/*/pyproject.toml"))]
 
 
-def environment(lock: str) -> str:
+def environment_text(lock: str) -> str:
     """Return the text of environment.yml for the text of a lock file."""
     # In quotes, as a marker contains characters that mean something in YAML.
-    own = (f"-e {path.parent.relative_to(ROOT).as_posix()}" for path in packages())
+    own = (f"-e {path.parent.relative_to(ROOT).as_posix()}" for path in package_files())
     lines = [*pins(lock), *own]
     return HEAD + "".join(f'      - "{line}"\n' for line in lines)
 
 
 if __name__ == "__main__":
     lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
-    (ROOT / "environment.yml").write_text(environment(lock), encoding="utf-8")
+    (ROOT / "environment.yml").write_text(environment_text(lock), encoding="utf-8")

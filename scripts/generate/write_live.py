@@ -50,14 +50,16 @@ OF_SETTING = ("queue", "lifetime")
 FIRST_EVENTS = ("SEND", "ANNOUNCE", "LEASE_CHECK")
 
 
-def plan(protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER) -> Setup:
+def run_setup(
+    protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER
+) -> Setup:
     """Return the set-up of a run of any fleet."""
     return set_up(Scenario(ANY, protocol, wifi, recovery=recovery, eifs=eifs))
 
 
-def layouts() -> tuple[dict[str, Value], dict[str, Value]]:
-    """Return the records of a cell, by name, and of which of these, or numbers, its arrays are."""
-    cell, _ = plan(ds.DDS, True).cell(np.random.SeedSequence(0))
+def record_layouts() -> tuple[dict[str, Value], dict[str, Value]]:
+    """Return the records of a cell by name, and the type of each of its arrays."""
+    cell, _ = run_setup(ds.DDS, True).cell(np.random.SeedSequence(0))
     found: dict[str, Value] = {}
     types: dict[str, Value] = {}
     for name, array in zip(cell._fields, cell, strict=True):
@@ -96,7 +98,7 @@ def constants() -> dict[str, Value]:
     }
 
 
-def columns(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+def nonzero_columns(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
     """Return the columns of records that are not all zero."""
     return {
         name: [int(value) for value in records[name]]
@@ -105,14 +107,14 @@ def columns(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
     }
 
 
-def first_row(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
-    """Return a record's numbers that are not zero."""
+def nonzero_fields(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+    """Return the fields of a record that are not zero."""
     row = {name: records[name][0].item() for name in records.dtype.names if name not in without}
     return {name: value for name, value in row.items() if value}
 
 
-def message(row: Message) -> Value:
-    """Return what decides who sends how many of a message, and how long its frames are."""
+def message_data(row: Message) -> Value:
+    """Return a message's senders, counts and frame lengths as data of the page."""
     unit = row.unit
     return {
         "name": row.name,
@@ -124,15 +126,15 @@ def message(row: Message) -> Value:
     }
 
 
-def behavior(protocol: Protocol, recovery: bool) -> dict[str, Value]:
-    """Return when the messages of a table are sent, or why that cannot be simulated."""
+def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
+    """Return the schedule of a table's messages, or why the page cannot simulate it."""
     try:
-        setup = plan(protocol, recovery)
+        setup = run_setup(protocol, recovery)
     except ValueError as error:
         return {"refused": str(error)}
     bursts = setup.bursts
     found: dict[str, Value] = {
-        "kinds": columns(setup.kinds, OF_FLEET),
+        "kinds": nonzero_columns(setup.kinds, OF_FLEET),
         "bursts": {
             "messages": [list(rows) for rows in bursts.messages],
             "periods": [cell_setup.ticks(period) if period else 0 for period in bursts.period],
@@ -140,29 +142,29 @@ def behavior(protocol: Protocol, recovery: bool) -> dict[str, Value]:
         },
     }
     if setup.repairs is not None:
-        found["repairs"] = first_row(setup.repairs)
+        found["repairs"] = nonzero_fields(setup.repairs)
         if rows := spread(protocol):
             found["spread"] = list(rows)
     return found
 
 
-def table(protocol: Protocol) -> Value:
-    """Return what a page knows of a table of messages."""
+def protocol_data(protocol: Protocol) -> Value:
+    """Return a table of messages as data of the page."""
     rows = protocol.messages
     return {
-        "messages": [message(row) for row in rows],
+        "messages": [message_data(row) for row in rows],
         "inside": [
             [number, cell_setup.carrier_of(protocol, row), row.payload.nominal]
             for number, row in enumerate(rows)
             if not row.frames
         ],
-        "alone": behavior(protocol, recovery=False),
-        "recovering": behavior(protocol, recovery=True),
+        "alone": schedule_data(protocol, recovery=False),
+        "recovering": schedule_data(protocol, recovery=True),
     }
 
 
-def length(padding: OfdmSymbols, preamble: int) -> Value:
-    """Return what decides how long a frame takes."""
+def airtime_data(padding: OfdmSymbols, preamble: int) -> Value:
+    """Return the parameters of a frame's airtime."""
     return {
         "bits": int(padding.bits),
         "added": int(padding.added),
@@ -172,27 +174,27 @@ def length(padding: OfdmSymbols, preamble: int) -> Value:
     }
 
 
-def channel(wifi: ds.Wifi) -> Value:
-    """Return what a page knows of a channel: its radio, and how long frames take."""
-    fast, slow = (length(*of_one) for of_one in cell_setup.paddings(wifi))
+def channel_data(wifi: ds.Wifi) -> Value:
+    """Return a channel as data of the page: its radio and airtime parameters."""
+    fast, slow = (airtime_data(*of_one) for of_one in cell_setup.paddings(wifi))
     return {
-        "record": first_row(plan(ds.DDS, False, wifi=wifi).radio, OF_SETTING),
+        "record": nonzero_fields(run_setup(ds.DDS, False, wifi=wifi).radio, OF_SETTING),
         "aggregates": wifi.aggregation is not None,
         "fast": fast,
         "slow": slow,
     }
 
 
-def tables() -> str:
+def tables_text() -> str:
     """Return the text of tables.js."""
-    records, arrays = layouts()
+    records, arrays = record_layouts()
     said, rest = said_once(
         {
             "layouts": records,
             "arrays": arrays,
             "constants": constants(),
-            "tables": {name: table(protocol) for name, protocol in ds.PROTOCOLS.items()},
-            "radios": {name: channel(wifi) for name, wifi in RADIOS.items()},
+            "tables": {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()},
+            "radios": {name: channel_data(wifi) for name, wifi in RADIOS.items()},
         }
     )
     lines = [f"const {name} = {written(part)};" for name, part in said.items()]
@@ -203,11 +205,13 @@ def tables() -> str:
 
 def engine_text(code: bytes) -> str:
     """Return the text of engine.js."""
-    return f'{compile_live.head()}const LIVE_ENGINE = "{base64.b64encode(code).decode()}";\n'
+    return (
+        f'{compile_live.script_header()}const LIVE_ENGINE = "{base64.b64encode(code).decode()}";\n'
+    )
 
 
 if __name__ == "__main__":
-    TABLES.write_text(tables(), encoding="utf-8")
+    TABLES.write_text(tables_text(), encoding="utf-8")
     if "--tables" not in sys.argv:
-        WASM.write_bytes(compile_live.webassembly())  # which takes a minute or two
+        WASM.write_bytes(compile_live.compile_webassembly())  # which takes a minute or two
         ENGINE.write_text(engine_text(WASM.read_bytes()), encoding="utf-8")

@@ -26,8 +26,8 @@ MARKED = re.compile(
 )
 
 
-class Sources:
-    """What is said once."""
+class MetadataSources:
+    """The facts that all metadata files share."""
 
     def __init__(self, root: Path = ROOT) -> None:
         config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
@@ -59,8 +59,8 @@ def _json(value: dict[str, Any]) -> str:
     return json.dumps(kept, indent=2, ensure_ascii=False) + "\n"
 
 
-def zenodo(given: Sources) -> str:
-    """Return what Zenodo asks for, which gives the DOI itself."""
+def zenodo_metadata(given: MetadataSources) -> str:
+    """Return the metadata for Zenodo, which assigns the DOI itself."""
     cff = given.cff
     related = [
         {"identifier": address, "relation": relation, "scheme": "url"}
@@ -83,7 +83,7 @@ def zenodo(given: Sources) -> str:
     )
 
 
-def codemeta(given: Sources) -> str:
+def codemeta(given: MetadataSources) -> str:
     """Return the metadata of the software in CodeMeta's form."""
     cff, project = given.cff, given.project
     licenses = project["license"].split(" AND ")
@@ -113,7 +113,7 @@ def codemeta(given: Sources) -> str:
     )
 
 
-def _urls(given: Sources) -> dict[str, str]:
+def _urls(given: MetadataSources) -> dict[str, str]:
     every = {
         "Homepage": given.base,
         "Documentation": given.base and f"{given.base}notebooks/21_command_line.html",
@@ -123,8 +123,8 @@ def _urls(given: Sources) -> dict[str, str]:
     return {name: address for name, address in every.items() if address}
 
 
-def marked(name: str, given: Sources) -> dict[str, str]:
-    """Return what stands between the marks of a file, by the word of the first mark."""
+def generated_parts(name: str, given: MetadataSources) -> dict[str, str]:
+    """Return the generated text for each pair of marks in a file, by the first mark's word."""
     if name in PROJECTS:
         lines = [f'{key} = "{address}"\n' for key, address in _urls(given).items()]
         return {"addresses": "".join(["[project.urls]\n", *lines, "\n"] if lines else [])}
@@ -153,32 +153,32 @@ def marked(name: str, given: Sources) -> dict[str, str]:
     return {"addresses": book, "install": install}
 
 
-def filled(name: str, given: Sources, root: Path = ROOT) -> str:
-    """Return the text of a file with what stands between its marks written anew."""
-    new = marked(name, given)
+def fill_marks(name: str, given: MetadataSources, root: Path = ROOT) -> str:
+    """Return the text of a file with new text between its marks."""
+    new = generated_parts(name, given)
     text = (root / name).read_text(encoding="utf-8")
     return MARKED.sub(lambda found: found[1] + new[found[2]] + found[4], text)
 
 
-def versioned(text: str, given: Sources) -> str:
-    """Return the text of a pyproject.toml with this version, and the same of our own packages."""
+def set_version(text: str, given: MetadataSources) -> str:
+    """Return the text of a pyproject.toml with this version for itself and for our packages."""
     version = str(given.cff["version"])
     text = re.sub(r"(?m)^(version = )\"[^\"]*\"", rf'\1"{version}"', text)
     return re.sub(r"(\"discostorm[\w-]*)==[^\"]*\"", rf'\1=={version}"', text)
 
 
-def written(root: Path = ROOT) -> dict[str, str]:
-    """Return the text of every file that is written here."""
-    given = Sources(root)
-    files = {name: filled(name, given, root) for name in ("CITATION.cff", "PYPI.md")}
+def generated_files(root: Path = ROOT) -> dict[str, str]:
+    """Return the text of every generated file."""
+    given = MetadataSources(root)
+    files = {name: fill_marks(name, given, root) for name in ("CITATION.cff", "PYPI.md")}
     for name in PROJECTS:
-        files[name] = versioned(filled(name, given, root), given)
-    return files | {".zenodo.json": zenodo(given), "codemeta.json": codemeta(given)}
+        files[name] = set_version(fill_marks(name, given, root), given)
+    return files | {".zenodo.json": zenodo_metadata(given), "codemeta.json": codemeta(given)}
 
 
 def main() -> None:
     """Write them."""
-    for name, text in written().items():
+    for name, text in generated_files().items():
         (ROOT / name).write_text(text, encoding="utf-8")
 
 

@@ -12,7 +12,7 @@ SHEET = Path(__file__).parents[2] / "book/_static/palette.css"
 
 
 def style_sheet() -> str:
-    """Return the colors as custom properties of CSS."""
+    """Return the colors as CSS custom properties."""
     colors = [color for color in PALETTE.values() if color.dark]
     lines = ["/* Written by `make palette` from discostorm/data/palette.csv. */"]
     for theme in ("light", "dark"):

@@ -10,22 +10,22 @@ import csv
 import sys
 from dataclasses import asdict
 
-from sweep_ladder import decided, ladder
+from sweep_ladder import ladder_rows, settings_with_enough_runs
 from sweep_others import (
-    by_host,
-    events,
+    burst_transmissions,
+    capture_effect,
     first_page_run,
-    heard,
-    mixed,
-    saturation,
-    user_data,
-    waiting,
+    losses_by_host,
+    mixed_traffic,
+    queue_lengths,
+    saturated_throughput,
+    user_data_delays,
 )
-from sweep_setting import ROOT, SOURCE, Setting, path_of, result, table_path
-from sweep_tables import SWEEPS, settings_of
+from sweep_setting import ROOT, SOURCE, SweepSetting, cache_path, cached_result, table_path
+from sweep_tables import SWEEPS, table_settings
 
 
-def write(name: str, rows: list[dict[str, object]]) -> None:
+def write_table(name: str, rows: list[dict[str, object]]) -> None:
     """Write one table."""
     path = table_path(name)
     columns: list[str] = []
@@ -49,34 +49,36 @@ def main() -> None:
         "--only", choices=[*SWEEPS, "air", "mixed", "user_data"], help="one table; default: all"
     )
     only = parser.parse_args().only
-    wanted = {name: settings_of(name) for name in SWEEPS if only in (None, name)}
-    todo = {one for settings in wanted.values() for one in settings if not path_of(one).exists()}
+    wanted = {name: table_settings(name) for name in SWEEPS if only in (None, name)}
+    todo = {one for settings in wanted.values() for one in settings if not cache_path(one).exists()}
 
     # The short ones first.
-    def size(one: Setting) -> tuple[int, int, str]:
+    def size(one: SweepSetting) -> tuple[int, int, str]:
         return one.hosts * one.processes, one.hosts, repr(one)
 
     for setting in tqdm(sorted(todo, key=size), "settings"):
-        result(setting)
+        cached_result(setting)
     if "fits" in wanted:
-        wanted["fits"] = decided(wanted["fits"])
+        wanted["fits"] = settings_with_enough_runs(wanted["fits"])
     for name, settings in wanted.items():
-        write(name, [asdict(one) | result(one) | SOURCE for one in settings])
+        write_table(name, [asdict(one) | cached_result(one) | SOURCE for one in settings])
     if only in (None, "drain"):
-        write("events", [row | SOURCE for row in events()])
-        write("saturation", [row | SOURCE for row in saturation()])
+        write_table("events", [row | SOURCE for row in burst_transmissions()])
+        write_table("saturation", [row | SOURCE for row in saturated_throughput()])
     if only in (None, "air"):
-        write("air", first_page_run())
+        write_table("air", first_page_run())
     if only in (None, "user_data"):
-        write("user_data", [row | SOURCE for row in user_data()])
+        write_table("user_data", [row | SOURCE for row in user_data_delays()])
     if only in (None, "mixed"):
-        write("mixed", [row | SOURCE for row in mixed()])
+        write_table("mixed", [row | SOURCE for row in mixed_traffic()])
     if only in (None, "queues"):
-        write("hosts", [row | SOURCE for row in by_host()])
-        write("heard", [row | SOURCE for row in heard()])
-        write("waiting", [row | SOURCE for row in waiting()])
+        write_table("hosts", [row | SOURCE for row in losses_by_host()])
+        write_table("heard", [row | SOURCE for row in capture_effect()])
+        write_table("waiting", [row | SOURCE for row in queue_lengths()])
     if only in (None, "fits"):
-        write("ladder", ladder([asdict(one) | result(one) for one in wanted["fits"]]))
+        write_table(
+            "ladder", ladder_rows([asdict(one) | cached_result(one) for one in wanted["fits"]])
+        )
 
 
 if __name__ == "__main__":

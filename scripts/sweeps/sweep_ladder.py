@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, replace
 from itertools import product
 from typing import Any
 
-from sweep_setting import MANY, MOST, PAPER, Setting, result
+from sweep_setting import MANY, MOST, PAPER, SweepSetting, cached_result
 
 #: Steps of the ladder: what is assumed, in words and as options of the settings.
 CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
@@ -23,8 +23,8 @@ CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (
 
 
 @dataclass(frozen=True)
-class Step:
-    """How many hosts fit under some assumptions, and of how many runs that is known."""
+class LadderStep:
+    """The number of hosts that fit under some assumptions, and the number of runs behind it."""
 
     protocol: str
     step: str
@@ -69,7 +69,7 @@ class Step:
         return low, high - 1
 
 
-def steps(rows: list[dict[str, Any]]) -> Iterator[Step]:
+def ladder_steps(rows: list[dict[str, Any]]) -> Iterator[LadderStep]:
     """Yield the steps of the ladder."""
     for protocol, (step, assumed, options), mpdus in product(PAPER, LADDER, (1, 64)):
         wanted = options | {"protocol": protocol, "mpdus": mpdus}
@@ -77,30 +77,30 @@ def steps(rows: list[dict[str, Any]]) -> Iterator[Step]:
         of_step.sort(key=lambda row: int(row["hosts"]))
         words = assumed + (", frames aggregated" if mpdus > 1 else "")
         for column, limit in CRITERIA[int(str(options["recovery"]))]:
-            yield Step(protocol, step, words, column, limit, of_step)
+            yield LadderStep(protocol, step, words, column, limit, of_step)
 
 
-def decided(settings: list[Setting]) -> list[Setting]:
-    """Return settings with as many runs as it takes to decide how many hosts fit; see `MOST`."""
+def settings_with_enough_runs(settings: list[SweepSetting]) -> list[SweepSetting]:
+    """Return settings with enough runs to decide how many hosts fit; see `MOST`."""
     while True:
-        rows = [asdict(one) | result(one) | {"setting": one} for one in settings]
-        more = {row["setting"] for step in steps(rows) for row in step.open()}
+        rows = [asdict(one) | cached_result(one) | {"setting": one} for one in settings]
+        more = {row["setting"] for step in ladder_steps(rows) for row in step.open()}
         if not more:
             return settings
         again = {one: replace(one, runs=max(MANY, 4 * one.runs)) for one in more}
         for one in sorted(again.values(), key=lambda one: (one.runs, one.hosts)):
             sys.stderr.write(f"{one}\n")
-            result(one)
+            cached_result(one)
         settings = [again.get(one, one) for one in settings]
 
 
-def ladder(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
-    """Return how many hosts fit, step by step of the assumptions.
+def ladder_rows(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
+    """Return the number of hosts that fit at each step of the assumptions.
 
     That is the largest number with which the median run meets the criterion, as do all below.
     """
     found: list[dict[str, object]] = []
-    for step in steps(rows):
+    for step in ladder_steps(rows):
         fits, (low, high) = step.fits, step.range()
         last, beyond = step.rows[fits - 1], step.rows[fits]
         found.append(

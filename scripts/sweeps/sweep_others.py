@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from sweep_setting import PAPER, SEED, Setting, rounded, spread
-from sweep_tables import BESIDE, each
+from sweep_setting import PAPER, SEED, SweepSetting, median_and_quartiles, round_six_digits
+from sweep_tables import BESIDE, combinations
 
 import discostorm as ds
 from discostorm.data import data_path
@@ -21,8 +21,8 @@ from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, set_up
 
 
-def events() -> list[dict[str, object]]:
-    """Return every transmission of one small burst in seconds: three robots, one process each."""
+def burst_transmissions() -> list[dict[str, object]]:
+    """Return every transmission of a small burst [s]: three robots with one process each."""
     assert trace.SEED == SEED
     start = trace.SMALL
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
@@ -35,7 +35,7 @@ def events() -> list[dict[str, object]]:
     def seconds(column: str) -> list[str]:
         return [f"{tick * 1e-7:.7f}" for tick in log[column]]
 
-    return records(
+    return table_rows(
         pd.DataFrame(
             {
                 "start_s": seconds("start"),
@@ -54,7 +54,7 @@ def events() -> list[dict[str, object]]:
 
 
 def first_page_run() -> list[dict[str, object]]:
-    """Return the first transmissions of the page's run, and the access point's queue.
+    """Return the first transmissions of the landing page's run, and the access point's queue.
 
     Columns: ``start_s`` and ``end_s``, ``station`` (the access point has the last number),
     ``outcome``, ``waiting`` (frames at the access point, as last observed), ``source``.
@@ -69,10 +69,10 @@ def first_page_run() -> list[dict[str, object]]:
     times = {f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in sent[end]] for end in ("start", "end")}
     columns: dict[str, Any] = {"station": sent["station"], "outcome": sent["outcome"]}
     columns |= {"waiting": waiting[last].astype(int), "source": f"ds.simulate, seed {landing.SEED}"}
-    return records(pd.DataFrame({**times, **columns}))
+    return table_rows(pd.DataFrame({**times, **columns}))
 
 
-def records(table: pd.DataFrame) -> list[dict[str, object]]:
+def table_rows(table: pd.DataFrame) -> list[dict[str, object]]:
     """Return the rows of a table."""
     return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
 
@@ -81,8 +81,8 @@ def records(table: pd.DataFrame) -> list[dict[str, object]]:
 STATIONS, TRIES, LASTING = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
 
 
-def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
-    """Return what arrives when so many stations always have something to send.
+def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
+    """Return the throughput when a number of stations always have frames to send.
 
     By the rules of the standard, and by those of Bianchi's chain, which knows no timeout for
     acknowledgements and gives up no frame.
@@ -95,7 +95,7 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
         scenario = Scenario(
             ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
             ds.Protocol("saturation", (sedp,)),
-            Setting("DDS", 2).wifi,
+            SweepSetting("DDS", 2).wifi,
             queue=(np.inf, np.inf),
             start=starts,
             recovery=False,
@@ -109,12 +109,12 @@ def saturation(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
             arrived.append(int(cell.state["arrived"][0]) / LASTING)
         row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
-        rows.append(row | {"runs": TRIES} | spread("frames_per_s", np.array(arrived)))
+        rows.append(row | {"runs": TRIES} | median_and_quartiles("frames_per_s", np.array(arrived)))
     return rows
 
 
-def by_host() -> list[dict[str, object]]:
-    """Return what each host loses: of eight robots, and with one that has more to tell."""
+def losses_by_host() -> list[dict[str, object]]:
+    """Return the losses of each host: eight equal robots, and one that sends more."""
     robots = ds.HostGroup(7, 2, 10, name="robot")
     fleets = {
         "alike": ds.Fleet((replace(robots, hosts=8),)),
@@ -123,30 +123,36 @@ def by_host() -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     for name, fleet in fleets.items():
         found = ds.simulate(
-            fleet, ds.DDS, Setting("DDS", 8).wifi, recovery=False, runs=40, seed=SEED
+            fleet, ds.DDS, SweepSetting("DDS", 8).wifi, recovery=False, runs=40, seed=SEED
         )
         hosts = [group for group in fleet.groups for _ in range(int(group.hosts))]
         for number, group in enumerate(hosts):
             row = {"fleet": name, "host": number + 1, "kind": group.name}
             row |= {"processes": int(group.processes), "endpoints": int(group.endpoints)}
-            rows.append(row | spread("lost", found.lost_by_host[:, number]))
+            rows.append(row | median_and_quartiles("lost", found.lost_by_host[:, number]))
     return rows
 
 
-def waiting(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
-    """Return how many frames wait at all hosts and at the access point over time, in one burst."""
+def queue_lengths(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
+    """Return the queued frames over time in one burst: at all hosts, and at the access point."""
     rows: list[dict[str, object]] = []
     for count in hosts:
         fleet = ds.Fleet.swarm(count, 2, 10)
-        found = ds.simulate(fleet, ds.DDS, Setting("DDS", count).wifi, recovery=False, seed=SEED)
+        found = ds.simulate(
+            fleet, ds.DDS, SweepSetting("DDS", count).wifi, recovery=False, seed=SEED
+        )
         for time, at_hosts, at_access_point in found.queues[0]:
-            row: dict[str, object] = {"protocol": "DDS", "hosts": count, "time_s": rounded(time)}
+            row: dict[str, object] = {
+                "protocol": "DDS",
+                "hosts": count,
+                "time_s": round_six_digits(time),
+            }
             rows.append(row | {"at_hosts": int(at_hosts), "at_access_point": int(at_access_point)})
     return rows
 
 
-def user_data(runs: int = 20) -> list[dict[str, object]]:
-    """Return when discovery is complete alone and beside data, and how late the data are then."""
+def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
+    """Return the time to complete discovery without and with user data, and the data's delay."""
     fleet = ds.Fleet.from_toml(data_path("fleets/small_data.toml"))
     rows: list[dict[str, object]] = []
     for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
@@ -156,16 +162,16 @@ def user_data(runs: int = 20) -> list[dict[str, object]]:
         )
         for topic, own in beside.data.items():
             row: dict[str, object] = {"protocol": name, "topic": topic, "runs": runs}
-            row |= spread("convergence_alone_s", alone.convergence_time)
-            row |= spread("convergence_s", beside.convergence_time)
-            row |= {"arrived": rounded(float((own["arrived"] / own["frames"]).mean()))}
+            row |= median_and_quartiles("convergence_alone_s", alone.convergence_time)
+            row |= median_and_quartiles("convergence_s", beside.convergence_time)
+            row |= {"arrived": round_six_digits(float((own["arrived"] / own["frames"]).mean()))}
             for column in ("delay_median_s", "delay_95_s", "delay_most_s"):
-                row |= {column: rounded(float(np.median(own[column])))}
+                row |= {column: round_six_digits(float(np.median(own[column])))}
             rows.append(row)
     return rows
 
 
-def mixed(runs: int = 40) -> list[dict[str, object]]:
+def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
     """Return bursts beside user data, with the settings of ``measured/ns3_mixed.csv``."""
     rows: list[dict[str, object]] = []
     for mpdus, hz in product((1, 64), (10.0, 35.0)):
@@ -192,7 +198,7 @@ def mixed(runs: int = 40) -> list[dict[str, object]]:
             row: dict[str, object] = {"protocol": "DDS", "image_hz": hz, "mpdus": mpdus}
             row |= {"what": what, "runs": runs}
             for name, times in values.items():
-                row |= spread(name, times)
+                row |= median_and_quartiles(name, times)
             named = ("expected", "arrived", *CAUSES)
             rows.append(row | {name: int(counts[name].sum()) for name in named})
     return rows
@@ -204,10 +210,10 @@ def mixed(runs: int = 40) -> list[dict[str, object]]:
 HEARD = {"alike": None, "standard": THRESHOLD, "ns-3": (18.7, 1.0), "strongest": (0.0, 0.0)}
 
 
-def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
-    """Return bursts of hosts that are heard alike, and at the unlike distances of a disc."""
+def capture_effect(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
+    """Return bursts of hosts with equal signals, and of hosts at different distances on a disc."""
     queues = ((500, 0.5), (0, 0.0))
-    settings = each(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
+    settings = combinations(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
     rows: list[dict[str, object]] = []
     for one, (frames, seconds), (where, threshold) in product(settings, queues, HEARD.items()):
         protocol = ds.PROTOCOLS[one.protocol]
@@ -234,7 +240,9 @@ def heard(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
         names = ("protocol", "hosts", "processes", "endpoints", "mpdus", "agreements", "runs")
         row = {name: getattr(one, name) for name in names}
         row |= {"queue_frames": frames, "queue_s": seconds, "heard": where}
-        row |= spread("drain_time_s", found.drain_time) | spread("lost", found.lost)
+        row |= median_and_quartiles("drain_time_s", found.drain_time) | median_and_quartiles(
+            "lost", found.lost
+        )
         on_air = found.counts["on_air"].mean() / (multicast * (one.hosts - 1))
-        rows.append(row | {"multicast_lost": rounded(float(on_air))})
+        rows.append(row | {"multicast_lost": round_six_digits(float(on_air))})
     return rows

@@ -27,7 +27,7 @@ _PLANNER = ("ready", "staggered")
 
 
 def table_path(name: str) -> Path:
-    """Return where the table of a sweep is kept."""
+    """Return the path of a sweep's table."""
     package = "planner" if name in _PLANNER else "book"
     return ROOT / f"packages/{package}/discostorm_{package}/data/simulated/{name}.csv"
 
@@ -66,8 +66,8 @@ READY_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Setting:
-    """One row: what is simulated, how often."""
+class SweepSetting:
+    """One row: a simulation and its number of runs."""
 
     protocol: str
     hosts: int
@@ -145,24 +145,26 @@ class Setting:
             block_ack="negotiate" if self.agreements == "cold" else "established",
         )
         expected = found.counts["expected"].sum()
-        row: dict[str, object] = {"begun_s": rounded(self.window)}
-        row |= spread("drain_time_s", found.drain_time)
-        row |= spread("lost", found.lost)
-        row |= spread("convergence_time_s", found.convergence_time)
+        row: dict[str, object] = {"begun_s": round_six_digits(self.window)}
+        row |= median_and_quartiles("drain_time_s", found.drain_time)
+        row |= median_and_quartiles("lost", found.lost)
+        row |= median_and_quartiles("convergence_time_s", found.convergence_time)
         if self.runs >= MANY and self.recovery:
-            row |= interval("convergence_time_s", found.convergence_time)
+            row |= median_interval("convergence_time_s", found.convergence_time)
         elif self.runs >= MANY and not self.queue_frames:
-            row |= interval("drain_time_s", found.drain_time)
-        row |= {name: rounded(found.counts[name].sum() / expected) for name in CAUSES}
+            row |= median_interval("drain_time_s", found.drain_time)
+        row |= {name: round_six_digits(found.counts[name].sum() / expected) for name in CAUSES}
         row["converged"] = int(np.isfinite(found.convergence_time).sum())
-        row["expired"] = rounded(found.counts["expired"].mean())
-        row["collided"] = rounded(found.counts["collided"].sum() / found.counts["ppdus"].sum())
+        row["expired"] = round_six_digits(found.counts["expired"].mean())
+        row["collided"] = round_six_digits(
+            found.counts["collided"].sum() / found.counts["ppdus"].sum()
+        )
         return row
 
 
 @dataclass(frozen=True)
-class Ready(Setting):
-    """Ready-made robots with what ROS 2 shares, on a radio of `discostorm.WIFI`, for plans.
+class RobotPreset(SweepSetting):
+    """Ready-made robots with ROS 2's shared topics, on a radio of `discostorm.WIFI`, for plans.
 
     Without recovery: the burst that `discostorm.model.burst` counts, all of it there at the start.
     """
@@ -188,7 +190,7 @@ class Ready(Setting):
     def table(self) -> Protocol:
         """What they send."""
         table = super().table
-        return table if self.recovery else at_once(table)
+        return table if self.recovery else simultaneous(table)
 
     def run(self) -> dict[str, object]:
         """Return the row's results: what plans take of them."""
@@ -196,8 +198,8 @@ class Ready(Setting):
         return {name: row[name] for name in READY_COLUMNS}
 
 
-def at_once(table: Protocol) -> Protocol:
-    """Return a table of the same burst as another's, which sends all of it at the start."""
+def simultaneous(table: Protocol) -> Protocol:
+    """Return a copy of a table that sends all its messages at the start."""
     messages = (
         replace(m, schedule=Schedule((0.0,)), answers=None, per_unit=m.per_unit * m.schedule.extra)
         for m in table.messages
@@ -206,20 +208,22 @@ def at_once(table: Protocol) -> Protocol:
     return Protocol(table.name, tuple(messages))
 
 
-def rounded(value: float) -> str:
+def round_six_digits(value: float) -> str:
     """Return a number with six digits, as it stands in a table."""
     return f"{value:.6g}"
 
 
-def spread(name: str, values: NDArray[np.float64]) -> dict[str, object]:
-    """Return median and quartiles; of values that are infinite the next whole run's."""
+def median_and_quartiles(name: str, values: NDArray[np.float64]) -> dict[str, object]:
+    """Return median and quartiles; each is one of the values, so that infinity stays."""
     quantiles = np.quantile(values, [0.5, 0.25, 0.75], method="higher")
     names = (name, f"{name}_q25", f"{name}_q75")
-    return {key: rounded(float(value)) for key, value in zip(names, quantiles, strict=True)}
+    return {
+        key: round_six_digits(float(value)) for key, value in zip(names, quantiles, strict=True)
+    }
 
 
-def interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
-    """Return an interval of the median that is sure whatever the distribution: two of the values.
+def median_interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
+    """Return a distribution-free confidence interval of the median: two of the values.
 
     The number of values below the median is binomial, with one half.
     """
@@ -230,21 +234,21 @@ def interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
         below += ways
     ascending = np.sort(values)
     low, high = float(ascending[skipped]), float(ascending[runs - 1 - skipped])
-    return {f"{name}_low": rounded(low), f"{name}_high": rounded(high)}
+    return {f"{name}_low": round_six_digits(low), f"{name}_high": round_six_digits(high)}
 
 
-def path_of(setting: Setting) -> Path:
-    """Return where the result of a setting is kept."""
+def cache_path(setting: SweepSetting) -> Path:
+    """Return the path of a setting's cached result."""
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
-    own = (setting.fleet, setting.table) if isinstance(setting, Ready) else ()
+    own = (setting.fleet, setting.table) if isinstance(setting, RobotPreset) else ()
     text = repr((of_setting, SEED, ENGINE, *own))
     table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 
 
-def result(setting: Setting) -> dict[str, object]:
+def cached_result(setting: SweepSetting) -> dict[str, object]:
     """Return the result of a setting, from the cache if it is there."""
-    path = path_of(setting)
+    path = cache_path(setting)
     if not path.exists():
         row = setting.run()
         CACHE.mkdir(parents=True, exist_ok=True)

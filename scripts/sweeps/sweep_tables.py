@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, replace
 from typing import Any
 
-from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, Ready, Setting, table_path
+from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, RobotPreset, SweepSetting, table_path
 
 import discostorm as ds
 from discostorm.robots import robots
 
 
-def each(base: Setting, **options: Iterable[Any]) -> list[Setting]:
+def combinations(base: SweepSetting, **options: Iterable[Any]) -> list[SweepSetting]:
     """Return the settings of all combinations, the first option slowest."""
     settings = [base]
     for name, values in options.items():
@@ -19,17 +19,17 @@ def each(base: Setting, **options: Iterable[Any]) -> list[Setting]:
     return settings
 
 
-ALONE = Setting("DDS", 2, queue_frames=0, queue_s=0.0)
-HEALED = Setting("DDS", 2, recovery=1)
-ONCE = Setting("DDS", 2, runs=10)
+ALONE = SweepSetting("DDS", 2, queue_frames=0, queue_s=0.0)
+HEALED = SweepSetting("DDS", 2, recovery=1)
+ONCE = SweepSetting("DDS", 2, runs=10)
 #: As in the bursts of ns-3 that these are compared with.
 BESIDE = replace(ONCE, runs=100, agreements="in place")
 #: Starts are compared with each other, so that medians of few runs do not do.
 SPREAD = replace(HEALED, until_s=600.0, runs=100)
 
 
-def with_runs(settings: list[Setting]) -> list[Setting]:
-    """Return settings with as many runs as their stored table has, if it has them."""
+def with_stored_runs(settings: list[SweepSetting]) -> list[SweepSetting]:
+    """Return settings with the number of runs of their stored table, if there is one."""
     names = ["protocol", "hosts", "mpdus", "recovery", "start"]
     path = table_path("fits")
     with path.open(encoding="utf-8") as file:
@@ -57,10 +57,10 @@ READY_HOSTS = (2, 4, 8, 12, 16)
 ENOUGH = {"Zenoh peer": 8, "of many processes": FEW_HOSTS}
 
 
-def ready(tables: Iterable[str], options: dict[str, Any]) -> list[Setting]:
+def robot_presets(tables: Iterable[str], options: dict[str, Any]) -> list[SweepSetting]:
     """Return the settings of all ready-made robots, alone and beside a laptop."""
     return [
-        Ready(
+        RobotPreset(
             table,
             hosts,
             int(robot.processes),
@@ -83,15 +83,15 @@ def ready(tables: Iterable[str], options: dict[str, Any]) -> list[Setting]:
 
 
 #: The tables.
-SWEEPS: dict[str, Callable[[], list[Setting]]] = {
-    "drain": lambda: each(
+SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
+    "drain": lambda: combinations(
         ALONE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 15, 20, 25, 30)
     ),
-    "queues": lambda: each(
+    "queues": lambda: combinations(
         ONCE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50)
     ),
     # Many runs, as single ones differ by many points in what is lost.
-    "rates": lambda: each(
+    "rates": lambda: combinations(
         replace(ONCE, runs=100),
         protocol=PAPER,
         radio=("n", "ax"),
@@ -100,20 +100,20 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
     ),
     # What ns-3 was given, too.
     "beside_ns3": lambda: (
-        each(
+        combinations(
             BESIDE,
             protocol=PAPER,
             mpdus=(1, 64),
             hosts=(2, 3, 4, 5, 6, 7, 8, 10, 12),
         )
-        + each(
+        + combinations(
             BESIDE,
             protocol=PAPER,
             mpdus=(1, 64),
             hosts=(3, 6),
             loss=(0.05, 0.2),
         )
-        + each(
+        + combinations(
             replace(BESIDE, queue_frames=100),
             protocol=PAPER,
             mpdus=(1, 64),
@@ -121,23 +121,23 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
         )
     ),
     "built": lambda: (
-        each(replace(ALONE, runs=10), protocol=BUILT, hosts=(5, 10, 20, 30))
-        + each(ONCE, protocol=BUILT, hosts=(5, 10, 20, 30))
+        combinations(replace(ALONE, runs=10), protocol=BUILT, hosts=(5, 10, 20, 30))
+        + combinations(ONCE, protocol=BUILT, hosts=(5, 10, 20, 30))
     ),
-    "convergence": lambda: each(
+    "convergence": lambda: combinations(
         replace(HEALED, runs=10),
         protocol=ALL,
         loss=(0.0, 0.1, 0.3),
         hosts=(2, 4, 6, 8, 10, 12, 14, 16, 20, 24),
     ),
     "staggered": lambda: (
-        each(
+        combinations(
             replace(SPREAD, start="random"),
             protocol=PAPER,
             hosts=(5, 10, 15, 20),
             window_s=(0.5, 1.0, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0, 30.0, 45.0),
         )
-        + each(
+        + combinations(
             SPREAD,
             protocol=PAPER,
             hosts=(5, 10, 15, 20),
@@ -146,9 +146,9 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
             mpdus=(1, 64),
         )
     ),
-    "fits": lambda: with_runs(
-        each(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
-        + each(
+    "fits": lambda: with_stored_runs(
+        combinations(ALONE, protocol=PAPER, mpdus=(1, 64), hosts=range(2, 31))
+        + combinations(
             replace(HEALED, until_s=30.0),
             protocol=PAPER,
             mpdus=(1, 64),
@@ -156,7 +156,7 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
             hosts=range(2, 31),
         )
         # With aggregation and a staggered start more fit.
-        + each(
+        + combinations(
             replace(HEALED, until_s=30.0, mpdus=64),
             protocol=PAPER,
             start=("rule", "in turn"),
@@ -165,12 +165,12 @@ SWEEPS: dict[str, Callable[[], list[Setting]]] = {
     ),
     # What plans and calculator look up: the burst by itself, and by when all is known.
     "ready": lambda: (
-        ready((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
-        + ready(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})
+        robot_presets((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
+        + robot_presets(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})
     ),
 }
 
 
-def settings_of(name: str) -> list[Setting]:
+def table_settings(name: str) -> list[SweepSetting]:
     """Return the settings of a table, each once, in order."""
     return sorted(set(SWEEPS[name]()), key=lambda one: tuple(asdict(one).values()))

@@ -39,7 +39,7 @@ def pdf() -> PdfReader:
 
 @pytest.fixture(scope="module")
 def text(pdf: PdfReader) -> list[str]:
-    words: list[str] = check_pdf.words(PDF)
+    words: list[str] = check_pdf.page_texts(PDF)
     assert len(words) == len(pdf.pages)
     return words
 
@@ -88,11 +88,11 @@ def test_the_title_page_says_version_and_commit(text: list[str]) -> None:
 
 def test_nothing_runs_off_a_page_and_none_is_all_but_empty(pdf: PdfReader, text: list[str]) -> None:
     log = LABELS.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
-    assert not check_pdf.overfull(log)
-    assert not check_pdf.missing(log)
-    assert not check_pdf.gaps(pdf, check_pdf.filled(PDF))
-    assert not check_pdf.scant(pdf, text)
-    assert not check_pdf.alone(pdf, check_pdf.words(PDF, "-layout"))
+    assert not check_pdf.overfull_boxes(log)
+    assert not check_pdf.missing_characters(log)
+    assert not check_pdf.pages_with_gaps(pdf, check_pdf.filled_shares(PDF))
+    assert not check_pdf.nearly_empty_pages(pdf, text)
+    assert not check_pdf.stranded_headings(pdf, check_pdf.page_texts(PDF, "-layout"))
 
 
 def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
@@ -103,32 +103,41 @@ def test_what_does_not_fit_is_found(pdf: PdfReader, text: list[str]) -> None:
         "Missing character: There is no → in font FreeMono!\n"
         "LaTeX Warning: Reference `nowhere' on page 7 undefined on input line 9.\n"
     )
-    assert [line[:15] for line in check_pdf.missing(log)] == ["LaTeX Warning: ", "Missing charact"]
-    assert [line.split(" pt")[0] for line in check_pdf.overfull(log)] == ["48.2", "12.0"]
-    begins = check_pdf.starts(pdf)
+    assert [line[:15] for line in check_pdf.missing_characters(log)] == [
+        "LaTeX Warning: ",
+        "Missing charact",
+    ]
+    assert [line.split(" pt")[0] for line in check_pdf.overfull_boxes(log)] == ["48.2", "12.0"]
+    begins = check_pdf.first_pages(pdf)
     before_a_figure = next(
         number
         for number, page in enumerate(pdf.pages[1:])
         if check_pdf.is_drawn_on(page) and number + 1 not in begins
     )
     shares = [1.0] * len(pdf.pages)
-    assert not check_pdf.gaps(pdf, shares)
+    assert not check_pdf.pages_with_gaps(pdf, shares)
     shares[before_a_figure] = 0.4
-    assert [line.split()[1] for line in check_pdf.gaps(pdf, shares)] == [str(before_a_figure + 1)]
+    assert [line.split()[1] for line in check_pdf.pages_with_gaps(pdf, shares)] == [
+        str(before_a_figure + 1)
+    ]
     inside = next(
         number
         for number, page in enumerate(pdf.pages)
         if number > 0 and number not in begins and not check_pdf.is_drawn_on(page)
     )
     few = [*text[:inside], "head\n\nfour\nlines\nare\nleft\n\nfoot\n", *text[inside + 1 :]]
-    assert check_pdf.scant(pdf, few) == [f"page {inside + 1} of the file has only 4 lines"]
+    assert check_pdf.nearly_empty_pages(pdf, few) == [
+        f"page {inside + 1} of the file has only 4 lines"
+    ]
     *_, (page, title) = check_pdf.headings(pdf, pdf.outline[-3:])
-    text = check_pdf.words(PDF, "-layout")
+    text = check_pdf.page_texts(PDF, "-layout")
     running = text[-2].strip().splitlines()[0]
     last = f"7.2 {title}"
     ends = f"{running}\n\nwords\n\n{last}\n\n7. A section      9\n"
     worse = [*text[:page], ends, *text[page + 1 :]]
-    assert check_pdf.alone(pdf, worse) == [f"page {page + 1} of the file ends with {last!r}"]
+    assert check_pdf.stranded_headings(pdf, worse) == [
+        f"page {page + 1} of the file ends with {last!r}"
+    ]
 
 
 def test_exercises_are_answered_and_no_reference_is_open(text: list[str]) -> None:
@@ -141,7 +150,7 @@ def test_exercises_are_answered_and_no_reference_is_open(text: list[str]) -> Non
 def test_the_cheat_sheet_is_one_page_with_what_it_promises() -> None:
     if not CHEAT_SHEET.exists():
         missing("no cheat sheet here: run `make pdf`")
-    (page,) = check_pdf.words(CHEAT_SHEET)
+    (page,) = check_pdf.page_texts(CHEAT_SHEET)
     words = " ".join(page.split())
     for promised in ("Fast DDS", "Zenoh", "1. ", "tcpdump -i", "calculator.html"):
         assert promised in words

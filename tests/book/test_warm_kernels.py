@@ -95,7 +95,7 @@ def test_what_an_import_writes_to_standard_error_is_a_failure() -> None:
         "import warm_kernels as w, sys, types\n"
         "import importlib\n"
         "importlib.import_module = lambda name: print('a word', file=sys.stderr)\n"
-        "w.load()"
+        "w.import_modules()"
     )
     done = subprocess.run(
         [sys.executable, "-c", program],

@@ -83,7 +83,9 @@ def test_the_stored_start_is_todays() -> None:
     kept = pd.read_csv(data_path("simulated/events.csv", "discostorm_book"), dtype=str).drop(
         columns="source"
     )
-    pd.testing.assert_frame_equal(kept, pd.DataFrame(sweep_others.events()).astype(str))
+    pd.testing.assert_frame_equal(
+        kept, pd.DataFrame(sweep_others.burst_transmissions()).astype(str)
+    )
 
 
 def test_the_page_and_the_still_are_of_the_same_start() -> None:

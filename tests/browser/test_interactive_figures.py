@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import figures, timeline
 from discostorm.protocols import periods
 from discostorm_book import pages
-from discostorm_book.facts import paragraphs, read, unfounded
+from discostorm_book.facts import first_mismatch, paragraphs, read
 from discostorm_book.figures import meaning
 
 STATIC = ROOT / "book" / "_static"
@@ -73,7 +73,7 @@ def test_in_short_answers_what_is_asked(name: str) -> None:
 
 def test_a_question_states_no_other_numbers_and_can_be_answered() -> None:
     reach = {"least": 1.0, "most": 10.0, "step": 0.1, "unit": "times"}
-    assert unfounded("8 instead of 4?", {"many": 8, "few": 4}) is None
+    assert first_mismatch("8 instead of 4?", {"many": 8, "few": 4}) is None
     with pytest.raises(ValueError, match="disagree"):
         pages.guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)
     with pytest.raises(ValueError, match="between 1 and 10"):

@@ -46,12 +46,12 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 def test_tables_are_fresh() -> None:
-    assert write_live.TABLES.read_text(encoding="utf-8") == write_live.tables(), "make live"
+    assert write_live.TABLES.read_text(encoding="utf-8") == write_live.tables_text(), "make live"
 
 
 def test_the_engine_was_compiled_from_these_sources() -> None:
     head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
-    assert head.endswith(f"sources {compile_live.sources()}"), "make live"
+    assert head.endswith(f"sources {compile_live.sources_digest()}"), "make live"
     engine = write_live.WASM.read_bytes()
     assert write_live.ENGINE.read_text(encoding="utf-8") == write_live.engine_text(engine)
 
@@ -69,34 +69,38 @@ def test_the_engine_was_compiled_with_the_locked_versions() -> None:
 @pytest.mark.parametrize("steps", [5000, 137])
 def test_random_settings_are_the_same_in_a_browser(page: Page, steps: int) -> None:
     """Half of them each; how many steps a share has must not matter."""
-    every = list(check_live.settings(check_live.FEW, seed=20))
+    every = list(check_live.random_settings(check_live.FEW, seed=20))
     given = every[::2] if steps == 137 else every[1::2]
-    here = [check_live.natively(setting) for setting in given]
-    there = check_live.in_browser(page, given, steps)
+    here = [check_live.run_in_python(setting) for setting in given]
+    there = check_live.run_in_page(page, given, steps)
     for setting, *both in zip(given, here, there, strict=True):
-        assert check_live.differences(*both) == [], setting
+        assert check_live.list_differences(*both) == [], setting
     assert sum("refused" not in one for one in here) > len(given) / 2
 
 
 def test_another_seed_is_seen(page: Page) -> None:
-    setting = check_live.swarm(3)
-    (there,) = check_live.in_browser(page, [setting | {"seed": 1}])
-    differing = check_live.differences(check_live.natively(setting), there)
+    setting = check_live.paper_swarm(3)
+    (there,) = check_live.run_in_page(page, [setting | {"seed": 1}])
+    differing = check_live.list_differences(check_live.run_in_python(setting), there)
     assert {"start state", "start part", "end log"} <= set(differing)
 
 
 def test_memory_grows_as_pythons_does(page: Page) -> None:
-    setting = check_live.swarm(9) | {"queue": None, "recovery": False, "table": "Zenoh router"}
+    setting = check_live.paper_swarm(9) | {
+        "queue": None,
+        "recovery": False,
+        "table": "Zenoh router",
+    }
     setup = check_live._setup(setting)
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     grown = finish(cell, cell_setup.ticks(1e9), setup.reserve)
     assert grown.pool.size > initial_state.POOL_ENTRIES
-    (there,) = check_live.in_browser(page, [setting])
-    assert check_live.differences(check_live.natively(setting), there) == []
+    (there,) = check_live.run_in_page(page, [setting])
+    assert check_live.list_differences(check_live.run_in_python(setting), there) == []
 
 
 def test_every_table_and_channel_is_tried() -> None:
-    many = list(check_live.settings(check_live.MANY, seed=1))
+    many = list(check_live.random_settings(check_live.MANY, seed=1))
     tried = {(setting["table"], setting["radio"]) for setting in many}
     assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_live.RADIOS}
 
@@ -116,7 +120,7 @@ def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
 
 
 def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
-    setting = check_live.swarm(4)
+    setting = check_live.paper_swarm(4)
     told = page.evaluate(IN_WORKER, [setting, {"steps": 100, "looks": 3, "log": True}])
     fleet = ds.Fleet.swarm(4, 2, 10)
     setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER))
@@ -140,7 +144,7 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
 
 
 def test_a_run_ends_with_discovery_if_no_more_is_wanted(page: Page) -> None:
-    setting = check_live.swarm(4) | {"table": "DDS, periods of Fast DDS"}
+    setting = check_live.paper_swarm(4) | {"table": "DDS, periods of Fast DDS"}
     told = page.evaluate(IN_WORKER, [setting, {"steps": 300, "until": "complete"}])
     last = told["shares"][-1]
     assert last["complete"]
@@ -164,7 +168,7 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
             const third = Live.run(settings[1]);
             return [stopped, await second.found, (await third.found).converged > 0];
         }""",
-        [check_live.swarm(60), check_live.swarm(3)],
+        [check_live.paper_swarm(60), check_live.paper_swarm(3)],
     )
     assert found == [None, None, True]
 
@@ -186,9 +190,9 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
 def test_what_cannot_be_simulated_is_refused_and_the_next_run_works(
     page: Page, changed: dict[str, Any], said: str
 ) -> None:
-    told = page.evaluate(IN_WORKER, [check_live.swarm(3) | changed, {}])
+    told = page.evaluate(IN_WORKER, [check_live.paper_swarm(3) | changed, {}])
     assert said in told["result"]["error"]
-    assert page.evaluate(IN_WORKER, [check_live.swarm(3), {}])["result"]["converged"] > 0
+    assert page.evaluate(IN_WORKER, [check_live.paper_swarm(3), {}])["result"]["converged"] > 0
 
 
 # ---- size ----

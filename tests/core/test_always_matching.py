@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import discostorm as ds
-from discostorm.messages import KIND_ENDPOINT
+from discostorm.messages import UNITS
 from discostorm.model import burst, leave_one_out
 from discostorm.robots import laptop, robots
 from discostorm.timeline import drain_time
@@ -27,7 +27,7 @@ def test_all_functions_count_the_same_fleet(protocol: ds.Protocol, fleet: ds.Fle
     # Other orders of the same sums.
     assert (table["uplink_s"] + table["downlink_s"]).sum() == pytest.approx(used, rel=1e-12)
     two = ds.Fleet((replace(fleet.groups[0], hosts=2), replace(fleet.groups[0], hosts=3)))
-    if KIND_ENDPOINT not in protocol.units():  # of which two groups have more
+    if UNITS["endpoint of a kind of host"] not in protocol.units():  # of which two groups have more
         assert ds.utilization(protocol, two) == pytest.approx(used, rel=1e-12)
     alone = ds.utilization(protocol, replace(two, groups=two.groups[1:]))
     assert leave_one_out(protocol, two)[0] == pytest.approx(alone, rel=1e-12)

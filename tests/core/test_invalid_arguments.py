@@ -172,7 +172,6 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
     ):
         text = "model must be 'linear' or 'padded' or 'aggregated'; got 'Linear'"
         fails(ValueError, text, call, model="Linear")
-    fails(TypeError, "unit must be a Unit; got 'pair'", ds.DDS.cost, unit="pair")
     for call in (ds.DDS.utilization, ds.DDS.messages[0].load):
         fails(TypeError, "fleet must be a Fleet; got 3", call, fleet=3)
     text = "protocol must be a Protocol; got 'x'"

@@ -149,7 +149,7 @@ def test_a_figure_that_cannot_be_written_is_told(
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("discostorm.figures.export.atomic_write", full)
+    monkeypatch.setattr("discostorm.figures.atomic_write", full)
     result = CliRunner().invoke(main, ["figures", "--out", "out"])
     assert result.exit_code == 2
     assert "--out must be a folder to write to; got 'out': No space left" in result.stderr

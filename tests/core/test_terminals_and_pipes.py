@@ -254,7 +254,7 @@ def test_ctrl_c_while_it_loads_leaves_no_traceback() -> None:
 
 
 def test_times_that_did_not_come_are_empty_in_csv(capsys: pytest.CaptureFixture[str]) -> None:
-    output.print_rows([{"run": 0, "convergence_time_s": math.inf}], output.Output(False, True))
+    output.print_table([{"run": 0, "convergence_time_s": math.inf}], output.Output(False, True))
     assert capsys.readouterr().out == "run,convergence_time_s\n0,\n"
 
 

@@ -5,7 +5,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
-from check_dist import packages
+from check_dist import read_packages
 
 import discostorm as ds
 from discostorm.data import data_path, read_data
@@ -18,7 +18,7 @@ PROTOCOLS = [ds.DDS, ds.ZENOH]
 #: Each table, with the package whose code reads it.
 DATA_FILES = sorted(
     (str(path.relative_to(data_path("", row["import"]))), row["import"])
-    for row in packages()
+    for row in read_packages()
     for path in data_path("", row["import"]).rglob("*.csv")
 )
 

@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 import yaml
-from check_dist import commands
+from check_dist import console_examples
 from click.testing import CliRunner
-from make_release import CONTENTS, crate
+from make_release import CONTENTS, ro_crate
 from support import ROOT
-from write_metadata import PROJECTS, written
+from write_metadata import PROJECTS, generated_files
 
 from discostorm.cli import main
 
@@ -46,10 +46,10 @@ def published(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("name", written())
+@pytest.mark.parametrize("name", generated_files())
 def test_it_is_fresh(name: str) -> None:
     kept = (ROOT / name).read_text(encoding="utf-8")
-    assert kept == written()[name], "make metadata"
+    assert kept == generated_files()[name], "make metadata"
 
 
 @pytest.mark.parametrize("name", [".zenodo.json", "codemeta.json", "pyproject.toml", "PYPI.md"])
@@ -61,7 +61,7 @@ def test_while_no_address_is_known_none_is_made_up(name: str) -> None:
 
 
 def test_once_they_are_known_all_addresses_are_told(published: Path) -> None:
-    files = written(published)
+    files = generated_files(published)
     cff = yaml.safe_load(files["CITATION.cff"])
     assert (cff["url"], cff["repository-code"]) == (BASE, "https://example.org/source")
     urls = tomllib.loads(files["pyproject.toml"])["project"]["urls"]
@@ -75,14 +75,14 @@ def test_once_they_are_known_all_addresses_are_told(published: Path) -> None:
     # Written once more, nothing changes.
     for name in ("CITATION.cff", "PYPI.md", *PROJECTS):
         (published / name).write_text(files[name], encoding="utf-8")
-    assert written(published) == files
+    assert generated_files(published) == files
 
 
 def test_an_address_that_is_none_is_refused(published: Path) -> None:
     config = published / "_config.yml"
     config.write_text(config.read_text().replace("https://example.org/source", "example.org"))
     with pytest.raises(SystemExit, match=r"repository\.url in _config\.yml must be empty or"):
-        written(published)
+        generated_files(published)
 
 
 def test_license_is_that_of_code_and_data() -> None:
@@ -97,7 +97,7 @@ def test_license_is_that_of_code_and_data() -> None:
 
 
 def test_no_link_of_the_page_of_an_index_needs_the_checkout(published: Path) -> None:
-    for page in (PAGE, written(published)["PYPI.md"]):
+    for page in (PAGE, generated_files(published)["PYPI.md"]):
         links = re.findall(r"\]\(([^)]*)\)|(?:src|href)=\"([^\"]*)\"", page)
         assert all((one or other).startswith("https://") for one, other in links)
     assert not re.search(r"\bmake \w+(?!.*-->)|\.venv", re.sub("<!--.*?-->", "", PAGE))
@@ -109,7 +109,7 @@ def test_python_of_the_page_of_an_index_runs() -> None:
 
 
 def test_commands_of_the_page_of_an_index_print_what_it_shows() -> None:
-    examples = [*commands(PAGE)]
+    examples = [*console_examples(PAGE)]
     assert len(examples) == 3
     for command, shown in examples:
         program, *arguments = shlex.split(command)
@@ -120,7 +120,7 @@ def test_commands_of_the_page_of_an_index_print_what_it_shows() -> None:
 def test_the_release_says_what_it_holds_with_checksums() -> None:
     assert {"build/release/dist", "codemeta.json", ".zenodo.json"} <= CONTENTS.keys()
     contents = {"codemeta.json": (ROOT / "codemeta.json").read_bytes(), "data/a.csv": b"1\n"}
-    graph = json.loads(crate(contents, "0.4.0"))["@graph"]
+    graph = json.loads(ro_crate(contents, "0.4.0"))["@graph"]
     about, root, *files = graph
     assert about["about"] == {"@id": root["@id"]}
     assert {each["@id"] for each in files} == {each["@id"] for each in root["hasPart"]}

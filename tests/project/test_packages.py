@@ -11,14 +11,14 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from check_dist import link, needed, packages
+from check_dist import link_distributions, read_packages, required_distributions
 from packaging.requirements import Requirement
 from support import ROOT
 
 import discostorm
 from discostorm.cli.main import COMMANDS
 
-PACKAGES = packages()
+PACKAGES = read_packages()
 each = pytest.mark.parametrize("row", PACKAGES, ids=lambda row: row["name"])
 
 
@@ -79,7 +79,7 @@ print(json.dumps(said))
 
 
 def test_the_core_alone_says_what_to_install_for_the_rest(tmp_path: Path) -> None:
-    link(tmp_path, needed(distribution("discostorm"), set()))
+    link_distributions(tmp_path, required_distributions(distribution("discostorm"), set()))
     (tmp_path / "discostorm").symlink_to(ROOT / "discostorm")
     names = ["plan", "Plan", "simulate", "read_capture", "CaptureError", "utilization"]
     command = [sys.executable, "-S", "-c", TRY, json.dumps(names)]

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 from support import ROOT, unshare
-from write_environment import environment
+from write_environment import environment_text
 
 pytestmark = pytest.mark.book
 
@@ -21,7 +21,7 @@ LOCK = (ROOT / "requirements.lock").read_text(encoding="utf-8")
 
 
 def test_environment_yml_is_made_from_the_lock() -> None:
-    assert (ROOT / "environment.yml").read_text(encoding="utf-8") == environment(LOCK)
+    assert (ROOT / "environment.yml").read_text(encoding="utf-8") == environment_text(LOCK)
 
 
 def test_environment_yml_has_the_versions_of_the_lock() -> None:

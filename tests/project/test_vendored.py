@@ -4,14 +4,14 @@ import hashlib
 from pathlib import Path
 
 import pytest
-from list_vendored import KEPT, main, rows, table
+from list_vendored import KEPT, format_table, main, vendored_files
 
 pytestmark = pytest.mark.book
 
 
 def test_every_file_is_as_it_came() -> None:
-    assert {row["state"] for row in rows()} == {"as it came"}
-    assert {row["npm_package"] for row in rows()} >= KEPT.keys()
+    assert {row["state"] for row in vendored_files()} == {"as it came"}
+    assert {row["npm_package"] for row in vendored_files()} >= KEPT.keys()
 
 
 def test_a_file_that_changed_or_is_missing_is_told(tmp_path: Path) -> None:
@@ -21,8 +21,15 @@ def test_a_file_that_changed_or_is_missing_is_told(tmp_path: Path) -> None:
     (tmp_path / "vendored.csv").write_text("\n".join([head, *lines]) + "\n")
     (tmp_path / "same").write_text("as it came")
     (tmp_path / "other").write_text("changed")
-    assert [row["state"] for row in rows(tmp_path)] == ["as it came", "changed", "missing"]
-    assert table(rows(tmp_path), ("file", "state")).splitlines()[2] == "other  changed"
+    assert [row["state"] for row in vendored_files(tmp_path)] == [
+        "as it came",
+        "changed",
+        "missing",
+    ]
+    assert (
+        format_table(vendored_files(tmp_path), ("file", "state")).splitlines()[2]
+        == "other  changed"
+    )
 
 
 def test_the_list_asks_nobody_unless_told(

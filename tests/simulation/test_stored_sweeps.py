@@ -42,7 +42,7 @@ def text(row: dict[str, object]) -> dict[str, str]:
 @pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_every_setting_has_its_row_in_order(name: str) -> None:
     rows = stored_rows(name)
-    settings = sweep_tables.settings_of(name)
+    settings = sweep_tables.table_settings(name)
     assert len(rows) == len(settings)
     for row, setting in zip(rows, settings, strict=True):
         assert text(asdict(setting)).items() <= row.items()
@@ -51,7 +51,7 @@ def test_every_setting_has_its_row_in_order(name: str) -> None:
 @pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
 def test_a_part_comes_out_the_same_again(name: str) -> None:
     rows = stored_rows(name)
-    settings = sweep_tables.settings_of(name)
+    settings = sweep_tables.table_settings(name)
     # The small ones, of every protocol and kind of start.
     again = {(one.protocol, one.start, one.mpdus): n for n, one in enumerate(settings)}
     small = [n for n, one in enumerate(settings) if one.hosts <= 5]
@@ -65,16 +65,16 @@ def test_a_part_comes_out_the_same_again(name: str) -> None:
 
 def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
     for name, rows in (
-        ("events", sweep_others.events()),
-        ("hosts", sweep_others.by_host()),
-        ("waiting", sweep_others.waiting()),
+        ("events", sweep_others.burst_transmissions()),
+        ("hosts", sweep_others.losses_by_host()),
+        ("waiting", sweep_others.queue_lengths()),
     ):
         assert [text(row | sweep_setting.SOURCE) for row in rows] == stored_rows(name)
 
 
 def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
     stored = read_data("simulated/heard.csv", "discostorm_book")
-    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.heard((3,))]
+    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.capture_effect((3,))]
     assert again == [row for row in stored if row["hosts"] == "3"]
     assert {row["heard"] for row in stored} == sweep_others.HEARD.keys()
 
@@ -96,7 +96,7 @@ def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
 def test_saturation_comes_out_the_same_again() -> None:
     stored = read_data("simulated/saturation.csv", "discostorm_book")
     assert [int(row["stations"]) for row in stored[::2]] == list(sweep_others.STATIONS)
-    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.saturation((2,))]
+    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.saturated_throughput((2,))]
     assert again == [row for row in stored if row["stations"] == "2"]
 
 
@@ -104,13 +104,13 @@ def test_the_ladder_is_that_of_its_sweep() -> None:
     rows = [
         asdict(setting) | row
         for setting, row in zip(
-            sweep_tables.settings_of("fits"),
+            sweep_tables.table_settings("fits"),
             read_data("simulated/fits.csv", "discostorm_book"),
             strict=True,
         )
     ]
     typed = [row | {name: int(row[name]) for name in ("mpdus", "recovery")} for row in rows]
-    assert [text(row) for row in sweep_ladder.ladder(typed)] == read_data(
+    assert [text(row) for row in sweep_ladder.ladder_rows(typed)] == read_data(
         "simulated/ladder.csv", "discostorm_book"
     )
     for row in read_data("simulated/ladder.csv", "discostorm_book"):
@@ -132,11 +132,11 @@ def test_an_interval_holds_the_median_as_often_as_it_says() -> None:
     rng = np.random.default_rng(0)
     held = 0
     for _ in range(2000):
-        ends = sweep_setting.interval("x", rng.exponential(size=100))
+        ends = sweep_setting.median_interval("x", rng.exponential(size=100))
         held += float(ends["x_low"]) <= np.log(2) <= float(ends["x_high"])
     # At least 97.5 % of the times; the standard error of 2000 tries is 0.35 %.
     assert held / 2000 > 0.975 - 0.01
-    assert sweep_setting.interval("x", np.arange(1e4))  # in whole numbers
+    assert sweep_setting.median_interval("x", np.arange(1e4))  # in whole numbers
 
 
 def test_losses_are_those_of_ns3_in_the_mean_of_all_settings() -> None:

@@ -83,7 +83,7 @@ def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int
     for robot in ("Nav2 in one process", "The paper's swarm"):
         own = robots()[robot]
         fleet = ds.Fleet((replace(own, hosts=hosts),))
-        ready = sweep_setting.Ready(
+        ready = sweep_setting.RobotPreset(
             name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
             queue_frames=0, queue_s=0.0, runs=1,
         )  # fmt: skip

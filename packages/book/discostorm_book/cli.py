@@ -8,7 +8,7 @@ from collections import Counter
 import click
 
 from discostorm.cli.options import output_options
-from discostorm.cli.output import Output, live, print_rows, working
+from discostorm.cli.output import Output, live, print_table, working
 from discostorm.data import read_data
 
 VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv", "discostorm_book")]
@@ -40,7 +40,7 @@ def claims(verdict: str | None, output: Output) -> None:
     if output.for_people:
         shown = ("id", "where", "verdict", "statement")
         chosen = [{name: row[name] for name in shown} for row in chosen]
-    print_rows(chosen, output)
+    print_table(chosen, output)
     if output.for_people:
         verdicts = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS)
         click.echo(f"\n{len(rows)} claims: {verdicts}.")

@@ -1,7 +1,7 @@
 """Facts of a chapter: values that a cell computes, and that the text below it must state.
 
 A cell calls `facts` with named values. The Markdown below, up to the next such cell, states these
-values in their order, rounded as its author likes, in any unit. `unfounded` compares the two.
+values in their order, rounded as its author likes, in any unit. `first_mismatch` compares the two.
 """
 
 import json
@@ -128,7 +128,7 @@ def _scale(text: str, end: int) -> float:
     return 1.0
 
 
-def unfounded(text: str, values: Mapping[str, float]) -> str | None:
+def first_mismatch(text: str, values: Mapping[str, float]) -> str | None:
     """Return where a text and its facts disagree; None where each states the other.
 
     Each number of the text must be the next fact or an earlier one; each fact must be stated.
@@ -208,7 +208,7 @@ def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
         if not any(re.search(rf"^{re.escape(kept['of'])}", text, re.MULTILINE) for text in texts)
     ]
     for piece in paragraphs(cells):
-        if problem := unfounded(piece.text, piece.values or {}):
+        if problem := first_mismatch(piece.text, piece.values or {}):
             where = ", ".join(map(str, piece.cells))
             problems.append(f"cell {where or 'of facts'}: {problem}")
     return problems

@@ -17,6 +17,7 @@ from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.measured import configurations, products
+from discostorm.messages import Message
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -130,6 +131,16 @@ def beyond(name: str) -> tuple[Point, ...]:
     )
 
 
+def startup_ratios(name: str, message: Message) -> list[float]:
+    """Return how many a startup has for one that the paper counts: each swarm with any."""
+    keys = [("startup", message.kind, "", cast, "") for cast in ("unicast", "multicast")]
+    return [
+        sum(float(point.median(key)[0]) for key in keys) / load
+        for point in points(name)
+        if (load := float(message.load(point.fleet)))
+    ]
+
+
 def payloads(name: str, kind: str) -> list[float]:
     """Return the mean payload of a kind of message in the startup window of each point [B]."""
     sizes = []
@@ -179,19 +190,16 @@ def deaths(table: str = "deaths") -> pd.DataFrame:
     import pandas as pd
 
     _checks.choice("table", table, ["deaths", "outages"])
-    rows = []
-    for key, runs in _failures(table).items():
-        seconds = np.array([float(row["seconds"]) for row in runs])
-        rows.append(
-            dict(zip(_FAILURE, key, strict=True))
-            | {
-                "since_s": float(runs[0]["since_s"]),
-                "watched_s": float(runs[0]["watched_s"]),
-                "runs": len(runs),
-                "happened": int(np.isfinite(seconds).sum()),
-                "median_s": float(np.median(seconds)),
-                "least_s": float(seconds.min()),
-                "most_s": float(seconds.max()),
-            }
-        )
-    return pd.DataFrame(rows)
+    runs = pd.DataFrame(read_data(f"measured/{table}.csv", "discostorm_book"))
+    runs = runs.astype(dict.fromkeys(("since_s", "watched_s", "seconds"), float))
+    runs["finite"] = np.isfinite(runs["seconds"])
+    columns = {
+        "since_s": ("since_s", "first"),
+        "watched_s": ("watched_s", "first"),
+        "runs": ("seconds", "size"),
+        "happened": ("finite", "sum"),
+        "median_s": ("seconds", "median"),
+        "least_s": ("seconds", "min"),
+        "most_s": ("seconds", "max"),
+    }
+    return runs.groupby(list(_FAILURE), sort=False).agg(**columns).reset_index()

@@ -22,7 +22,7 @@ from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 from discostorm_book import failure_runs, mobile, sweeps, trace
-from discostorm_book.facts import unfounded
+from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, meaning, message_charts
 from discostorm_book.notebook import payload_meaning
 
@@ -68,7 +68,7 @@ def guess(
     short*, in the unit that is shown after it. The step of the slider has the digits of that fact.
     Other numbers in the question, or an answer out of the slider's reach, are a ValueError.
     """
-    if problem := unfounded(question, given or {}):
+    if problem := first_mismatch(question, given or {}):
         raise ValueError(f"the question and what is given disagree: {problem}")
     if not least < answer < most:
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")

@@ -95,13 +95,7 @@ def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 
 def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
-    ratios = np.array(
-        [
-            sum(_startup_casts(point, message.kind)) / load
-            for point in lab_counts.points(name)
-            if (load := float(message.load(point.fleet)))
-        ]
-    )
+    ratios = np.array(lab_counts.startup_ratios(name, message))
     low, middle, high = np.quantile(ratios, (0, 0.5, 1))
     size_low, size, size_high = np.quantile(lab_counts.payloads(name, message.name), (0, 0.5, 1))
     return {
@@ -118,17 +112,10 @@ def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
     }
 
 
-def _startup_casts(point: lab_counts.Point, kind: str) -> tuple[float, float]:
-    """Return how many of a kind a startup sends by unicast, and by multicast: medians."""
-    unicast, multicast = (
-        float(point.median(("startup", kind, "", cast, ""))[0]) for cast in ("unicast", "multicast")
-    )
-    return unicast, multicast
-
-
 def unicast_share(name: str, kind: str) -> float:
     """Return which part of a kind of message goes to one process: the median startup [1]."""
-    casts = (_startup_casts(point, kind) for point in lab_counts.points(name))
+    keys = [("startup", kind, "", cast, "") for cast in ("unicast", "multicast")]
+    casts = ([float(p.median(key)[0]) for key in keys] for p in lab_counts.points(name))
     return float(np.median([unicast / (unicast + multicast) for unicast, multicast in casts]))
 
 

@@ -9,7 +9,15 @@ from myst_nb.core.read import read_myst_markdown_notebook
 from nbclient import NotebookClient
 from support import ROOT
 
-from discostorm_book.facts import KEY, disagreements, facts, is_guarded, numerals, read, unfounded
+from discostorm_book.facts import (
+    KEY,
+    disagreements,
+    facts,
+    first_mismatch,
+    is_guarded,
+    numerals,
+    read,
+)
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 #: Chapters in which each number is guarded; it may only grow.
@@ -44,7 +52,7 @@ def test_text_and_facts_of_a_chapter_agree(path: Path) -> None:
 
 
 def test_a_wrong_digit_of_a_guarded_chapter_is_noticed() -> None:
-    measure = runpy.run_path(str(ROOT / "scripts/book/measure_guard.py"))["measure"]
+    measure = runpy.run_path(str(ROOT / "scripts/book/measure_guard.py"))["try_changes"]
     found = measure(GUARDED, trials=400, seed=7)
     digits = found[found["what"] == "digits"]
     assert len(digits) == 400
@@ -75,7 +83,7 @@ def test_no_sentence_of_a_guarded_chapter_is_put_together_by_code(path: Path) ->
     ],
 )
 def test_text_that_states_its_facts(text: str, values: dict[str, float]) -> None:
-    assert unfounded(text, values) is None
+    assert first_mismatch(text, values) is None
 
 
 @pytest.mark.parametrize(
@@ -93,7 +101,7 @@ def test_text_that_states_its_facts(text: str, values: dict[str, float]) -> None
     ],
 )
 def test_text_that_does_not(text: str, values: dict[str, float], problem: str) -> None:
-    found = unfounded(text, values)
+    found = first_mismatch(text, values)
     assert found is not None
     assert problem in found
 

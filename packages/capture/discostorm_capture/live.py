@@ -38,10 +38,8 @@ class Packets:
             if len(self._rest) < 24:
                 return
             if (magic := self._rest[:4]) not in PCAP:
-                raise CaptureError(
-                    f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what `tcpdump -U "
-                    "-w -` or `dumpcap -P -w -` write"
-                )
+                said = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
+                raise CaptureError(f"{said}`tcpdump -U -w -` or `dumpcap -P -w -` write")
             self._order, self._tick, self._size = PCAP[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0

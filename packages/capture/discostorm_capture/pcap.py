@@ -140,10 +140,8 @@ def _pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int,
             rows.extend(packet)
         at += length
     if at < size:
-        raise CaptureError(
-            f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken; the "
-            f"first {at} bytes of the file hold whole ones"
-        )
+        said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
+        raise CaptureError(f"{said}; the first {at} bytes of the file hold whole ones")
     return tuple(interface.link for interface in interfaces)
 
 

@@ -10,9 +10,8 @@ import numpy as np
 import sympy as sp
 
 from discostorm import _checks
-from discostorm._arguments import reject_symbols
 from discostorm._numeric import evaluate
-from discostorm.fleet import COUNTS, Fleet, HostGroup
+from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
 from discostorm.messages import Protocol, header_bytes
 from discostorm.wifi import PAPER, Wifi, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (
@@ -242,8 +241,6 @@ class Capture:
 
         Raises
         ------
-        TypeError
-            If an argument is of another type.
         CaptureError
             If no fleet is given, and no process was found.
         ValueError
@@ -297,11 +294,6 @@ class Capture:
 
     def diagnosis(self) -> Diagnosis:
         """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
-
-        Returns
-        -------
-        Diagnosis
-            Its ``summary()``, ``findings``, ``hosts()`` and the pairs that are ``incomplete()``.
 
         Examples
         --------

@@ -9,8 +9,7 @@ from itertools import combinations
 from typing import Any, Literal
 
 from discostorm import _checks, words
-from discostorm._arguments import as_fleet
-from discostorm.fleet import COUNTS, LEAST, Fleet
+from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
 from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW, Protocol
 from discostorm.model import leave_one_out, message_costs, utilization

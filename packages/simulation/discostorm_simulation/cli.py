@@ -14,11 +14,13 @@ from discostorm.cli.fleet_options import FleetInput, describe_matching, swarm_op
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import (
     BadInput,
+    Column,
     Output,
     bad_input,
+    columns_of,
     percent,
     print_channel,
-    print_rows,
+    print_table,
     seconds,
     to_json,
     visible,
@@ -120,7 +122,7 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
     click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
     click.option("--seed", type=int, default=0, show_default=True, help="Random seed."),
     click.option(
-        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to 1."
+        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to below 1."
     ),
     click.option(
         "--window",
@@ -222,21 +224,14 @@ def simulate(
         columns = [c for c in table if c in (*shown, ALONE)]
         kept = table if output.as_csv else table[columns]
         rows += [named | row for row in kept.to_dict("records")]
-    print_rows(
+    printed = columns_of(
         rows,
-        output,
-        {
-            "drain_time_s": how.time,
-            "lost": percent,
-            "convergence_time_s": how.time,
-            ALONE: how.time,
-        },
-        {
-            "drain_time_s": "drained [s]",
-            "convergence_time_s": "converged [s]",
-            ALONE: "without data [s]",
-        },
+        Column("drain_time_s", "drained", how.time, "s"),
+        Column("lost", format=percent),
+        Column("convergence_time_s", "converged", how.time, "s"),
+        Column(ALONE, "without data", how.time, "s"),
     )
+    print_table(rows, output, printed)
     if alone and output.for_people:
         ends = "until the end of the run"
         if not (how.no_recovery or refused):
@@ -244,7 +239,9 @@ def simulate(
         elif not how.no_recovery and len(refused) < len(found):
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
-        print_rows(_late(found), output, {"arrived": percent}, {"frames": "frames sent"})
+        late = _late(found)
+        special = Column("frames", "frames sent"), Column("arrived", format=percent)
+        print_table(late, output, columns_of(late, *special))
     print_channel(wifi, output)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +18,14 @@ from discostorm.cli.fleet_options import compared, display_name, robot_option, s
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
+    Column,
     Output,
     Rows,
     bad_input,
+    columns_of,
     percent,
     plain,
-    print_rows,
+    print_table,
     to_json,
     visible,
     working,
@@ -157,7 +159,7 @@ def capture(
             captured.picture(wired=wired_hosts).savefig(drawing, format=kind)
             write_file("--picture", picture, drawing.getvalue(), file, fleet)
     if output.as_csv and rows:
-        print_rows(rows, output)
+        print_table(rows, output)
     elif output.as_json:
         answer = {
             "file": display_name(file),
@@ -242,16 +244,20 @@ def _show_messages(
     if not rows:
         click.echo("There is no message of RTPS or Zenoh in it.")
         return
-    print_rows(
-        [{key: row[key] for key in row if key != "protocol"} for row in rows],
-        output,
-        formats={
-            **dict.fromkeys(("units", "expected"), lambda n: "" if n is None else f"{n:,.0f}"),
-            "per_unit": lambda n: "" if n is None else f"{n:,.3g}",
-            "airtime_s": "{:.4f}".format,
-        },
-        headings={"unicast": "uni", "multicast": "multi", "airtime_s": "air [s]"},
+    shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
+    columns = columns_of(
+        shown,
+        *(Column(key, format=_or_empty("{:,.0f}")) for key in ("units", "expected")),
+        Column("per_unit", format=_or_empty("{:,.3g}")),
+        Column("unicast", "uni"),
+        Column("multicast", "multi"),
+        Column("airtime_s", "air", "{:.4f}".format, "s"),
     )
+    print_table(shown, output, columns)
+
+
+def _or_empty(template: str) -> Callable[[float | None], str]:
+    return lambda value: "" if value is None else template.format(value)
 
 
 def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from discostorm import words
-from discostorm.cli.output import Output, print_rows, visible
+from discostorm.cli.output import Column, Output, columns_of, print_table, visible
 from discostorm.data import read_data
 from discostorm.snippets import Snippet, snippets
 from discostorm_capture.diagnosis.finding import remedies
@@ -75,13 +75,15 @@ def show_tables(diagnosis: Diagnosis, output: Output) -> None:
     hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
         click.echo()
-        headings = {"announced_s": "first [s]", "knows_all_s": "complete [s]"}
-        print_rows(
-            hosts.reset_index().to_dict("records"),
-            output,
-            formats=dict.fromkeys(headings, _time),
-            headings=headings | {"endpoints": "endp.", "processes": "proc."},
+        rows = hosts.reset_index().to_dict("records")
+        columns = columns_of(
+            rows,
+            Column("announced_s", "first", _time, "s"),
+            Column("knows_all_s", "complete", _time, "s"),
+            Column("endpoints", "endp."),
+            Column("processes", "proc."),
         )
+        print_table(rows, output, columns)
     pairs = diagnosis.incomplete()
     if len(pairs):
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
@@ -92,7 +94,7 @@ def show_tables(diagnosis: Diagnosis, output: Output) -> None:
             "answered [s]": shown["heard_s"].map(_time),
             "endpoints told": shown["sent"],
         }
-        print_rows(shown.assign(**table)[[*table]].to_dict("records"), output)
+        print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
         if len(pairs) > MOST:
             click.echo(f"and {len(pairs) - MOST} more; all are in the JSON")
     click.echo()

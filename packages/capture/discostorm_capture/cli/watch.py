@@ -23,10 +23,12 @@ from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import A_FILE, wifi_options
 from discostorm.cli.output import (
     BadInput,
+    Column,
     Output,
     bad_input,
+    columns_of,
     percent,
-    print_rows,
+    print_table,
     visible,
     write_file,
 )
@@ -255,7 +257,8 @@ def _show(state: Watch) -> None:
     ]
     for rows in filter(None, (kinds, hosts)):
         click.echo()
-        print_rows(rows, output, headings={"first": "first [s]", "last": "last [s]"})
+        times = (Column(key, unit="s") for key in ("first", "last"))
+        print_table(rows, output, columns_of(rows, *times))
 
 
 def metrics(state: Watch) -> str:

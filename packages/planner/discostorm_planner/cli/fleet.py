@@ -11,7 +11,7 @@ import discostorm as ds
 from discostorm import _checks, words
 from discostorm.cli.fleet_options import display_name, standard_input
 from discostorm.cli.options import A_FILE, output_options
-from discostorm.cli.output import BadInput, Output, bad_input, print_rows, to_json, visible
+from discostorm.cli.output import BadInput, Output, bad_input, print_table, to_json, visible
 from discostorm_planner import ros2_text
 
 
@@ -61,7 +61,7 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
     if output.as_json:
         click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:
-        print_rows(rows, output)
+        print_table(rows, output)
     else:
         click.echo(visible(_toml(members, notes)), nl=False)
 

@@ -13,11 +13,12 @@ from discostorm import _checks, words
 from discostorm.cli.fleet_options import FleetInput, swarm_options
 from discostorm.cli.options import numbers, output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
+    Column,
     Output,
     bad_input,
     percent,
     print_channel,
-    print_rows,
+    print_table,
     to_json,
     visible,
     working,
@@ -26,6 +27,15 @@ from discostorm.cli.output import (
 from discostorm.fleet import Fleet
 from discostorm.ros2 import usually_shared
 from discostorm.wifi import Wifi
+
+#: Of the table that compares protocols.
+COMPARED = (
+    Column("protocol"),
+    Column("utilization", format=percent),
+    Column("fits", format=yes),
+    Column("saves", format=percent),
+    Column("best_change"),
+)
 
 
 @click.command()
@@ -111,7 +121,7 @@ def plan(
                 raise ValueError("--paste needs one --protocol; got several")
             _print_configuration(plans[0], paste, output)
     elif output.as_csv:
-        print_rows([row for each in plans for row in _remedy_rows(each, len(plans) > 1)], output)
+        print_table([row for each in plans for row in _remedy_rows(each, len(plans) > 1)], output)
     elif output.as_json:
         answers = [each.to_dict() for each in plans]
         click.echo(to_json(answers if len(answers) > 1 else answers[0]))
@@ -142,7 +152,7 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
                 "best_change": "nothing" if best is None else best.what,
             }
         )
-    print_rows(rows, output, {"utilization": percent, "fits": yes, "saves": percent})
+    print_table(rows, output, COMPARED)
     print_channel(plans[0].wifi, output)
     click.echo("Name one protocol for its plan: what dominates, and what each change costs.")
 
@@ -160,7 +170,7 @@ def _print_configuration(answer: ds.Plan, number: int, output: Output) -> None:
             f"--paste: change {number}, {remedy.what}, is not done by configuration; choose another"
         )
     if not output.for_people:
-        print_rows([{"change": remedy.what, **piece} for piece in pieces], output)
+        print_table([{"change": remedy.what, **piece} for piece in pieces], output)
         return
     # On standard error, so that the output is nothing but configuration.
     click.echo(visible(f"{words.capitalized(remedy.what)}:\n"), err=True)

@@ -25,10 +25,7 @@ def sent_ratio(product: str, message: str, other: str, other_message: str) -> fl
 
 
 def matching_ratio(product: str) -> float:
-    """Return how many times the messages a start has if names match instead of being unique.
-
-    The median over the swarms that were captured both ways.
-    """
+    """Return a start's messages with matching names to those with unique ones, in the median."""
     sent = {point.name: _startup(point)[0] for point in lab_counts.points(product)}
     swarms = [name[:-1] for name in sent if name[-1] == "m" and f"{name[:-1]}u" in sent]
     return median(sent[f"{swarm}m"] / sent[f"{swarm}u"] for swarm in swarms)
@@ -47,6 +44,12 @@ def messages_per_frame(product: str) -> float:
     """Return how many messages share a frame at the start: the median swarm."""
     starts = map(_startup, lab_counts.points(product))
     return median(messages / frames for messages, frames in starts)
+
+
+def captured_payload_spread(product: str, message: str) -> float:
+    """Return half the range of the mean payload of the swarms, relative to the median swarm."""
+    sizes = lab_counts.payloads(product, message)
+    return (max(sizes) - min(sizes)) / 2 / median(sizes)
 
 
 def sessions_per_pair(product: str) -> float:
@@ -82,13 +85,7 @@ def _counted(product: str, message: str) -> Message:
 
 def _sent(product: str, message: str) -> list[float]:
     """Return, for each swarm with such messages, how many were sent for one of the paper's."""
-    counted = _counted(product, message)
-    keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
-    return [
-        sum(float(point.median(key)[0]) for key in keys) / load
-        for point in lab_counts.points(product)
-        if (load := float(counted.load(point.fleet)))
-    ]
+    return lab_counts.startup_ratios(product, _counted(product, message))
 
 
 def _startup_keys(point: lab_counts.Point) -> list[lab_counts.Key]:
