@@ -23,6 +23,8 @@ override export OUT := $(value OUT)
 override export PYTHON := $(value PYTHON)
 override export GRID := $(value GRID)
 override export BASE := $(value BASE)
+override export SOURCES := $(value SOURCES)
+override export MIRROR := $(value MIRROR)
 BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
@@ -35,10 +37,10 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/programs/*.c lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab lab-roots lab-releases ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-12s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
 	@$(BIN)/python scripts/loopback.py
@@ -114,7 +116,16 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 	@$(BIN)/python lab/measure/count_messages.py "build/lab/$$GRID" --out $(MEASURED)
 	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid/run.py --grid lab/hybrid/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
+	@[ "$$GRID" != short ] || ! $(BIN)/python lab/releases/make_roots.py fast_dds-2.9.1 || \
+		$(BIN)/python lab/measure/run_releases.py --grid lab/grids/releases_short.csv \
+		--once --captures build/lab/short_releases --out build/lab/short/releases
 	@test "$$GRID" != short || $(BIN)/python lab/measure/failures.py --short
+
+lab-roots: build/lab/.ready ## make what lab-releases measures (SOURCES=folder of sources, MIRROR=Debian's; once, half an hour)
+	@$(BIN)/python lab/releases/make_roots.py $${SOURCES:+--sources "$$SOURCES"} $${MIRROR:+--mirror "$$MIRROR"} $(ARGS)
+
+lab-releases: build/lab/.ready ## measure releases of the middleware (Debian, root; three hours; goes on where it was)
+	@$(BIN)/python lab/measure/run_releases.py $(ARGS)
 
 ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/measure/faults.py

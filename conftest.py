@@ -1,5 +1,10 @@
 """What all tests share: the same examples in every run, and which run in one process."""
 
+import contextlib
+import os
+from pathlib import Path
+from typing import IO
+
 import pytest
 from hypothesis import settings
 from xdist.remote import Producer
@@ -7,6 +12,27 @@ from xdist.scheduler import LoadScopeScheduling
 
 settings.register_profile("same", derandomize=True, database=None, deadline=None)
 settings.load_profile("same")
+
+
+#: Kept open until the tests end.
+LOCKED: list[IO[str]] = []
+
+
+def pytest_sessionstart() -> None:
+    """Do not run beside a campaign of the lab, whose cores have to be idle."""
+    try:
+        import fcntl  # Windows has none, and no lab
+    except ImportError:
+        return
+    file = Path(__file__).parent / "build" / "lab.lock"
+    with contextlib.suppress(OSError):  # where nothing can be written, no campaign runs
+        file.parent.mkdir(exist_ok=True)
+        LOCKED.append(lock := file.open("a"))
+        try:
+            fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            pytest.exit("a campaign of the lab is running: run the tests when it has ended", 1)
+        os.environ["DISCOSTORM_LAB_LOCK"] = "tests"
 
 
 class ByFileOrPage(LoadScopeScheduling):

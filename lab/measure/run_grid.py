@@ -16,12 +16,14 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import IO, Any, NoReturn
 
 LAB = Path(__file__).resolve().parents[1]
 MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
 BUILD = LAB.parent / "build" / "lab"
 PYTHON = BUILD / "venv" / "bin" / "python"
+#: Held by a campaign for itself, and by tests together; a variable says that tests hold it.
+LOCK, HELD = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
 SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
 
 # Debian's package or PyPI's distribution whose version is the product's.
@@ -286,12 +288,37 @@ def main() -> int:
     )
 
 
+def alone() -> IO[str] | None:
+    """Lock the machine for this campaign; None if another one or tests are running.
+
+    Tests of the lab hold the lock for what they begin (see the root's conftest.py).
+    """
+    import fcntl  # here, as Windows has none, where tables are only read
+
+    LOCK.parent.mkdir(parents=True, exist_ok=True)
+    lock = LOCK.open("a")
+    if os.environ.get(HELD) != "tests":
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return None
+    return lock
+
+
 def start(main: Callable[[], int]) -> NoReturn:
     """Run a program of the lab, so that Ctrl-C and SIGTERM end what it has begun, too."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    if (lock := alone()) is None:
+        print(
+            "discostorm: another campaign of the lab, or tests, are running here: "
+            "run this again when they have ended",
+            file=sys.stderr,
+        )
+        sys.exit(1)
     try:
-        sys.exit(main())
+        with lock:
+            sys.exit(main())
     except KeyboardInterrupt:
         sys.exit(130)
 

@@ -187,3 +187,10 @@ def test_timed_tables_have_the_defaults_of_their_products() -> None:
         assert rows == {key: value for key, value in usual.items() if key in rows} | messages
     payload = ds.PROTOCOLS["DDS, periods of Cyclone DDS"].message("Liveliness").payload
     assert payload.nominal == cyclone["liveliness_payload"]
+
+
+def test_fast_dds_answers_discovery_between_its_first_two_announcements() -> None:
+    messages = {message.name: message for message in ds.PROTOCOLS["Fast DDS"].messages}
+    first, second = messages["SPDP"].schedule.starts[:2]
+    answers = ("SPDP at discovery", "SPDP unicast at discovery", "SEDP", "Heartbeat")
+    assert {messages[name].schedule.starts for name in answers} == {((first + second) / 2,)}

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from discostorm import figures, words
+from discostorm import figures, timeline, words
 from discostorm.data import read_data
 from discostorm.messages import PAPER_WINDOW
 from discostorm.protocols import PROTOCOLS
@@ -85,6 +85,10 @@ def rungs() -> Iterator[Rung]:
         within = table.lease if "periods" in on else PAPER_WINDOW
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = words.last_integer_below(hosts)
+        if "periods" in on and "as built" not in on:
+            # The time, not its bound, which stays for real messages: they leave gaps earlier.
+            while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
+                fit += 1
         yield Rung(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated()
 

@@ -3,9 +3,11 @@
 import io
 import math
 
+import numpy as np
 import pytest
 
 import discostorm as ds
+from discostorm import timeline
 from discostorm.wifi import Radio
 from discostorm_book import ladder, storm
 
@@ -41,6 +43,33 @@ def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
     most = rungs[frozenset({"timing", "aggregation", "periods", "as built"}), "DDS"]
     fast = ds.PROTOCOLS["Fast DDS"]
     assert most.full == ds.saturation_hosts(fast, 2, 10, frames, window=fast.lease)
+
+
+def test_with_timers_a_fleet_fits_if_all_is_carried_within_the_lease() -> None:
+    """The rule of the page; the bound of the drain time would lose a robot of each."""
+    fits = {}
+    for rung in ladder.rungs():
+        if rung.switches == {"periods"}:
+            fits[rung.protocol] = rung.fit
+            table = ds.PROTOCOLS[ladder.TABLES[rung.protocol][1]]
+            carried = [timeline.first_idle(table, rung.fit + more, 2, 10) for more in (0, 1)]
+            assert carried[0] <= table.lease < carried[1]
+    assert fits == {"DDS": 22, "Zenoh": 20}
+
+
+def test_the_row_of_queues_says_that_it_has_the_announcement_of_the_paper() -> None:
+    """With the timers of Fast DDS so many robots would not fit."""
+    (queues,) = (one for one in ladder.SWITCHES if one.key == "queues")
+    assert "once at startup, as in the paper" in queues.why
+    (rung,) = (
+        one
+        for one in ladder.rungs()
+        if one.protocol == "DDS" and one.switches == {"timing", "contention", "queues"}
+    )
+    fleet = ds.Fleet.swarm(rung.fit, 2, 10)
+    repeated = ds.PROTOCOLS["DDS, periods of Fast DDS"]
+    simulated = ds.simulate(fleet, repeated, ds.WIFI["802.11n 20 MHz 2x2"], runs=20)
+    assert np.median(simulated.convergence_time) > repeated.lease
 
 
 def test_a_simulated_rung_tells_of_its_runs() -> None:

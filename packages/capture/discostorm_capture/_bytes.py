@@ -1,5 +1,6 @@
-"""Numbers at many offsets of a long array of bytes at once, and tables as columns by name."""
+"""Numbers at many offsets of bytes at once, tables as columns by name, and notes on both."""
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -33,6 +34,12 @@ def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
     """Return `count` consecutive numbers from each offset on, as one row per offset."""
     width = count * np.dtype(dtype).itemsize
     return numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
+
+
+def note(notes: Counter[str], mask: Array, text: str) -> None:
+    """Add to the notes how often something holds, if it does."""
+    if count := int(np.count_nonzero(mask)):
+        notes[text] += count
 
 
 def take(table: Columns, rows: Any) -> Columns:

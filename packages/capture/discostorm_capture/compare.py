@@ -9,13 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from discostorm.fleet import Count, Fleet
-from discostorm.messages import (
-    ENDPOINT_PAIR,
-    MATCHED_WRITER,
-    PAIR,
-    Message,
-    Protocol,
-)
+from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Protocol
 from discostorm_capture import rtps, zenoh_messages
 
 if TYPE_CHECKING:
@@ -115,16 +109,14 @@ def uses_multicast_unlike(protocol: Protocol, rows: pd.DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def begin_of(protocol: Protocol, messages: pd.DataFrame) -> float:
-    """Return when the first message of a table was captured [s]; 0 if there is none."""
-    kinds = [message.kind for message in protocol.messages]
-    return float(messages.loc[messages["kind"].isin(kinds), "time"].min(skipna=True) or 0.0)
+def times_of(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+    """Return when messages of a model were captured [s]."""
+    return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
 def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
-    """Return the time from the first message of a table to the end of the capture [s]."""
-    kinds = [message.kind for message in protocol.messages]
-    mine = messages.loc[messages["kind"].isin(kinds), "time"]
+    """Return the time from the first message of a model to the end of the capture [s]."""
+    mine = times_of(protocol, messages)
     if mine.empty:
         return duration
     # Who is silent for longer than this is gone.
@@ -136,25 +128,9 @@ def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float
 def table(
     protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
-    """Return what was captured of each kind, and what a table expects in so many seconds.
+    """Return the messages by kind, with what a model sends in so many seconds: `Capture.compare`.
 
-    Parameters
-    ----------
-    protocol : Protocol
-        The table.
-    shown : VisibleFleet
-        The fleet that sent.
-    rows : pandas.DataFrame
-        The messages between hosts, with ``airtime_s``.
-    wire : str or None
-        The protocol on the wire that they are of; all if None.
-    seconds : float
-        From the first message of the table on [s].
-
-    Returns
-    -------
-    pandas.DataFrame
-        See `Capture.compare`.
+    `wire` is the protocol on the wire of the messages; all if None.
     """
     import pandas as pd
 

@@ -32,15 +32,7 @@ _CHUNK = 1 << 22
 
 
 def read(path: str | PathLike[str] | BinaryIO) -> Packets:
-    """Return the packets of a file, or of a stream, which is read to its end.
-
-    Raises
-    ------
-    OSError
-        If the file cannot be opened.
-    CaptureError
-        If it is no capture, is broken or ends inside of a packet.
-    """
+    """Return the packets of a file, or of a stream, which is read to its end."""
     if not isinstance(path, (str, PathLike)) and hasattr(path, "read"):
         name = str(getattr(path, "name", "stream"))
         return _read("standard input" if name == "<stdin>" else name, path)
@@ -91,8 +83,7 @@ def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]
 
     def fetch() -> bytes:
         nonlocal held
-        chunk = next(chunks, b"")
-        held += len(chunk)
+        held += len(chunk := next(chunks, b""))
         return chunk
 
     try:

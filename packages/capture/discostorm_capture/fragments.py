@@ -42,21 +42,15 @@ def reassemble(
     rest = take(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _reassembled(data, fragments, time, notes)
     # The bytes of datagrams follow those of the file.
-    content = as_memory(data)
-    end, parts = len(data), [content]
-    begin, offsets, lengths = [], fragments["offset"].tolist(), fragments["wire"].tolist()
-    starts, ends = fragments["at"].tolist(), fragments["end"].tolist()
+    content, starts, ends = as_memory(data), fragments["at"].tolist(), fragments["end"].tolist()
+    parts = [content]
     for datagram in made:
-        buffer = bytearray(datagram.total)
-        for row in datagram.rows.values():
-            buffer[offsets[row] : offsets[row] + lengths[row]] = content[starts[row] : ends[row]]
-        begin.append(end)
-        parts.append(memoryview(buffer))
-        end += len(buffer)
+        rows = [row for _, row in sorted(datagram.rows.items())]
+        parts += [content[starts[row] : ends[row]] for row in rows]
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
-    at = np.array(begin, np.int64)
     wire = np.array([one.total for one in made], np.int64)
-    whole = take(fragments, last) | {"at": at, "end": at + wire, "wire": wire}
+    end = len(data) + np.cumsum(wire)
+    whole = take(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
     whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
     both = stack([rest, whole])
     both = take(both, np.argsort(both["frame"], kind="stable"))
@@ -114,17 +108,13 @@ def _note_missing(
     """Count incomplete datagrams, but for repetitions of fragments that were used or counted."""
 
     def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
+        keys = ("source", "target", "id", "offset")
         return frozenset(
-            (
-                *(int(fragments[name][row]) for name in ("source", "target", "id", "offset")),
-                data[fragments["at"][row] : fragments["end"][row]].tobytes(),
-            )
+            (*(int(fragments[name][row]) for name in keys), data[begin:end].tobytes())
             for row in datagram.rows.values()
+            for begin, end in [(fragments["at"][row], fragments["end"][row])]
         )
 
-    if not incomplete:
-        return
-    used = set().union(*map(contents, complete))
-    missing = {part for part in map(contents, incomplete) if not part <= used}
-    if missing:
+    used = set().union(*map(contents, complete if incomplete else ()))
+    if missing := {part for part in map(contents, incomplete) if not part <= used}:
         notes[MISSING] += len(missing)

@@ -10,6 +10,7 @@ from discostorm_capture._bytes import (
     Bytes,
     Columns,
     IdTable,
+    note,
     number_rows,
     numbers,
     stack,
@@ -48,16 +49,13 @@ def is_loopback(addresses: IdTable) -> Array:
 
 
 def parse(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
-    """Return the content of IP packets.
+    """Return the content of IP packets of `link.network_packets`, from ``at`` to ``end``.
 
-    Takes IP packets of `link.network_packets`. Adds ``source`` and ``target``, numbers of
-    addresses; ``protocol``; ``id``; ``offset`` of a fragment [B], and whether ``more`` follow;
-    ``wire``, the bytes that were sent; and ``parts``, the number of frames. ``at`` and ``end``
-    are those of the content then.
+    Adds ``source`` and ``target``, numbers of addresses; ``protocol``; ``id``; ``offset`` of a
+    fragment [B], and whether ``more`` follow; ``wire``, bytes sent; ``parts``, frames.
     """
     version = data[packets["at"]] >> 4
-    if count := int(np.count_nonzero((version != 4) & (version != 6))):
-        notes["packets that are said to be IP, and are not"] += count
+    note(notes, (version != 4) & (version != 6), "packets that are said to be IP, and are not")
     tables = [
         _version_4(data, take(packets, version == 4), addresses, notes),
         _version_6(data, take(packets, version == 6), addresses),
@@ -75,8 +73,7 @@ def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter
     # The card was to cut it into packets and to fill in the length.
     total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
-    if count := int(np.count_nonzero(~good & (at + 20 <= packets["end"]))):
-        notes["IP packets with a broken header"] += count
+    note(notes, ~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
     good &= at + header <= packets["end"]
     packets, at, header, total = take(packets, good), at[good], header[good], total[good]
     flags = numbers(data, at + 6, ">u2").astype(np.int64)
@@ -148,6 +145,13 @@ def datagrams(data: Bytes, packets: Columns) -> Columns:
         "to_port": to_port,
         "check": check,
     }
+
+
+def sockets(table: Columns) -> tuple[Array, Array]:
+    """Return the sender and receiver of datagrams or segments, address and port as one number."""
+    ends = (("source", "from_port"), ("target", "to_port"))
+    sender, receiver = (table[ip].astype(np.int64) << 32 | table[port] for ip, port in ends)
+    return sender, receiver
 
 
 def segments(data: Bytes, packets: Columns) -> Columns:

@@ -20,10 +20,9 @@ _READ = (IPV4, IPV6, ARP)
 _VLAN, _MAX_VLAN_TAGS = (0x8100, 0x88A8, 0x9100), 4
 #: PPPoE's sessions, and PPP's types (RFC 2516, RFC 1661); those from 0x8000 on are its control.
 _PPPOE, _PPP_TYPES, _PPP_CONTROL = 0x8864, {0x0021: IPV4, 0x0057: IPV6}, 0x8000
-#: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests. Below
-#: the smallest EtherType are lengths.
+#: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests.
 _WITHOUT_IP = (0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
-_MIN_ETHERTYPE = 0x600
+_MIN_ETHERTYPE = 0x600  # smaller ones are lengths
 #: The family of IP in loopback headers; systems differ in IPv6's.
 _FAMILIES = {2, 10, 24, 28, 30}
 _MAX_PRESENT_WORDS = 8
@@ -50,11 +49,7 @@ Reader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
 
 
 def network_packets(packets: Packets, notes: Notes) -> Columns:
-    """Return the packets of IP and ARP in captured packets.
-
-    Each has its ``frame``, the row of the captured packet, and the columns of `Payload`. What
-    could not be read is counted in the notes.
-    """
+    """Return the packets of IP and ARP by ``frame``, the row that holds them, and `Payload`."""
     data, rows = as_memory(packets.data), array("q")
     readers = [READERS.get(LINKS.get(link, "")) for link in packets.links]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
@@ -85,11 +80,8 @@ def _without_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[
             break
         ethertype, at = _u16(data, at + 2)[0], at + 4
     if ethertype == _PPPOE and at + 8 <= end:
-        (protocol,) = _u16(data, at + 6)
-        ethertype, at = (
-            _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype),
-            at + 8,
-        )
+        (protocol,), at = _u16(data, at + 6), at + 8
+        ethertype = _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype)
     return ethertype, at
 
 
@@ -138,11 +130,8 @@ def _radiotap(data: memoryview, at: int, end: int, view: int, notes: Notes) -> I
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
-    while (
-        words <= _MAX_PRESENT_WORDS
-        and 4 + 4 * words < length
-        and _le32(data, at + 4 * words)[0] >> 31
-    ):
+    last_word = min(_MAX_PRESENT_WORDS, (length - 5) // 4)
+    while words <= last_word and _le32(data, at + 4 * words)[0] >> 31:
         words += 1
     # The flags follow a time stamp, if there is one, at a multiple of eight.
     offset = 4 + 4 * words

@@ -28,37 +28,26 @@ class Packets:
     """The packets of a stream in pcap's format, which are taken from its bytes as they come."""
 
     def __init__(self, name: str) -> None:
-        self.name, self.header = name, b""
-        self._rest = b""
+        self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
     def of(self, data: bytes) -> Iterator[tuple[float, bytes]]:
-        """Yield the time of each packet that is whole now [s], and its bytes with their header.
-
-        Raises
-        ------
-        CaptureError
-            If it is no stream of pcap, or broken.
-        """
+        """Yield the time of each packet that is whole now [s], and its bytes with their header."""
         self._rest += data
         if not self.header:
             if len(self._rest) < 24:
                 return
-            magic = self._rest[:4]
-            if magic not in PCAP:
-                raise CaptureError(
-                    f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what `tcpdump -U "
-                    "-w -` or `dumpcap -P -w -` write"
-                )
+            if (magic := self._rest[:4]) not in PCAP:
+                said = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
+                raise CaptureError(f"{said}`tcpdump -U -w -` or `dumpcap -P -w -` write")
             self._order, self._tick, self._size = PCAP[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
             if size > MOST:
-                raise CaptureError(
-                    f"{self.name}: a packet of {size} bytes; there are at most {MOST}"
-                )
+                said = f"a packet of {size} bytes; there are at most {MOST}"
+                raise CaptureError(f"{self.name}: {said}")
             end = at + self._size + size
             if end > len(self._rest):
                 break
@@ -76,7 +65,7 @@ class Packets:
 
 @dataclass
 class Host:
-    """A host: when it was heard first and last [s since 1970], and what it sent."""
+    """When a host was heard first and last [s since 1970], and what it sent."""
 
     first: float
     last: float = 0.0
@@ -151,7 +140,6 @@ class Watch:
         self.payload.update(dict(zip(kinds.index, kinds["sum"].astype(int).tolist(), strict=True)))
         self.rates = {str(kind): int(count) / seconds for kind, count in kinds["size"].items()}
         self._count_airtime(rows["time"].to_numpy(np.int64), rows["airtime"].to_numpy())
-        products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, mine in rows.groupby("sender", observed=True):
             # The one that was heard last comes last.
             host = self.hosts.pop(str(address), None) or Host(float(mine["time"].min()))
@@ -161,6 +149,7 @@ class Watch:
             self.hosts[str(address)] = host
         for address in list(self.hosts)[:-MAX_HOSTS]:
             del self.hosts[address]
+        products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, host in self.hosts.items():
             host.products = products.get(address, host.products)
         self.new = self.new_size = 0

@@ -90,18 +90,13 @@ def connections(streams: tcp.Streams) -> Columns:
 
 def exchanges(datagrams: Columns) -> Columns:
     """Return who sends datagrams to whom and gets some back, one row per direction."""
-    source, target, from_port, to_port = (
-        datagrams[name].astype(np.int64) for name in ("source", "target", "from_port", "to_port")
-    )
-    sender, receiver = source << 32 | from_port, target << 32 | to_port
+    sender, receiver = ip.sockets(datagrams)
     _, first = factorize(sender, receiver)
-    pairs = set(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
-    both = [
-        row
-        for row in first[source[first] != target[first]].tolist()
-        if (int(receiver[row]), int(sender[row])) in pairs
-    ]
-    return _ends_of(EXCHANGE, datagrams, np.array(both, np.int64))
+    first = first[datagrams["source"][first] != datagrams["target"][first]]
+    pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
+    back = {(receiver, sender) for sender, receiver in pairs}
+    both = np.array([pair in back for pair in pairs], bool)
+    return _ends_of(EXCHANGE, datagrams, first[both])
 
 
 def _ends_of(kind: Array | int, table: Columns, rows: Array) -> Columns:

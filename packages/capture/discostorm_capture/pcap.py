@@ -11,12 +11,9 @@ from discostorm_capture._bytes import Bytes, Columns, as_memory
 #: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
 #: packet's header (the last two are of a patched libpcap).
 PCAP = {
-    b"\xa1\xb2\xc3\xd4": (">", 1000, 16),
-    b"\xd4\xc3\xb2\xa1": ("<", 1000, 16),
-    b"\xa1\xb2\x3c\x4d": (">", 1, 16),
-    b"\x4d\x3c\xb2\xa1": ("<", 1, 16),
-    b"\xa1\xb2\xcd\x34": (">", 1000, 24),
-    b"\x34\xcd\xb2\xa1": ("<", 1000, 24),
+    struct.pack(order + "I", magic): (order, tick, header)
+    for order in "<>"
+    for magic, tick, header in ((0xA1B2C3D4, 1000, 16), (0xA1B23C4D, 1, 16), (0xA1B2CD34, 1000, 24))
 }
 PCAPNG = b"\x0a\x0d\x0d\x0a"
 #: The byte order of a section of pcapng, by its byte-order magic.
@@ -39,24 +36,15 @@ class CaptureError(ValueError):
 
 @dataclass(frozen=True)
 class Packets:
-    """All packets of a file.
-
-    Parameters
-    ----------
-    name : str
-        What the file is called.
-    data : numpy.ndarray
-        The bytes of the file, expanded, and padding.
-    table : dict
-        One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``,
-        its bytes on the wire; ``time`` [ns]; ``interface``.
-    links : tuple of int
-        Link type of each interface.
-    """
+    """All packets of a file."""
 
     name: str
+    #: The bytes of the file, expanded, and padding.
     data: Bytes
+    #: One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``, its
+    #: bytes on the wire; ``time`` [ns]; ``interface``.
     table: Columns
+    #: The link type of each interface.
     links: tuple[int, ...]
 
 
@@ -152,10 +140,8 @@ def _pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int,
             rows.extend(packet)
         at += length
     if at < size:
-        raise CaptureError(
-            f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken; the "
-            f"first {at} bytes of the file hold whole ones"
-        )
+        said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
+        raise CaptureError(f"{said}; the first {at} bytes of the file hold whole ones")
     return tuple(interface.link for interface in interfaces)
 
 

@@ -26,10 +26,7 @@ _REST = lights("neutral")["silver"]
 
 
 def draw(rows: pd.DataFrame, channel: str) -> Figure:
-    """Draw messages over time since the first, stacked by kind, and their airtime on a channel.
-
-    `rows` are messages with ``time``, ``kind`` and ``airtime_s``; at least one.
-    """
+    """Draw messages, at least one, over time, stacked by kind, and their airtime on a channel."""
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)
     # Most of a start is early: intervals grow as the axis does, so that it is not squeezed.
@@ -54,9 +51,8 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
             bottom = np.zeros(_INTERVALS)
             for kind, color, mine in parts:
                 height = np.bincount(which[mine], weight[mine], _INTERVALS)
-                some = height > 0
-                place = edges[:-1][some], height[some], width[some], bottom[some]
-                axis.bar(*place, align="edge", color=color, label=kind)
+                bars = np.array([edges[:-1], height, width, bottom])[:, height > 0]
+                axis.bar(*bars, align="edge", color=color, label=kind)
                 bottom += height
         above.set_ylabel("messages in an interval")
         below.set_ylabel("airtime [% of the channel]")

@@ -22,10 +22,10 @@ from discostorm_capture import (
     zenoh,
     zenoh_messages,
 )
-from discostorm_capture._bytes import Array, Columns, stack, take
+from discostorm_capture._bytes import Array, Columns, note, stack, take
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.result import Capture
-from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, categories
+from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
 from discostorm_capture.transport import Transport
 
 if TYPE_CHECKING:
@@ -46,10 +46,9 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     Parameters
     ----------
     path : str, path-like or binary file
-        A file of tcpdump, Wireshark or dumpcap: pcap or pcapng, also as gz or xz; of Ethernet
-        (also VLAN), Linux's "any" interface, loopback, raw IP or 802.11, with or without
-        radiotap, also in PPPoE. It may hold other traffic as well. A pipe, or a file that is
-        open, such as ``sys.stdin.buffer``, is read to its end.
+        pcap or pcapng, also as gz or xz, of Ethernet, Linux's "any" interface, loopback, raw IP or
+        802.11, also with VLAN or PPPoE. A pipe, or an open file such as ``sys.stdin.buffer``, is
+        read to its end.
 
     Returns
     -------
@@ -61,8 +60,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     OSError
         If the file cannot be opened.
     CaptureError
-        If it is no capture, is broken or ends inside of a packet; the message names the
-        file and the byte. It is a ValueError.
+        A ValueError, if it is no capture, is broken or ends inside of a packet.
     TypeError
         If `path` is neither a path nor a file opened in binary mode.
 
@@ -90,9 +88,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
     steps = _clock_steps(time)
     truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
-    gaps = [f"{count} {note}" for note, count in notes.items() if note in _CAPTURE_GAPS]
-    if truncated:
-        gaps.insert(0, f"{truncated} packets were cut when they were captured (snaplen)")
+    cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
+    cut |= {note: count for note, count in notes.items() if note in _CAPTURE_GAPS}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     return Capture(
         path=packets.name,
@@ -104,12 +101,14 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
         _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
         _endpoints=_endpoint_table(dissections),
-        _truncated=truncated,
-        _clock_steps=steps,
-        _first=first,
-        _last=last - first - sum(step for _, step in steps),
-        _packets_without_messages=_packets_without_messages(carried, messages),
-        _capture_gaps=tuple(gaps),
+        _quality=Quality(
+            truncated=truncated / max(len(time), 1),
+            clock_steps=steps,
+            first=first,
+            duration=last - first - sum(step for _, step in steps),
+            other_packets=carried.packets | _without_messages(carried, messages),
+            gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        ),
     )
 
 
@@ -122,8 +121,7 @@ def _dissected(
     transport.note_encrypted(data, take(datagrams, ~is_rtps), notes)
     scouts, others = zenoh.split_scouting(carried, take(datagrams, ~is_rtps))
     over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
-    if count := int(np.count_nonzero(over_tcp)):
-        notes["TCP segments with RTPS over TCP"] += count
+    note(notes, over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
         rtps_processes.dissect(carried, take(datagrams, is_rtps), notes),
         zenoh.dissect(carried, scouts, others, streams, notes),
@@ -133,10 +131,7 @@ def _dissected(
 
 
 def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
-    """Return all messages in the order of frames, and all processes as they appeared.
-
-    Messages number processes in that order, and have -1 for those that are only spoken to.
-    """
+    """Return messages in the order of frames, and the processes that they number."""
     processes = sorted(
         (process.first_frame, number, index, process)
         for number, part in enumerate(dissections)
@@ -145,7 +140,8 @@ def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
     tables = []
     for number, part in enumerate(dissections):
         size = 1 + max(int(part.messages[name].max(initial=-1)) for name in ("process", "peer"))
-        positions = np.full(size + 1, -1, np.int32)  # the last one is of -1
+        # Processes that are only spoken to have -1, as the last one here.
+        positions = np.full(size + 1, -1, np.int32)
         for position, (_, of, index, _) in enumerate(processes):
             if of == number and index < size:
                 positions[index] = position
@@ -163,15 +159,11 @@ def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
-    """Return how many packets of each kind there are without a message [1]."""
-    frames = messages["frames"].astype(np.float64)
-    udp = round(float(frames[messages["udp"]].sum()))
-    tcp_ = round(float(frames[~messages["udp"]].sum()))
-    return carried.packets | {
-        "UDP": carried.packets["UDP"] - udp,
-        "TCP": carried.packets["TCP"] - tcp_,
-    }
+def _without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
+    """Return how many packets of UDP and TCP there are without a message [1]."""
+    frames, udp = messages["frames"].astype(np.float64), messages["udp"]
+    parts = {"UDP": frames[udp], "TCP": frames[~udp]}
+    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(
@@ -254,16 +246,16 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
     announced = [" ".join(names[a] for a in p.announced_addresses) for p in processes]
     return pd.DataFrame(
         {
-            "protocol": [PROTOCOLS[process.protocol] for process in processes],
-            "product": [process.product for process in processes],
-            "host": [names[process.host] for process in processes],
-            "endpoints": [process.endpoints for process in processes],
+            "protocol": [PROTOCOLS[p.protocol] for p in processes],
+            "product": [p.product for p in processes],
+            "host": [names[p.host] for p in processes],
+            "endpoints": [p.endpoints for p in processes],
             "time": times,
-            "server": np.array([process.server for process in processes], bool),
-            "domain": np.array([process.domain for process in processes], np.int64),
+            "server": np.array([p.server for p in processes], bool),
+            "domain": np.array([p.domain for p in processes], np.int64),
             "announces": announced,
         },
-        index=pd.Index([process.name for process in processes], name="process", dtype=object),
+        index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )
 
 
@@ -275,25 +267,18 @@ def _notes(
     messages: pd.DataFrame,
 ) -> tuple[str, ...]:
     """Return what could not be read or counted, in sentences."""
-    notes = []
-    if truncated:
-        notes.append(
-            f"{truncated} of {packets} packets were cut when they were captured (snaplen): "
-            "what they held is missing, counts are lower bounds"
-        )
-    notes += [f"{count} {note}" for note, count in counts.items()]
-    if encrypted := int((messages["kind"] == "Encrypted").sum()):
-        notes.append(
-            f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
-            "discovery, though user data may be among them"
-        )
-    if silent := sum(not process.announced and not process.server for process in processes):
-        notes.append(
-            f"{silent} of {len(processes)} processes of which no announcement was "
-            "captured: their endpoints are not known"
-        )
-    if any(process.endpoints and not process.publishers for process in processes):
-        notes.append(
-            "Zenoh does not announce publishers: its endpoints are subscribers and queryables alone"
-        )
-    return tuple(notes)
+    encrypted = int((messages["kind"] == "Encrypted").sum())
+    silent = sum(not process.announced and not process.server for process in processes)
+    some = any(process.endpoints and not process.publishers for process in processes)
+    notes = {
+        f"{truncated} of {packets} packets were cut when they were captured (snaplen): what they "
+        "held is missing, counts are lower bounds": truncated,
+        **{f"{count} {note}": count for note, count in counts.items()},
+        f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
+        "discovery, though user data may be among them": encrypted,
+        f"{silent} of {len(processes)} processes of which no announcement was captured: their "
+        "endpoints are not known": silent,
+        "Zenoh does not announce publishers: its endpoints are subscribers and queryables "
+        "alone": some,
+    }
+    return tuple(note for note, count in notes.items() if count)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
@@ -12,20 +12,20 @@ import sympy as sp
 from discostorm import _checks
 from discostorm._numeric import evaluate
 from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
-from discostorm.messages import HOPS, Hop, Protocol, header_bytes
-from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
+from discostorm.messages import Protocol, header_bytes
+from discostorm.wifi import PAPER, Wifi, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (
     VisibleFleet,
-    begin_of,
     infer_unannounced,
     table,
+    times_of,
     uses_multicast_unlike,
     visible_from,
     window as counted,
     wire_protocol,
 )
 from discostorm_capture.pcap import CaptureError
-from discostorm_capture.tables import PROTOCOLS
+from discostorm_capture.tables import PROTOCOLS, Quality
 from discostorm_capture.totals import sums
 
 if TYPE_CHECKING:
@@ -51,25 +51,12 @@ class Capture:
         Time from its earliest packet to its latest [s].
     notes : tuple of str
         What could not be read or counted, and why.
-    _messages, _processes : pandas.DataFrame
-        What `messages` and `processes` return copies of.
-    _network_events : pandas.DataFrame
-        What else tells why discovery fails: requests and answers of ARP, errors of ICMP, and
-        connections of TCP, by their ``time``, ``kind``, ``sender``, ``receiver`` and ``port``,
-        which is the sender's MAC address for ARP.
+    _messages, _processes, _network_events : pandas.DataFrame
+        The tables: see `messages`, `processes` and the module `network_events`.
     _endpoints : pandas.DataFrame
-        What `endpoints` returns a copy of.
-    _truncated : int
-        How many packets were cut when they were captured [1].
-    _clock_steps : tuple of tuple
-        Where the clock that stamped the packets jumped: the frame, and by how much [s].
-    _first, _last : float
-        When the first packet in the file came, since the earliest one, and how much later the last
-        one came, without jumps of the clock [s].
-    _packets_without_messages : dict of str to int
-        How many packets there are of "ARP", "TCP", "UDP" and "other" that hold no message [1].
-    _capture_gaps : tuple of str
-        What the capture says that it lacks.
+        See `endpoints`.
+    _quality : Quality
+        How it was recorded.
     """
 
     path: str
@@ -81,12 +68,7 @@ class Capture:
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
     _endpoints: pd.DataFrame = field(compare=False)
-    _truncated: int = field(compare=False)
-    _clock_steps: tuple[tuple[int, float], ...] = ()
-    _first: float = 0.0
-    _last: float = 0.0
-    _packets_without_messages: dict[str, int] = field(default_factory=dict, compare=False)
-    _capture_gaps: tuple[str, ...] = ()
+    _quality: Quality
 
     def __repr__(self) -> str:
         return (
@@ -95,7 +77,7 @@ class Capture:
         )
 
     def messages(self) -> pd.DataFrame:
-        """Return the messages, in the order of the frames that infer_unannounced them.
+        """Return the messages, in the order of the frames that completed them.
 
         Returns
         -------
@@ -103,16 +85,15 @@ class Capture:
             One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of
             the packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments,
             "TCP"; ``kind``, as the tables of protocols call it; ``multicast``; ``bytes``, its
-            part of the payload of UDP or TCP [B], so that they add up to it; ``sender`` and
-            ``receiver``, addresses; ``way``, "up" or "down" if the capture is of a Wi-Fi
-            network. Then ``process`` and ``peer``, whom it is from and to, "" if it does
-            not say; ``submessage``, its name in the standard or in Zenoh; of RTPS, ``entity``,
-            what its entities are about, ``reader`` and ``writer``, their ids, ``number``, the
-            sequence number of a sample, of the last one that a Heartbeat tells of, or of the first
-            that an ACKNACK lacks, ``missing``, how many that says it lacks, and ``size``,
-            the octets to the next header [B]; ``ends``, whether it takes back what it is
-            about, or ends a connection; ``copy``, whether the capture shows it once more;
-            ``transport``; ``frames``, its part of packets [1].
+            part of the payload of UDP or TCP [B]; ``sender`` and ``receiver``, addresses;
+            ``way``, "up" or "down" on Wi-Fi; ``process`` and ``peer``, whom it is from and to, ""
+            if it does not say; ``submessage``, its name in the standard or in Zenoh. Of RTPS:
+            ``entity``, what it is about; ``reader`` and ``writer``, their ids; ``number``, the
+            sequence number of a sample, of the last one of a Heartbeat, or of the first that an
+            ACKNACK lacks; ``missing``, how many it lacks; ``size``, the octets to the next header
+            [B]. Of all: ``ends``, whether it takes back an announcement or ends a connection;
+            ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its part
+            of packets [1].
         """
         return self._messages.copy()
 
@@ -123,10 +104,9 @@ class Capture:
         -------
         pandas.DataFrame
             By ``process``, as the messages name them: ``protocol``, ``product``, ``host``,
-            its address, ``endpoints``, how many it announced, ``time``, when it was seen
-            first [s], and ``server``, whether it says that it is a Discovery Server of Fast DDS or
-            a router of Zenoh. A publisher of Zenoh announces nothing; of rmw_zenoh the tokens are
-            counted.
+            its address, ``endpoints``, how many it announced (of rmw_zenoh, its tokens),
+            ``time``, when it was seen first [s], and ``server``, whether it says that it is a
+            Discovery Server of Fast DDS or a router of Zenoh.
         """
         return self._processes.copy()
 
@@ -147,9 +127,8 @@ class Capture:
     def serving(self) -> tuple[str, ...]:
         """Return the addresses of hosts with servers and routers alone, beside hosts without.
 
-        They are no robots. Unless `fleet`, `airtime` and `compare` are told which hosts are wired
-        to the access point, these are. Where all processes are routers of Zenoh, it is the one that
-        all others connect to and that connects to none: the hub of a star.
+        These are taken for wired to the access point where `wired` is left out. Where all processes
+        are routers of Zenoh, it is the hub of a star: all others connect to it, and it to none.
         """
         found = self._processes[self._processes["host"] != ""]
         alone = found.groupby("host", sort=False, observed=True)["server"].all()
@@ -164,22 +143,19 @@ class Capture:
     def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
         """Return the fleet that was found: hosts, processes and the endpoints they announced.
 
-        It is the whole fleet also from one robot's view, as everybody announces to everybody.
-
         Parameters
         ----------
         protocol : {"RTPS", "Zenoh"}, optional
             Take processes of that one only.
         wired : sequence of str, optional
-            The addresses of all hosts that are wired to the access point; those of `serving` if
-            left out.
+            Addresses of all hosts that are wired to the access point; of `serving` if left out.
 
         Returns
         -------
         Fleet
             A group for the hosts with as many processes and, in the mean, endpoints, wired or
-            not. A wired host of `serving` is left out: it is in the tables of servers and routers
-            already. One that is not wired comes first, as in the tables of a server on a robot.
+            not. A wired host of `serving` is left out: models of servers have it already. One
+            that is not wired comes first, as in models of a server on a robot.
 
         Raises
         ------
@@ -189,10 +165,9 @@ class Capture:
             If `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired(wired), set(self.serving())
-        if protocol is not None:
-            _checks.choice("protocol", protocol, PROTOCOLS[:2])
         found = self._processes
         if protocol is not None:
+            _checks.choice("protocol", protocol, PROTOCOLS[:2])
             found = found[found["protocol"] == protocol]
         found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
         found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
@@ -211,26 +186,17 @@ class Capture:
         return Fleet(tuple(groups))
 
     def view(self) -> str | None:
-        """Return the address of the host whose traffic alone was captured, if it is so.
+        """Return the host from or to which all unicast is, of at least three; no server counts."""
+        from discostorm_capture.diagnosis import vantage_host
 
-        It is if there are at least three hosts, and all that is unicast is from or to that one,
-        which has more than servers: from and to a server it is in any case.
-        """
         hosts = set(self._processes["host"]) - {""}
-        messages = self._on_air()
-        unicast = messages[~messages["multicast"]]
-        if len(hosts) < 3 or unicast.empty:
-            return None
-        pairs = unicast[["sender", "receiver"]].drop_duplicates().astype(str).to_numpy().tolist()
-        common = set(pairs[0]).intersection(*map(set, pairs[1:])) & hosts - set(self.serving())
-        return common.pop() if len(common) == 1 else None
+        return vantage_host(self._on_air(), hosts, set(self.serving()))
 
     def airtime(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, up and again down [s].
 
-        A message has its part of that of the packets that carried it. A packet is a frame
-        of its payload and the headers of the paper's Table II. Of a host that is ``wired`` to the
-        access point, of `serving` if left out, nothing goes up, and by unicast nothing down to it.
+        A message has its part of its packets, with the headers of the paper's Table II. Nothing
+        goes up from hosts that are ``wired`` (`serving` if left out), and no unicast down to them.
         """
         _checks.instance("wifi", wifi, Wifi)
         on_wires = self._wired(wired)
@@ -244,17 +210,18 @@ class Capture:
         size = payload + np.where(udp, headers["UDP"], headers["TCP"])
         # Lengths repeat, and half a byte more or less is from sharing a packet.
         lengths, which = np.unique(np.round(size, 3), return_inverse=True)
-        up, down = (~rows[end].isin(on_wires).to_numpy() for end in ("sender", "receiver"))
-        seconds = np.zeros(len(rows))
-        for hops, mine in ((HOPS, up & down), (("up",), up & ~down), (("down",), down & ~up)):
-            if not mine.any():
-                continue
-            each = {
-                cast: np.broadcast_to(_airtime(lengths, cast, hops, wifi), lengths.shape)[which]
-                for cast in get_args(Cast)
-            }
-            part = frames * np.where(rows["multicast"], each["multicast"], each["unicast"])
-            seconds[mine] = part[mine]
+        length, model = sp.Symbol("S"), wifi.model
+        given: dict[Any, Any] = {length: lengths, **wifi.values()}
+        up, multicast, unicast = (
+            np.broadcast_to(evaluate(hop, given), lengths.shape)[which]
+            for hop in (
+                uplink_airtime(length, model),
+                *(downlink_airtime(length, cast, model) for cast in ("multicast", "unicast")),
+            )
+        )
+        down = np.where(rows["multicast"], multicast, unicast)
+        goes_up, goes_down = (~rows[end].isin(on_wires) for end in ("sender", "receiver"))
+        seconds = frames * (goes_up.to_numpy() * up + goes_down.to_numpy() * down)
         return pd.Series(seconds, index=rows.index, name="airtime_s")
 
     def compare(
@@ -267,47 +234,37 @@ class Capture:
     ) -> pd.DataFrame:
         """Hold what was captured against the table of a protocol.
 
-        Left out are what the capture shows twice, what stays on one host, and what takes back
-        an announcement or ends a connection (shutdown). A capture without any message that the
-        table has for the start alone is taken for one of the steady state.
+        Left out are what the capture shows twice, what stays on one host, and shutdown. A capture
+        without any message that the model sends at startup alone is one of the steady state.
 
         Parameters
         ----------
         protocol : Protocol
-            The table; messages are found by their kind. Where it has another table for networks
-            that are taken for wired (`Protocol.wired`), that one is taken if the capture shows
-            messages by multicast that the first has by unicast alone.
+            The model; its `Protocol.wired` if the capture shows multicast of what the model sends
+            by unicast alone.
         fleet : Fleet, optional
-            The fleet that sent; the one found in the capture if left out. How far its endpoints
-            match is then told from the acknowledgements of user endpoints, and of Zenoh from how
-            few key expressions are declared. Of Zenoh without tokens, which does not announce
-            publishers, it has as many of them as the table takes it to have.
+            The fleet that sent; if left out, the captured one, with the matches, and of Zenoh the
+            publishers, that its messages show.
         wifi : Wifi, optional
             The channel to compute airtime for; the paper's if left out.
         wired : sequence of str, optional
-            The addresses of all hosts that are wired to the access point; those of `serving` if
-            left out. For a server on a robot it is empty.
+            Addresses of all hosts that are wired to the access point; of `serving` if left out.
         window : float, optional
-            Count so long from the first message of the table on [s], above 0; to the end of the
-            capture if left out. `compared_seconds` says how long that is.
+            Count so long from the first message of the model on [s], above 0; to the end of the
+            capture if left out.
 
         Returns
         -------
         pandas.DataFrame
-            By ``message``, its kind, first those of the table, then what else of RTPS or of Zenoh
-            and its TCP was captured: ``units``,
-            of how many of its units the capture shows the messages [1], where a kind has several
-            rows in the table those of the first; ``expected``, how many
-            messages these send from the first message in the capture to its end, or
-            until nobody sends any more [1];
-            ``unicast`` and ``multicast``, how many were captured [1]; ``per_unit``, captured
-            messages for each unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s].
-            Where the table has no such message, ``units`` and what follows from it are NaN.
+            By ``message``, its kind, first those of the model, then others: ``units``, how many
+            of its units the capture shows, of the first row of its kind [1]; ``expected``, how
+            many messages the model sends in `compared_seconds` [1]; ``unicast`` and
+            ``multicast``, how many were captured [1]; ``per_unit``, captured messages for each
+            unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s]. Where the model has no such
+            message, ``units`` and what follows from it are NaN.
 
         Raises
         ------
-        TypeError
-            If an argument is of another type.
         CaptureError
             If no fleet is given, and no process was found.
         ValueError
@@ -319,7 +276,7 @@ class Capture:
         rows = self._on_air()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            rows = rows[rows["time"] <= begin_of(protocol, self._messages) + seconds]
+            rows = rows[rows["time"] <= times_of(protocol, self._messages).min() + seconds]
         if protocol.wired is not None and uses_multicast_unlike(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
@@ -334,9 +291,9 @@ class Capture:
         return table(protocol, shown, rows, wire, seconds)
 
     def compared_seconds(self, protocol: Protocol, window: float | None = None) -> float:
-        """Return how long `compare` counts: from the first message of a table on [s].
+        """Return how long `compare` counts: from a model's first message on, at most `window` [s].
 
-        It is to the end of the capture, or until nobody sends any more, at most `window`.
+        It ends with the capture, or when the hosts fall silent.
         """
         _checks.instance("protocol", protocol, Protocol)
         seconds = counted(protocol, self._messages, self.duration)
@@ -345,16 +302,9 @@ class Capture:
         return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
 
     def sums(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
-        """Return what is sent for discovery, and what users' data take.
+        """Return what discovery and user data take, without what `compare` leaves out.
 
-        Left out is what `compare` leaves out.
-
-        Parameters
-        ----------
-        wifi : Wifi, optional
-            The channel to compute airtime for; the paper's if left out.
-        wired : sequence of str, optional
-            As for `compare`.
+        `wifi` and `wired` are those of `compare`.
 
         Returns
         -------
@@ -369,19 +319,11 @@ class Capture:
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
         """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
 
-        What cannot be told apart is said to be one of two. What the capture cannot show is not
-        found; what it lacks is a finding of its own.
-
         Parameters
         ----------
         expected : int or sequence of str, optional
             How many hosts ought to be there, without those of servers alone, or the addresses of
             all that ought to. Hosts that are missing are the first finding.
-
-        Returns
-        -------
-        Diagnosis
-            Its ``summary()``, ``findings``, ``hosts()`` and the pairs that are ``incomplete()``.
 
         Examples
         --------
@@ -395,67 +337,28 @@ class Capture:
             Observations,
             diagnose,
             expected_hosts,
-            vantage_host,
             without_clock_steps,
         )
 
         hosts = expected_hosts(expected)
-        rows = self._messages
-        here = rows["sender"].astype(str) == rows["receiver"].astype(str)
-        loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
         messages, events = (
-            table.assign(
-                time=without_clock_steps(
-                    table["time"].to_numpy(),
-                    table["frame"].to_numpy(),
-                    self._clock_steps,
-                    self._first,
-                )
-            )
-            for table in (rows[~(rows["copy"] | here | loop)], self._network_events)
+            without_clock_steps(table, self._quality)
+            for table in (self._between_hosts(), self._network_events)
         )
-        if self._clock_steps:
+        if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
-        serving = frozenset(self.serving())
+        processes = self._processes[self._processes["host"] != ""]
+        servers = frozenset(self.serving())
         return diagnose(
             Observations(
-                messages=messages.sort_values("time", kind="stable")
-                if self._clock_steps
-                else messages,
-                processes=self._processes[self._processes["host"] != ""],
-                network_events=events,
-                endpoints=self._endpoints,
-                duration=self._last,
-                vantage_host=vantage_host(messages, serving),
-                server_hosts=serving,
-                other_packets=self._packets_without_messages,
-                clock_steps=self._clock_steps,
-                capture_gaps=self._capture_gaps,
-                truncated=self._truncated / max(self.packets, 1),
-                expected=hosts,
+                messages, processes, events, servers, self._quality, self._endpoints, hosts
             )
         )
 
     def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
-        """Draw messages over time, and their airtime against the channel.
+        """Draw messages over time by kind, and below their share of the channel.
 
-        Parameters
-        ----------
-        wifi : Wifi, optional
-            The channel to compute airtime for; the paper's if left out.
-        wired : sequence of str, optional
-            As for `compare`.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            Above, how many messages of each kind there were in each of some tens of
-            intervals; below, the part of the interval that they take on the channel.
-
-        Raises
-        ------
-        CaptureError
-            If there is no message.
+        `wifi` and `wired` are those of `compare`. Without a message it raises a CaptureError.
         """
         from discostorm_capture.picture import draw
 
@@ -478,12 +381,17 @@ class Capture:
                 )
         return set(wired)
 
-    def _on_air(self) -> pd.DataFrame:
+    def _between_hosts(self) -> pd.DataFrame:
         """Return the messages that go from host to host, once each."""
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
-        return rows[~(rows["copy"] | rows["ends"] | here | loop)]
+        return rows[~(rows["copy"] | here | loop)]
+
+    def _on_air(self) -> pd.DataFrame:
+        """Return the messages between hosts, but for shutdown."""
+        rows = self._between_hosts()
+        return rows[~rows["ends"]]
 
     def _shown(self, fleet: Fleet) -> VisibleFleet:
         """Return how much of a fleet the capture shows."""
@@ -502,12 +410,3 @@ def _group_name(hosts: list[str], groups: int) -> str:
 def _loopback_rows(addresses: pd.Series) -> pd.Series:
     loop = [name for name in addresses.cat.categories if name.startswith("127.") or name == "::1"]
     return addresses.isin(loop)
-
-
-def _airtime(lengths: np.ndarray, cast: Cast, hops: tuple[Hop, ...], wifi: Wifi) -> Any:
-    length = sp.Symbol("S")
-    model = wifi.model
-    on = {"up": uplink_airtime(length, model), "down": downlink_airtime(length, cast, model)}
-    expression = sp.Add(*(on[hop] for hop in hops))
-    given: dict[Any, Any] = {length: lengths}
-    return evaluate(expression, given | wifi.values())

@@ -19,13 +19,13 @@ from discostorm_capture._bytes import (
     IdTable,
     Offsets,
     factorize,
+    note,
     numbers,
     take,
 )
 from discostorm_capture.tables import RTPS, message_table
 
-#: The first four bytes of a message; the second is of Connext. Fast DDS has a header before it
-#: over TCP.
+#: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
 _HEADER = 20
 PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
@@ -40,15 +40,13 @@ _MAX_PARAMETERS = 512
 LOCATOR_KIND_UDPV4 = 1
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
-#: A participant of Fast DDS says in its properties that it is a Discovery Server
-#: (parameter_property_participant_type; two strings of CDR).
+#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
 #: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
-#: Submessages before one, or a message, that is signed or encrypted, and what is encrypted; kinds
-#: of transformation; the key that both ends derive from their handshake (DDS Security 1.1,
-#: 9.5.2.1).
+#: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
+#: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
 _SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
 #: With that key both ends tell each other all other keys.
@@ -75,8 +73,8 @@ def _offsets(column: str) -> Array:
 
 
 _READER_AT, _WRITER_AT = _offsets("reader_at"), _offsets("writer_at")
-#: The lower half of a sequence number: of a sample, the last one of a Heartbeat, the first one
-#: that an ACKNACK lacks; there the number of bits and these follow.
+#: The lower half of a sequence number: of a sample, the last of a Heartbeat, the first that an
+#: ACKNACK lacks, where a number of bits follows, and these.
 _NUMBER_AT = _offsets("number_at")
 _MAX_BITS = 256
 #: Submessages that are messages; the others say how to read the following ones, or fill up.
@@ -120,38 +118,12 @@ def is_over_tcp(data: Bytes, at: Offsets) -> Array:
     return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def domains_from_ports(kind: Array, port: Array) -> Array:
-    """Return the domain of each multicast message of SPDP by its port; -1 for others."""
-    domain, rest = np.divmod(port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
-    known = (kind >> 8 == GROUPS.index("SPDP")) & (rest == 0) & (domain >= 0)
-    return np.where(known, domain, -1)
-
-
 def messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Counter[str]
 ) -> tuple[Columns, Columns]:
-    """Return the messages in RTPS datagrams, and the announcements among them.
-
-    Parameters
-    ----------
-    data : numpy.ndarray
-        Where the datagrams are.
-    datagrams : dict
-        As `ip.datagrams` returns them, those that `is_rtps` chose.
-    processes : IdTable
-        The numbers of GUID prefixes.
-    notes : Counter
-        What could not be read is counted here.
-
-    Returns
-    -------
-    tuple
-        The messages, with the row of each one's ``datagram`` added to their columns. The
-        announcements: see `_announcements`.
-    """
+    """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
     good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
-    if count := int(np.count_nonzero(~good)):
-        notes["RTPS messages that are cut, or not of version 2"] += count
+    note(notes, ~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
@@ -167,20 +139,23 @@ def messages(
     stop = np.where(np.roll(new, -1), wire_end[datagram], after)
     little = data[at + 1] & 1 > 0
     last = end[datagram]
-    reader, writer = (_entity(data, at, last, where[kind]) for where in (_READER_AT, _WRITER_AT))
+    big = np.zeros(1, bool)
+    reader, writer = (
+        _field(data, at, last, where[kind], big) for where in (_READER_AT, _WRITER_AT)
+    )
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _groups(reader, writer)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
-        RTPS,
         datagrams,
         datagram,
+        protocol=RTPS,
         kind=group * 256 + kind,
         submessage=kind,
         size=_number(data, at + 2, "u2", little),
         reader=reader,
         writer=writer,
-        number=_sequence_number(data, at + _NUMBER_AT[kind], last, kind, little),
+        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF,
         missing=_nacked(data, at, last, kind, little),
         bytes=stop - begin,
         process=processes.ids_of(data, source[chosen], 12),
@@ -188,7 +163,7 @@ def messages(
         entity=entity,
         # Only a key: it is disposed of or unregistered.
         ends=(kind == DATA) & (data[at + 1] & 8 > 0),
-        udp=np.ones(len(at), bool),
+        udp=True,
         frames=datagrams["parts"][datagram] * share,
     )
     table["datagram"] = original[datagram]
@@ -241,16 +216,14 @@ def _prefixes(
 
 
 def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
-    """Return which submessages precede no message, and which precede encrypted keys.
-
-    A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
-    """
+    """Return which submessages precede no message, and which precede encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
     length = _number(data, after + 2, "u2", data[after + 1] & 1 > 0)
     encrypts = prefix & np.isin(transformation, _ENCRYPTED) & (np.roll(kind, -1) == SEC_BODY)
     key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
+    # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
     signs = prefix & np.isin(transformation, _SIGNED)
     return (
         signs | (encrypts & (length <= _MAX_INFO)),
@@ -258,16 +231,10 @@ def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
     )
 
 
-def _entity(data: Bytes, at: Offsets, last: Offsets, offset: Array) -> Array:
-    """Return the entity id at an offset, 0 if there is none, or if it is truncated."""
-    value = numbers(data, np.minimum(at + offset, last), ">u4")
+def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
+    """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
+    value = _number(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
-
-
-def _sequence_number(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
-    """Return the lower half of each message's sequence number, 0 if it has none."""
-    there = (at + 4 <= last) & (_NUMBER_AT[kind] > 0)
-    return np.where(there, _number(data, at, "u4", little) & 0x7FFFFFFF, 0)
 
 
 def _nacked(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:

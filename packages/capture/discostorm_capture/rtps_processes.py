@@ -21,15 +21,10 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     messages, announcements = rtps.messages(data, datagrams, prefixes, notes)
     datagram = messages.pop("datagram")
     _, first = factorize(messages["process"], messages["source"])
-    senders, frames, sources, vendors = (
-        column.tolist()
-        for column in (
-            messages["process"][first],
-            messages["frame"][first],
-            messages["source"][first],
-            numbers(data, datagrams["at"][datagram[first]] + 6, ">u2"),
-        )
+    senders, frames, sources = (
+        messages[name][first].tolist() for name in ("process", "frame", "source")
     )
+    vendors = numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
     domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
@@ -37,9 +32,9 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
     servers: set[int] = set()
-    for id_, entity, frame, last, begin, sender, is_participant, is_server in _resolved(
-        data, take(announcements, announcements["guid"] > 0), prefixes, addresses
-    ):
+    known = take(announcements, announcements["guid"] > 0)
+    rows = _resolved(data, known, prefixes, addresses)
+    for id_, entity, frame, last, begin, sender, is_participant, is_server in rows:
         endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
         servers.update((id_,) if is_server else ())
         if is_participant and id_ == sender:
@@ -113,15 +108,14 @@ def _domains(
     messages: Columns, to_port: Array, addresses: IdTable, notes: Counter[str]
 ) -> list[tuple[int, int]]:
     """Return processes and their domains, as multicast messages of SPDP say; note if several."""
-    domain = rtps.domains_from_ports(messages["kind"], to_port)
-    rows = np.flatnonzero((domain >= 0) & ip.is_multicast(addresses)[messages["target"]])
+    domain, rest = np.divmod(to_port.astype(np.int64) - rtps.PORT_BASE, rtps.DOMAIN_GAIN)
+    spdp = messages["kind"] >> 8 == rtps.GROUPS.index("SPDP")
+    spdp &= ip.is_multicast(addresses)[messages["target"]]
+    rows = np.flatnonzero(spdp & (rest == 0) & (domain >= 0))
     process, domain = messages["process"][rows], domain[rows]
     _, first = factorize(process, domain)
     different = np.unique(domain).tolist()
     if len(different) > 1:
-        which = ", ".join(map(str, different))
-        notes[
-            f"domains of RTPS ({which}): only processes of the same one find each other, which "
-            "the fleet does not know"
-        ] = len(different)
+        which = f"domains of RTPS ({', '.join(map(str, different))}): only processes of the same "
+        notes[f"{which}one find each other, which the fleet does not know"] = len(different)
     return sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True))

@@ -63,6 +63,23 @@ class Process:
 
 
 @dataclass(frozen=True)
+class Quality:
+    """How a capture was recorded: what it lacks, and its clock."""
+
+    #: The share of packets that were cut when they were captured [1].
+    truncated: float
+    #: Where the clock was set: the frame, and by how much [s].
+    clock_steps: tuple[tuple[int, float], ...]
+    #: From the earliest packet to the first in the file, and from there to the last [s].
+    first: float
+    duration: float
+    #: Packets without a message: of "ARP", "TCP", "UDP" and "other".
+    other_packets: dict[str, int]
+    #: What the capture itself says that it lacks, in words.
+    gaps: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Dissection:
     """The messages of a protocol as `message_table`, and by their numbers the processes."""
 
@@ -72,22 +89,22 @@ class Dissection:
     endpoints: dict[tuple[str, int], Endpoint | None] = field(default_factory=dict)
 
 
-def message_table(protocol: int, packets: Columns, rows: Array, **columns: Array) -> Columns:
+def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
     """Return a table of messages, each of which a row of packets completed."""
-    table = {name: packets[name][rows] for name in ("frame", "source", "target", "way")} | columns
+    table: dict[str, Array | int] = {
+        name: packets[name][rows] for name in ("frame", "source", "target", "way")
+    }
+    table |= {"submessage": columns["kind"]} | columns
     return {
-        name: table[name].astype(dtype) if name in table else np.full(len(rows), default, dtype)
+        name: np.broadcast_to(table.get(name, default), len(rows)).astype(dtype)
         for name, (dtype, default) in _COLUMNS.items()
-    } | {"protocol": np.full(len(rows), protocol, np.uint8)}
+    }
 
 
 def first_seen(
     sightings: Iterable[tuple[int, int, int]], loopback: Array
 ) -> dict[int, tuple[int, int]]:
-    """Return the host and first frame of each process from frames, processes and sources.
-
-    The host is the first address that is not a loopback, if there is one.
-    """
+    """Return the host, no loopback if it can be, and first frame of each sighted process."""
     first: dict[int, tuple[int, int]] = {}
     for frame, process, source in sorted(sightings, key=itemgetter(0)):
         host, since = first.get(process, (source, frame))

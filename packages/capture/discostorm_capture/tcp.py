@@ -17,6 +17,7 @@ from discostorm_capture._bytes import (
     factorize,
     take,
 )
+from discostorm_capture.ip import sockets
 
 FIN, SYN, RST, ACK = 1, 2, 4, 16
 #: What a capture may lack, as notes call it.
@@ -25,34 +26,21 @@ GAPS = "gaps in TCP streams of Zenoh, of what was not captured"
 
 @dataclass(frozen=True)
 class Streams:
-    """The segments of a capture by stream: one direction of a connection.
+    """The segments of a capture by stream: one direction of a connection."""
 
-    Parameters
-    ----------
-    table : dict
-        The segments, those of a stream together, in the order of the capture: the columns of
-        `ip.segments`; ``position``, where the content begins in the stream [B]; and ``stream``,
-        its number.
-    first : numpy.ndarray
-        The first row of each stream.
-    reverse : numpy.ndarray
-        The number of each stream's other direction; its own if there is none.
-    complete : numpy.ndarray
-        Whether each stream's start was captured: position 0 is its first byte.
-    """
-
+    #: The segments as `ip.segments`, those of a stream together, with ``position``, where the
+    #: content begins in the stream [B], and ``stream``, its number.
     table: Columns
+    #: The first row of each stream, and the number of its other direction, else its own.
     first: Array
     reverse: Array
+    #: Whether each stream's start was captured: position 0 is its first byte.
     complete: Array
 
 
 def streams(segments: Columns) -> Streams:
     """Return segments by stream."""
-    source, target, from_port, to_port = (
-        segments[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")
-    )
-    sender, receiver = source << 32 | from_port, target << 32 | to_port
+    sender, receiver = sockets(segments)
     code, _ = factorize(sender, receiver)
     order = np.argsort(code, kind="stable")
     table, code = take(segments, order), code[order]
@@ -69,11 +57,8 @@ def streams(segments: Columns) -> Streams:
 
 
 def _starts(table: Columns, code: Array) -> tuple[Array, Array]:
-    """Return which segments start a stream, and which are a SYN.
-
-    Ports are used again: a SYN with another number, or after segments without a SYN, starts a
-    stream of its own.
-    """
+    """Return which segments start a stream, and which are a SYN."""
+    # Ports are used again: a SYN with another number, or after segments without one, starts anew.
     syn, sequence = table["flags"] & SYN > 0, table["sequence"]
     new = np.diff(code, prepend=-1) != 0
     index = np.arange(len(code))
@@ -96,26 +81,16 @@ def _reverse(sender: Array, receiver: Array) -> Array:
 
 @dataclass(frozen=True)
 class Content:
-    """What streams carry.
-
-    Parameters
-    ----------
-    data : numpy.ndarray
-        The bytes, stream after stream, each without its gaps.
-    parts : dict
-        Parts of segments in their order: ``at``, where a part begins in the bytes; ``size``;
-        ``segment``, its row in `Streams.table`; ``done``, the row of the segment that completed
-        the stream up to there.
-    runs : list of tuple
-        What has no gap, in order: its begin and end, its stream, and whether it is the start of
-        that stream.
-    retransmitted : numpy.ndarray
-        The rows of segments that carry only what was sent before.
-    """
+    """What streams carry, stream after stream, each without its gaps."""
 
     data: Bytes
+    #: Parts of segments in their order: ``at``, where a part begins in the bytes; ``size``;
+    #: ``segment``, its row in `Streams.table`; ``done``, the row of the segment that completed the
+    #: stream up to there.
     parts: Columns
+    #: What has no gap: its begin and end, its stream, and whether it is the start of that stream.
     runs: list[tuple[int, int, int, bool]]
+    #: The rows of segments that carry only what was sent before.
     retransmitted: Array
 
 

@@ -21,9 +21,7 @@ _CARRIERS = ("Frame", "Fragment")
 def of_users(rows: pd.DataFrame) -> Array:
     """Return the part of each message that is of users' data, from 0 to 1.
 
-    Of RTPS it is what users' endpoints send, with their Heartbeats and acknowledgements; of Zenoh
-    what is published and asked for. A segment of TCP itself is shared between the two as the
-    other segments between its hosts are.
+    A segment of TCP itself is shared as the other segments between its hosts are.
     """
     kind = rows["kind"].astype(str).to_numpy()
     part = np.zeros(len(rows))
@@ -34,7 +32,9 @@ def of_users(rows: pd.DataFrame) -> Array:
     part[np.isin(kind, _CARRIERS) & np.isin(frame, with_users)] = 1.0
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
-        ends = _ends(rows)
+        # A number for each two hosts, whichever speaks.
+        pairs = np.sort(rows[["sender", "receiver"]].to_numpy(str), axis=1)
+        ends = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
         content = ~own & (rows["transport"] == "TCP").to_numpy()
         size = int(ends.max()) + 1
         weight = rows["frames"].to_numpy(np.float64)
@@ -44,29 +44,14 @@ def of_users(rows: pd.DataFrame) -> Array:
     return part
 
 
-def _ends(rows: pd.DataFrame) -> Array:
-    """Return a number for each two hosts, whichever speaks."""
-    numbers: dict[frozenset[str], int] = {}
-    found = [
-        numbers.setdefault(frozenset(pair), len(numbers))
-        for pair in zip(rows["sender"].astype(str), rows["receiver"].astype(str), strict=True)
-    ]
-    return np.array(found, np.int64)
-
-
 def sums(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
     """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 
     part = of_users(rows)
-    table = {}
-    for name, share in ((DISCOVERY, 1 - part), (USERS, part)):
-        table[name] = {
-            "messages": float(share.sum()),
-            "bytes": float((rows["bytes"].to_numpy() * share).sum()),
-            "airtime_s": float((rows["airtime_s"].to_numpy() * share).sum()),
-        }
-    found = pd.DataFrame.from_dict(table, orient="index")
+    shares = pd.DataFrame({DISCOVERY: 1 - part, USERS: part}, index=rows.index)
+    found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
+    for column in ("bytes", "airtime_s"):
+        found[column] = shares.mul(rows[column], axis=0).sum()
     found["of_time"] = found["airtime_s"] / seconds if seconds > 0 else np.nan
-    found.index.name = "what"
     return found

@@ -12,6 +12,7 @@ from discostorm_capture._bytes import (
     Columns,
     IdTable,
     factorize,
+    note,
     numbers,
     stack,
     take,
@@ -25,28 +26,17 @@ AGAIN = "packets seen again, on another interface or way, or mirrored; they are 
 
 @dataclass(frozen=True)
 class Transport:
-    """What the packets of a capture carry.
+    """What the packets of a capture carry, in the order of the capture."""
 
-    Parameters
-    ----------
-    data : numpy.ndarray
-        The bytes of the file and of reassembled datagrams, and padding.
-    addresses : IdTable
-        The numbers of IP addresses.
-    datagrams, segments : dict
-        UDP datagrams and TCP segments in the order of the capture; see `ip.datagrams`,
-        `ip.segments`.
-    events : dict
-        What else tells why discovery fails; see `network_events`.
-    packets : dict of str to int
-        How many packets are "ARP", "UDP", "TCP" and "other" [1].
-    """
-
+    #: The bytes of the file and of reassembled datagrams, and padding.
     data: Bytes
     addresses: IdTable
+    #: As `ip.datagrams` and `ip.segments`.
     datagrams: Columns
     segments: Columns
+    #: As `network_events`.
     events: Columns
+    #: How many packets are "ARP", "UDP", "TCP" and "other".
     packets: dict[str, int]
 
 
@@ -59,8 +49,7 @@ def carried(packets: Packets, notes: Counter[str]) -> Transport:
     network = ip.parse(data, network, addresses, notes)
     data, network = fragments.reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
-    if count := int(np.count_nonzero(network["protocol"] == ip.ENCRYPTED)):
-        notes["encrypted IP packets"] += count
+    note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
     tunnels = int(np.count_nonzero(np.isin(network["protocol"], ip.TUNNELS)))
     tunnels += int(np.count_nonzero(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS)))
     if tunnels:
@@ -85,15 +74,13 @@ def note_encrypted(data: Bytes, datagrams: Columns, notes: Counter[str]) -> None
     )
     guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
-        if count := int(np.count_nonzero(mask)):
-            notes[f"datagrams of {name}, which are encrypted"] += count
+        note(notes, mask, f"datagrams of {name}, which are encrypted")
 
 
 def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> Array:
-    """Return whether each frame, captured at a time [ns], shows what an earlier frame showed.
+    """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
 
-    Another interface or direction may show a packet again, and so may a mirror port or a merged
-    file: a sender does not use an IP id again that soon (RFC 6864, 4.1).
+    A sender does not use an IP id again that soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
     tables = [
@@ -110,16 +97,14 @@ def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> 
     # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
     identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
     columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]
+    rows = zip(*(column.tolist() for column in columns), strict=True)
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
-    for packet, when, view, is_identified, frame in zip(
-        *(column.tolist() for column in columns), strict=True
-    ):
+    for packet, when, view, is_identified, frame in rows:
         in_time = packet == last_packet and when - since <= SEEN_AGAIN_WITHIN
         if in_time and (view != last_view or is_identified):
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    if count := int(np.count_nonzero(duplicates)):
-        notes[AGAIN] += count
+    note(notes, duplicates, AGAIN)
     return duplicates

@@ -6,7 +6,17 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp, zenoh_udp
-from discostorm_capture._bytes import PAD, Array, Bytes, Columns, IdTable, factorize, stack, take
+from discostorm_capture._bytes import (
+    PAD,
+    Array,
+    Bytes,
+    Columns,
+    IdTable,
+    factorize,
+    note,
+    stack,
+    take,
+)
 from discostorm_capture.tables import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.transport import Transport
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE, SCOUTING_PORT, UNREADABLE
@@ -116,14 +126,13 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
         role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
         roles.append((id_, role))
     messages = message_table(
-        ZENOH,
         scouts,
         np.arange(len(code)),
+        protocol=ZENOH,
         kind=code,
-        submessage=code,
         bytes=scouts["wire"],
         process=process,
-        udp=np.ones(len(code), bool),
+        udp=True,
         frames=scouts["parts"],
     )
     return _Conversation([messages], sightings, roles)
@@ -132,20 +141,21 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
 def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str]) -> _Conversation:
     """Return the messages of sessions over UDP, where each datagram is a batch."""
     table, opened, reverse = zenoh_udp.sessions(data, datagrams, notes)
-    first = {stream: int(np.argmax(table["stream"] == stream)) for stream in opened}
-    process, seen = _opened(opened, table, first, len(reverse), zids)
+    # The last value that is written stays, so write from the end.
+    first = np.zeros(len(reverse), np.int64)
+    first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
+    process, seen = _opened(opened, table, first, zids)
     parsed = _parsed(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     messages = message_table(
-        ZENOH,
         table,
         batch,
+        protocol=ZENOH,
         kind=parsed["code"],
-        submessage=parsed["code"],
         bytes=size,
         process=process[parsed["stream"]],
         peer=process[reverse[parsed["stream"]]],
-        udp=np.ones(len(batch), bool),
+        udp=True,
         frames=table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
     )
     return _with_endpoints(data, parsed, messages, process, seen, notes)
@@ -160,19 +170,17 @@ def _over_tcp(
     chosen = zenoh_tcp.streams_of_zenoh(data, streams)
     content = tcp.content(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    first = {stream: int(streams.first[stream]) for stream in opened}
-    process, seen = _opened(opened, table, first, len(streams.first), zids)
+    process, seen = _opened(opened, table, streams.first, zids)
     parsed = _parsed(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)
     # The length in front of a batch goes with its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_segments_until(content, table, at) for at in (parsed["end"], begin))
     messages = message_table(
-        ZENOH,
         table,
         content.parts["done"][part],
+        protocol=ZENOH,
         kind=parsed["code"],
-        submessage=parsed["code"],
         bytes=parsed["end"] - begin,
         process=process[parsed["stream"]],
         peer=process[streams.reverse[parsed["stream"]]],
@@ -184,14 +192,10 @@ def _over_tcp(
 
 
 def _opened(
-    opened: dict[int, zenoh_messages.Opening],
-    table: Columns,
-    first: dict[int, int],
-    streams: int,
-    zids: IdTable,
+    opened: dict[int, zenoh_messages.Opening], table: Columns, first: Array, zids: IdTable
 ) -> tuple[Array, _Conversation]:
     """Return the process of each stream, -1 if unknown, the last of no stream, and what it says."""
-    process = np.full(streams + 1, -1, np.int64)
+    process = np.full(len(first) + 1, -1, np.int64)
     sightings, roles = [], []
     for stream, opening in opened.items():
         row = first[stream]
@@ -204,8 +208,7 @@ def _opened(
 def _parsed(data: Bytes, batches: Columns, notes: Counter[str]) -> Columns:
     """Return the messages in batches, with each one's ``stream``."""
     parsed = zenoh_messages.parse(data, batches["at"], batches["end"])
-    if unreadable := int(np.count_nonzero(parsed["code"] == UNREADABLE)):
-        notes["batches of Zenoh that cannot be read to their end"] += unreadable
+    note(notes, parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end")
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
 
@@ -231,20 +234,16 @@ def _other_segments(
     kind = np.where(is_control, _CONTROL, _ACK)
     kind[len(empty) :] = _RETRANSMISSION
     return message_table(
-        TCP,
         table,
         rows,
+        protocol=TCP,
         kind=kind,
-        submessage=kind,
         bytes=table["wire"][rows],
         process=process[stream],
         peer=process[streams.reverse[stream]],
         frames=table["parts"][rows],
         ends=flags & (tcp.FIN | tcp.RST) > 0,
     )
-
-
-# ---------------------------------------------------------------- fragments and declarations
 
 
 def _with_endpoints(
@@ -299,11 +298,7 @@ def _reassembled(
     fragments: list[list[int]],
     notes: Counter[str],
 ) -> tuple[Bytes, Columns, Columns, Columns]:
-    """Return the messages in fragments: their bytes, as `parse` does, and two tables.
-
-    The bytes of fragments, but for their heads, go from the first table, which has all other
-    messages, to the second, which has those in fragments.
-    """
+    """Return the bytes in fragments, parsed, and tables of all other messages and of those."""
     whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
@@ -313,8 +308,7 @@ def _reassembled(
     length = np.bincount(whole, size).astype(np.int64)
     end = np.cumsum(length)
     inner = zenoh_messages.parse(content, end - length, end)
-    if unreadable := int(np.count_nonzero(inner["code"] == UNREADABLE)):
-        notes["Zenoh messages in fragments that cannot be read"] += unreadable
+    note(notes, inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
     ratio = size / np.maximum(messages["bytes"][rows], 1)
@@ -344,10 +338,7 @@ def _ros_expressions(data: Bytes, parsed: Columns) -> set[tuple[int, int]]:
 
 
 def _declarations(data: Bytes, parsed: Columns, names: set[tuple[int, int]]) -> Columns:
-    """Return the declarations of endpoints: ``stream``, ``code``, ``number`` and ``counts``.
-
-    A token counts only if it is one of an endpoint of rmw_zenoh, by its text or key expression.
-    """
+    """Return declarations of endpoints; of tokens count those of rmw_zenoh, by text or key."""
     table = take(parsed, np.isin(parsed["code"], _ENDPOINTS))
     scopes = zenoh_messages.scopes(data, table["at"], table["end"])
     columns = (table[name].tolist() for name in ("code", "stream", "at", "end"))

@@ -32,6 +32,8 @@ _OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
 _LOW_LATENCY, _COMPRESSION, _SHARED = 5, 6, 2
 #: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
 ANSWER, MORE, EXTENDED = 0x20, 0x40, 0x80
+#: Batches that open a session on each side, which can be read in any case: Init and Open.
+TO_OPEN = 2
 _FLAGS = {"A": ANSWER, "M": MORE, "Z": EXTENDED}
 
 _MESSAGES = {

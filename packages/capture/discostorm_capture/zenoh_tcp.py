@@ -8,14 +8,12 @@ import numpy as np
 from discostorm_capture import zenoh_messages
 from discostorm_capture._bytes import Array, Bytes, Columns, Offsets, as_memory, numbers
 from discostorm_capture.tcp import GAPS, Content, Streams, content
-from discostorm_capture.zenoh_messages import Opening, openings, special_of
+from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, special_of
 
 _HTTPS = 443
 #: The share of a stream's segments that must look like batches if its start was not captured, and
 #: how many must at other ports than Zenoh's.
 _MIN_ALIKE, _MIN_SEGMENTS = 0.8, 3
-#: Batches that open a session on each side, which can be read in any case: Init and Open.
-_TO_OPEN = 2
 
 
 def is_batch(data: Bytes, at: Offsets, size: Array) -> Array:
@@ -53,7 +51,9 @@ def streams_of_zenoh(data: Bytes, streams: Streams) -> Array:
     # Most of what a stream that was open before the capture sends must look like Zenoh.
     alike = np.bincount(stream, is_batch(data, at, size), count)
     segments = np.bincount(stream, minlength=count)
-    at_port = _at_port(streams)
+    # Which streams are from or to Zenoh's port.
+    ports = (table[name][streams.first] for name in ("from_port", "to_port"))
+    at_port = np.logical_or(*(port == zenoh_messages.PORT for port in ports))
     is_open = ~streams.complete & (alike >= _MIN_ALIKE * segments)
     is_open &= alike >= np.where(at_port, 1, _MIN_SEGMENTS)
     is_zenoh = opens | is_open
@@ -64,13 +64,6 @@ def streams_of_zenoh(data: Bytes, streams: Streams) -> Array:
         begun = [*stream_openings(content(data, streams, short))]
         is_zenoh[begun] = is_zenoh[streams.reverse[begun]] = True
     return np.flatnonzero(is_zenoh)
-
-
-def _at_port(streams: Streams) -> Array:
-    """Return which streams are from or to Zenoh's port."""
-    from_port, to_port = (streams.table[name][streams.first] for name in ("from_port", "to_port"))
-    at_port: Array = (from_port == zenoh_messages.PORT) | (to_port == zenoh_messages.PORT)
-    return at_port
 
 
 def stream_openings(content_: Content) -> dict[int, Opening]:
@@ -93,7 +86,7 @@ def batches(
         if not is_start:
             at = end if special else _aligned(content_, begin, end)
             unread += at - begin
-        while at + 3 <= end and not (special and count == _TO_OPEN):
+        while at + 3 <= end and not (special and count == TO_OPEN):
             after = at + 2 + data[at] + 256 * data[at + 1]
             if after > end or after == at + 2:
                 break

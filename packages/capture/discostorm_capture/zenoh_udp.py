@@ -5,24 +5,20 @@ from collections import Counter
 import numpy as np
 
 from discostorm_capture import zenoh_messages
-from discostorm_capture._bytes import Array, Bytes, Columns, cumcount, factorize, take
-from discostorm_capture.zenoh_messages import Opening, openings, parse, special_of
+from discostorm_capture._bytes import Array, Bytes, Columns, cumcount, factorize, note, take
+from discostorm_capture.ip import sockets
+from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, parse, special_of
 
 #: The share of a session's datagrams that must be readable if its start was not captured.
 _MIN_READABLE = 0.8
-#: Batches that open a session on each side: Init and Open.
-_TO_OPEN = 2
 
 
 def sessions(
     data: Bytes, datagrams: Columns, notes: Counter[str]
 ) -> tuple[Columns, dict[int, Opening], Array]:
-    """Return the datagrams of Zenoh's sessions, the openings of streams, and other directions.
-
-    A datagram gets the columns ``end`` and ``stream``, one direction of a session.
-    """
+    """Return the datagrams of sessions by ``stream``, a direction; openings; other directions."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
-    sender, receiver = _ends(datagrams)
+    sender, receiver = sockets(datagrams)
     opening = np.flatnonzero(zenoh_messages.may_open(data, datagrams["at"], datagrams["size"]))
     opening = opening[_is_readable(data, take(datagrams, opening))]
     ports = datagrams["from_port"], datagrams["to_port"]
@@ -43,26 +39,19 @@ def sessions(
     readable = np.bincount(stream, _is_readable(data, table), len(pairs))
     is_zenoh |= readable >= _MIN_READABLE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
-    if count := int(np.count_nonzero(~kept)):
-        notes[
-            "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
-            "encrypted or compressed"
-        ] += count
+    note(
+        notes,
+        ~kept,
+        "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
+        "encrypted or compressed",
+    )
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := special_of(number, sides, opened):
-            rest = (stream == number) & (turn >= _TO_OPEN)
+            rest = (stream == number) & (turn >= TO_OPEN)
             notes[f"bytes of Zenoh sessions with {special}"] += int(table["wire"][rest].sum())
             kept &= ~rest
     return take(table | {"stream": stream}, kept), opened, reverse
-
-
-def _ends(datagrams: Columns) -> tuple[Array, Array]:
-    """Return sender and receiver of datagrams, address and port as one number."""
-    source, target, from_port, to_port = (
-        datagrams[key].astype(np.int64) for key in ("source", "target", "from_port", "to_port")
-    )
-    return source << 32 | from_port, target << 32 | to_port
 
 
 def _is_readable(data: Bytes, datagrams: Columns) -> Array:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 from click.testing import CliRunner
 from handmade_captures import packets, pcap
@@ -20,6 +21,7 @@ from discostorm_capture.diagnosis.finding import kinds, remedies
 from discostorm_capture.diagnosis.observations import without_clock_steps
 from discostorm_capture.diagnosis.result import TIMELINE
 from discostorm_capture.live import Packets
+from discostorm_capture.tables import Quality
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
@@ -162,9 +164,9 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 
 def test_times_without_clock_steps() -> None:
-    times, frames = np.array([5.0, 6.0, 106.0, 76.0]), np.array([1, 2, 3, 4])
-    found = without_clock_steps(times, frames, ((3, 100.0), (4, -30.0)), 5.0)
-    assert found.tolist() == [0.0, 1.0, 1.0, 1.0]
+    table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
+    found = without_clock_steps(table, Quality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
+    assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
 
 
 def test_without_the_last_part_nothing_is_invented(tmp_path: Path) -> None:

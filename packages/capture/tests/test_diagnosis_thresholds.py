@@ -1,18 +1,24 @@
 """Each threshold of the diagnosis lies where it is said to: just below and just above it."""
 
 import io
+import struct
 from collections.abc import Iterable
 
 import numpy as np
 import pytest
 from handmade_captures import (
+    SPDP,
     Packet,
     acknowledge,
     announce,
+    dds,
     endpoint,
     packets,
     pcap,
+    prefix,
+    sample,
     startup,
+    submessage,
 )
 
 import discostorm as ds
@@ -156,9 +162,48 @@ def rare_storm(count: int) -> bool:
     return announcing(30.0, [*np.arange(0.5, 20.0, 0.5), *(20.5 + one for one in range(count))])
 
 
+def startup_is_over(later: float) -> bool:
+    """Whether an endpoint that is announced so late, and never confirmed, is not of the startup."""
+    found = [*startup(0.0, 1, 2), endpoint(0.01 + later, 1, 2, 2)]
+    return diagnosed([*found, *regularly(1, 20), *regularly(2, 20)]).complete is True
+
+
+def crash_loop(starts: int) -> bool:
+    """Whether a host is in a crash loop, if its process starts so many times."""
+    found = regularly(2, 25.0 * starts)
+    for start in range(starts):
+        for time in np.arange(25.0 * start, 25.0 * start + 10, 0.5):
+            when, frame, length = announce(float(time), 1)
+            other = prefix(1)[:2] + bytes([start]) + prefix(1)[3:]
+            found.append((when, frame.replace(prefix(1), other), length))
+    losses = kinds(diagnosed(found), 1)
+    assert losses & {"restart", "crash loop"}
+    return "crash loop" in losses
+
+
+def asked_in_vain(times: int) -> bool:
+    """Whether unicast is dropped, if a host asks so many times for the address of another one."""
+    found = [*regularly(1, 10), *regularly(2, 10)]
+    ends = bytes(6) + bytes([10, 0, 0, 1]) + bytes(6) + bytes([10, 0, 0, 2])
+    request = bytes(12) + struct.pack(">HHHBBH", 0x0806, 1, 0x0800, 6, 4, 1) + ends
+    found += [(round((1.5 + time) * 1e9), request, len(request)) for time in range(times)]
+    return "client isolation" in kinds(diagnosed(found))
+
+
+def late_delivery(later: float) -> bool:
+    """Whether a process left that is heard once more so long after its goodbye."""
+    goodbye = sample(SPDP, 2)
+    key_only = submessage(0x15, goodbye[4:], flags=8)
+    found = [*startup(0.0, 1, 2), *regularly(1, 40), dds(5.0, 2, key_only)]
+    return "left" in kinds(diagnosed([*found, announce(5.0 + later, 2)]), 2)
+
+
 @pytest.mark.parametrize(
     ("holds", "below", "above"),
     [
+        (startup_is_over, 4.9, 5.1),
+        (crash_loop, 3, 4),
+        (asked_in_vain, 2, 3),
         (short_storm, 11.9, 12.1),
         (rare_storm, 4, 6),
         (rtps_silence, 11.9, 12.1),
@@ -177,7 +222,12 @@ def test_above_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
 
 
 @pytest.mark.parametrize(
-    ("holds", "below", "above"), [(rare_announcements, 5.9, 6.1), (sooner, 0.049, 0.051)]
+    ("holds", "below", "above"),
+    [
+        (rare_announcements, 5.9, 6.1),
+        (sooner, 0.049, 0.051),
+        (late_delivery, 0.95, 1.05),
+    ],
 )
 def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # type: ignore[no-untyped-def]
     assert (holds(below), holds(above)) == (True, False)

@@ -50,9 +50,8 @@ if TYPE_CHECKING:
 def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
-        raise click.BadParameter(
-            f"must end in .svg, .pdf or .png; got {_checks.shorten_name(value)!r}"
-        )
+        name = _checks.shorten_name(value)
+        raise click.BadParameter(f"must end in .svg, .pdf or .png; got {name!r}")
     return value
 
 
@@ -132,9 +131,8 @@ def capture(
     if file == fleet == "-":
         raise click.UsageError("either FILE or --fleet may be -, for standard input")
     if file != "-" and Path(file).is_fifo():
-        click.echo(
-            f"Waiting for a program that writes into {visible(display_name(file))}.", err=True
-        )
+        pipe = visible(display_name(file))
+        click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
     with bad_input(), working("reading"):
         captured = ds.read_capture(standard_input() if file == "-" else file)
         members = compared(fleet, robot, hosts)
@@ -157,8 +155,8 @@ def capture(
             raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file(own, display_name(file))
-            write_file("--write-fleet", written, content.encode(), file, fleet)
+            content = _fleet_file(own, display_name(file)).encode()
+            write_file("--write-fleet", written, content, file, fleet)
         link = None if own is None or encrypted else link_of(own, own_model(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
@@ -297,9 +295,8 @@ def _show_uses(written: str, link: Link | None) -> None:
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
-    click.echo(
-        f"Wrote {visible(_checks.shorten_name(written))}. Next: {visible(shlex.join(command))}"
-    )
+    name = visible(_checks.shorten_name(written))
+    click.echo(f"Wrote {name}. Next: {visible(shlex.join(command))}")
     if link is not None:
         click.echo(f"In the calculator: {link.address}")
         for note in link.notes:

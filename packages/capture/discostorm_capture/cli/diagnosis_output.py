@@ -87,16 +87,14 @@ def show_tables(diagnosis: Diagnosis, output: Output) -> None:
     pairs = diagnosis.incomplete()
     if len(pairs):
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
-        rows = [
-            {
-                "known": f"{row['of']} {row['of_process'][:12]}",
-                "to": f"{row['by']} {row['by_process'][:12]}",
-                "answered [s]": _time(row["heard_s"]),
-                "endpoints told": row["sent"],
-            }
-            for row in pairs.head(MOST).to_dict("records")
-        ]
-        print_table(rows, output)
+        shown = pairs.head(MOST)
+        table = {
+            "known": shown["of"] + " " + shown["of_process"].str[:12],
+            "to": shown["by"] + " " + shown["by_process"].str[:12],
+            "answered [s]": shown["heard_s"].map(_time),
+            "endpoints told": shown["sent"],
+        }
+        print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
         if len(pairs) > MOST:
             click.echo(f"and {len(pairs) - MOST} more; all are in the JSON")
     click.echo()

@@ -7,13 +7,13 @@ import os
 import select
 import shutil
 import signal
-import subprocess
 import sys
 import threading
 import time
 from collections.abc import Iterator, Mapping
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from subprocess import PIPE, Popen, TimeoutExpired
 from typing import TYPE_CHECKING, BinaryIO, cast
 
 import click
@@ -50,8 +50,7 @@ PROGRAMS = {
     "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", FILTER),
 }
 #: Starts a program, and interrupts it if standard input ends without a line, so that it never
-#: outlives this process, however that ends. (Linux's PR_SET_PDEATHSIG is lost where the program
-#: changes its user, as tcpdump does, or has capabilities.)
+#: outlives this process. (PR_SET_PDEATHSIG is lost if the program changes its user, as tcpdump.)
 GUARD = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
 #: What dumpcap and tcpdump say when they begin.
 GREETINGS = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
@@ -190,15 +189,9 @@ def _capturing(interface: str | None) -> Iterator[BinaryIO]:
             "elsewhere, and pipe it to discostorm watch -"
         )
     command = ["/bin/sh", "-c", GUARD, "sh", program, "-i", interface, *PROGRAMS[program]]
-    with subprocess.Popen(
-        command,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    ) as running:
+    with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
         try:
-            with contextlib.suppress(subprocess.TimeoutExpired):
+            with contextlib.suppress(TimeoutExpired):
                 running.wait(SAYS)
             yield cast(BinaryIO, running.stdout)
         finally:
@@ -206,7 +199,7 @@ def _capturing(interface: str | None) -> Iterator[BinaryIO]:
             running.send_signal(signal.SIGINT)
             try:
                 said = running.communicate(b"\n", timeout=ENDS)[1].decode(errors="replace")
-            except subprocess.TimeoutExpired:
+            except TimeoutExpired:
                 running.kill()
                 said = running.communicate()[1].decode(errors="replace")
         if ended:

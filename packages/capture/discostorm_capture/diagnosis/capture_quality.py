@@ -29,12 +29,9 @@ def encrypted(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured, 2), obs.key_exchanges)
         )
-        yield Finding(
-            "encrypted",
-            hosts,
-            f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed(hosts)}; keys "
-            f"were sent in {keys} of {ought} pairs of processes on different hosts",
-        )
+        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed(hosts)}; keys "
+        said += f"were sent in {keys} of {ought} pairs of processes on different hosts"
+        yield Finding("encrypted", hosts, said)
 
 
 def began_late(evidence: Evidence) -> Iterator[Finding]:
@@ -44,12 +41,9 @@ def began_late(evidence: Evidence) -> Iterator[Finding]:
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        yield Finding(
-            "capture began late",
-            (),
-            f"{len(late)} of {count} processes ({listed(sorted(obs.hosts_of(late)))}) had "
-            "announced their endpoints before: the capture has none of these announcements",
-        )
+        said = f"{len(late)} of {count} processes ({listed(sorted(obs.hosts_of(late)))}) had "
+        said += "announced their endpoints before: the capture has none of these announcements"
+        yield Finding("capture began late", (), said)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
         said = f"sessions of Zenoh ({listed(first)}) were open before the first packet"
@@ -58,20 +52,17 @@ def began_late(evidence: Evidence) -> Iterator[Finding]:
 
 def lost_part(evidence: Evidence) -> Iterator[Finding]:
     """Yield what the capture lacks."""
-    said = list(evidence.obs.capture_gaps)
+    said = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
-        said.append(
-            f"the capture lacks {words.count_noun(sum(missing.values()), 'sample')} about "
-            f"endpoints of {listed(sorted(missing))} that others confirmed"
-        )
+        samples = words.count_noun(sum(missing.values()), "sample")
+        of = listed(sorted(missing))
+        said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
-        said.append(
-            f"{count} messages to {host} answer what it sent, and nothing that it sent is in the "
-            "capture"
-        )
+        what = f"{count} messages to {host} answer what it sent"
+        said.append(f"{what}, and nothing that it sent is in the capture")
     if said:
         hosts = sorted({*missing, *evidence.silent_hosts})
         yield Finding("capture lost part", tuple(hosts), "; ".join(said))
@@ -86,7 +77,7 @@ def one_view(evidence: Evidence) -> Iterator[Finding]:
 
 def clock_set(evidence: Evidence) -> Iterator[Finding]:
     """Yield when the clock was set."""
-    for frame, step in evidence.obs.clock_steps[:MAX_STEPS]:
+    for frame, step in evidence.obs.quality.clock_steps[:MAX_STEPS]:
         way = "back" if step < 0 else "on"
         said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
         yield Finding(f"clock {way}", (), said)
@@ -95,12 +86,10 @@ def clock_set(evidence: Evidence) -> Iterator[Finding]:
 def ended_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield that pairs were not complete yet when the capture ended, soon after they began."""
     if pending := evidence.pending:
-        yield Finding(
-            "capture ended early",
-            evidence.obs.hosts_of(pair.observer for pair in pending),
-            f"when the capture ended, {words.count_noun(len(pending), 'pair')} of processes had "
-            f"not completed, which had been there for less than {PATIENCE:.0f} s",
-        )
+        hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
+        said = f"when the capture ended, {words.count_noun(len(pending), 'pair')} of processes had "
+        said += f"not completed, which had been there for less than {PATIENCE:.0f} s"
+        yield Finding("capture ended early", hosts, said)
 
 
 def unconfirmed(evidence: Evidence) -> Iterator[Finding]:
@@ -108,9 +97,5 @@ def unconfirmed(evidence: Evidence) -> Iterator[Finding]:
     lacking = evidence.incomplete
     if lacking and all(stopped_asking(evidence.obs, pair) for pair in lacking):
         hosts = evidence.obs.hosts_of(pair.observer for pair in lacking)
-        yield Finding(
-            "capture lost part",
-            hosts,
-            f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
-            "lacks these confirmations",
-        )
+        said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
+        yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")

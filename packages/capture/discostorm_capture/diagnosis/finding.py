@@ -36,20 +36,13 @@ def listed(names: Sequence[str] | Array) -> str:
 
 @dataclass(frozen=True)
 class Finding:
-    """What is wrong, or what the capture cannot show.
+    """What is wrong, or what the capture cannot show."""
 
-    Parameters
-    ----------
-    kind : str
-        A kind of ``data/diagnosis/findings.csv``.
-    hosts : tuple of str
-        The addresses that it is about; empty if all.
-    evidence : str
-        How the capture shows it: a sentence with its numbers.
-    """
-
+    #: A kind of ``data/diagnosis/findings.csv``.
     kind: str
+    #: The addresses that it is about; empty if all.
     hosts: tuple[str, ...]
+    #: How the capture shows it: a sentence with its numbers.
     evidence: str
 
     @property

@@ -27,12 +27,9 @@ MIN_ANSWERS = 3
 
 
 def began_late(obs: Observations) -> set[int]:
-    """Return the processes that had announced their endpoints before the capture began.
-
-    Others confirm samples that the capture does not show, and did not begin with the first one.
-    """
-    # What a process announces long after its first message, and not from its first sample on,
-    # comes after a startup that the capture lacks.
+    """Return the processes that had announced their endpoints before the capture began."""
+    # Others confirm samples that the capture lacks, and did not begin with the first one. What a
+    # process announces long after its first message, not from sample 1 on, is of no startup.
     startup = {
         key
         for key, rows in samples(obs).items()
@@ -52,10 +49,7 @@ def began_late(obs: Observations) -> set[int]:
 
 
 def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:
-    """Return, by host and who confirms, how many samples were confirmed that the capture lacks.
-
-    Processes that began before the capture are left out, and so is what a Gap jumps over.
-    """
+    """Return, by host and who confirms, how many samples were confirmed that the capture lacks."""
     gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
     jumped = obs.groups(gaps, obs.sender_index, obs["writer"])
     sent = samples(obs)
@@ -102,10 +96,7 @@ def unread_hosts(obs: Observations) -> set[str]:
 
 
 def stopped_asking(obs: Observations, pair: Pair) -> bool:
-    """Tell whether a process announced all it has, and stopped asking whether that arrived.
-
-    Its Heartbeats go on until all is confirmed: if they end, a confirmation is not in the capture.
-    """
+    """Tell whether Heartbeats ended, which go on until the observer confirms: it did, unseen."""
     beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
     times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
     if not pair.sent or not len(times):

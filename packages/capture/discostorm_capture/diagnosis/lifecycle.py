@@ -21,11 +21,9 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes started again."""
     for host, chain in evidence.restarts.items():
         times = listed([f"{evidence.lifetimes[process].first:.1f} s" for process in chain[1:]])
-        yield Finding(
-            "crash loop" if len(chain) >= LOOP else "restart",
-            (host,),
-            f"{host}: processes began at {times}, each after the one before had gone silent",
-        )
+        kind = "crash loop" if len(chain) >= LOOP else "restart"
+        said = f"{host}: processes began at {times}, each after the one before had gone silent"
+        yield Finding(kind, (host,), said)
 
 
 def ended(evidence: Evidence) -> Iterator[Finding]:
@@ -40,11 +38,8 @@ def ended(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not obs.is_server[dead].any():
-                yield Finding(
-                    "crash",
-                    (host,),
-                    f"{host}: last heard after {when:.1f} s, of a capture of {obs.duration:.1f} s",
-                )
+                of = f"of a capture of {obs.quality.duration:.1f} s"
+                yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
@@ -52,12 +47,9 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restarts.values() for process in chain[1:]}
     for scope in evidence.scopes:
-        members = [
-            member
-            for member in set(scope.members) - again - evidence.began_late
-            if np.isfinite(lifetimes[member].first)
-        ]
-        members.sort(key=lambda member: (lifetimes[member].first, member))
+        members = sorted(set(scope.members) - again - evidence.began_late)
+        members = [member for member in members if np.isfinite(lifetimes[member].first)]
+        members.sort(key=lambda member: lifetimes[member].first)
         hosts = obs.by_host(members)
         starts = [lifetimes[processes[0]].first for processes in hosts.values()]
         gaps = np.diff(starts, prepend=starts[:1])
@@ -95,9 +87,6 @@ def forgotten(evidence: Evidence) -> Iterator[Finding]:
         return
     hosts = tuple(host for host, found in times.items() if len(found) == most)
     when = max((times_apart(times[host]) for host in hosts), key=len)
-    yield Finding(
-        "leases expire" if len(when) >= AGAIN else "forgotten",
-        hosts,
-        f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
-        "hosts that had known it before",
-    )
+    kind = "leases expire" if len(when) >= AGAIN else "forgotten"
+    said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
+    yield Finding(kind, hosts, f"{said}hosts that had known it before")

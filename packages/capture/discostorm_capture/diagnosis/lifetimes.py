@@ -9,8 +9,8 @@ import numpy as np
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.scopes import CLIENT
 
-#: A process is silent after so many of its own longest pauses, and for this long [s]: of RTPS,
-#: which repeats announcements, and of Zenoh, whose sessions end with TCP's connections.
+#: A process is silent after so many of its own longest pauses, and for this long [s]: RTPS repeats
+#: announcements, and sessions of Zenoh end with TCP's connections.
 SILENCE_FACTOR, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
 #: A process that sent so many messages without a pause of a second has stopped after this time [s].
 MIN_MESSAGES, STOPPED = 10, 4.0
@@ -35,8 +35,7 @@ class Lifetime:
 def lifetimes(obs: Observations) -> list[Lifetime]:
     """Return the lifetime of each process."""
     closed = _closed(obs)
-    # Processes that call a server on their own host alone announce nothing that crosses the
-    # network; what else they send may end at any time.
+    # Who calls a server on the same host alone announces nothing here, and may end at any time.
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT))
     found = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
@@ -65,10 +64,7 @@ def _others_speak(obs: Observations, process: int, since: float) -> bool:
 
 
 def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
-    """Return when and how processes end: by a goodbye, or as their kernel closes a connection.
-
-    The first one to close a connection ends, unless its host calls others afterwards.
-    """
+    """Return when and how processes end: by a goodbye, or as their kernel closes a connection."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
     calls = obs.events(*CALLS)
@@ -77,6 +73,7 @@ def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
     for rows in obs.groups(closing, *ends).values():
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
+        # The first one to close a connection ends, unless its host calls others afterwards.
         restarted = (obs.process_host == host) & (obs.first_last[0] > when)
         called = (calls["sender"] == host) & (calls["time"] > when)
         if (restarted.any() or not called.any()) and _others_speak(obs, process, when):

@@ -18,11 +18,9 @@ from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")
-#: Fast DDS announces itself each 100 ms at first; sooner after the time before only if it found
-#: another process (until 2.14.5; data/vendors/middleware_defaults.csv, initial_period) [s].
-SOONER = 0.05
-#: So often it does by itself in its first seconds [1], [s].
-INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 6, 1.5
+#: Fast DDS announces itself each 100 ms at first, so often in its first seconds [1], [s]; sooner
+#: only if it found another process [s] (until 2.14.5; middleware_defaults.csv, initial_period).
+SOONER, INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 0.05, 6, 1.5
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
 
@@ -83,12 +81,8 @@ def _alone(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> It
     first, last = obs.host_first_last[host]
     if last - first >= PATIENCE:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        yield Finding(
-            "alone",
-            (host,),
-            f"{host} announced itself {count} times in {last - first:.1f} s, and nothing came "
-            "from another host",
-        )
+        said = f"{host} announced itself {count} times in {last - first:.1f} s"
+        yield Finding("alone", (host,), f"{said}, and nothing came from another host")
 
 
 def _no_host_hears(
@@ -101,15 +95,10 @@ def _no_host_hears(
     subnets = _subnets(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
-        outside = tuple(
-            host for host, one in zip(hosts, subnets, strict=True) if one != largest or size == 1
-        )
-        yield Finding(
-            "other subnet",
-            outside,
-            f"{listed(hosts)} announce themselves from different networks, and none was answered "
-            "from another one",
-        )
+        pairs = zip(hosts, subnets, strict=True)
+        outside = tuple(host for host, one in pairs if one != largest or size == 1)
+        where = "from different networks, and none was answered from another one"
+        yield Finding("other subnet", outside, f"{listed(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
             return  # which explains it
     links = pairs_of(obs.messages)
@@ -127,7 +116,7 @@ def _no_host_hears(
         said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
         said += f"does when it has found another process ({processes} processes); what they said "
         said += "to each other then was not captured"
-    elif not any(obs.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
+    elif not any(obs.quality.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
         kind = "nobody hears, or filter"
         said += ", and no answer was captured, nor anything else at all"
     else:
@@ -156,9 +145,9 @@ def _found_others(obs: Observations, scope: DiscoveryScope) -> int:
     for member in scope.members:
         times = obs.time[announced & (obs.sender_index == member)]
         initial = times[times < times[:1].sum() + INITIAL_TIME]
-        # It finds those of its own host in any case.
-        local = int((obs.process_host == obs.process_host[member]).sum()) - 1
         if obs.processes["product"].iloc[member] == "Fast DDS":
+            # It finds those of its own host in any case.
+            local = int((obs.process_host == obs.process_host[member]).sum()) - 1
             more = len(initial) > INITIAL_ANNOUNCEMENTS + local
             count += more and bool(np.diff(initial).min() < SOONER)
     return count
@@ -169,12 +158,9 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     hosts, observable = np.array(found.hosts, object), found.observable
     deaf = observable & ~found.hears
     if (outside := _outside(found)).any():
-        yield Finding(
-            "other subnet",
-            tuple(hosts[outside]),
-            f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and only "
-            "hosts with addresses of one network answer each other",
-        )
+        said = f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and "
+        said += "only hosts with addresses of one network answer each other"
+        yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside
     several = observable.sum(axis=1) > 1
     hears_none, unheard = (
@@ -194,14 +180,10 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
         yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
-        answered = listed(hosts[found.multicast_ok[index]])
-        yield Finding(
-            "one direction",
-            (hosts[index],),
-            f"{hosts[index]} answers {answered}, and none of them ever answered it"
-            if answered
-            else f"none ever answered {hosts[index]}",
-        )
+        said = f"none ever answered {hosts[index]}"
+        if answered := listed(hosts[found.multicast_ok[index]]):
+            said = f"{hosts[index]} answers {answered}, and none of them ever answered it"
+        yield Finding("one direction", (hosts[index],), said)
         deaf[:, index] = False
     yield from _single_pairs(found, deaf, "never answered")
 
@@ -235,17 +217,15 @@ def _outside(found: Reachability) -> Array:
 def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear announcements, and no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
-    if not apart.any() or obs.duration < PATIENCE:
+    if not apart.any() or obs.quality.duration < PATIENCE:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
         good = found.unicast_ok & found.observable
         if not good[np.ix_(kept, kept)].any():
-            said = (
-                f"{listed(hosts[kept])} answer each other's announcements, but none of the unicast "
-                "between them is ever confirmed "
-                f"({words.count_noun(int(apart.sum()) // 2, 'pair')})"
-            )
+            pairs = words.count_noun(int(apart.sum()) // 2, "pair")
+            said = f"{listed(hosts[kept])} answer each other's announcements, but none of the "
+            said += f"unicast between them is ever confirmed ({pairs})"
             served = listed(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 said += f", while {served} exchanges unicast with all of them"

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Set
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from discostorm_capture._bytes import Array
+from discostorm_capture.tables import Quality
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,78 +20,42 @@ DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
-@dataclass(frozen=True)
 class Observations:
-    """The messages between hosts in a capture, once each, and what else it shows.
+    """The messages between hosts, once each, and more, in order and without steps of the clock."""
 
-    Tables have the columns of `Capture`, times without steps of the clock, and are in their order.
-    Arrays have a value per message unless they say otherwise.
-    """
-
-    messages: pd.DataFrame
-    processes: pd.DataFrame
-    network_events: pd.DataFrame
-    endpoints: pd.DataFrame
-    #: From the first packet to the last [s].
-    duration: float
-    #: The host whose unicast alone was captured, if there is one.
-    vantage_host: str | None
-    #: Hosts that run nothing but servers.
-    server_hosts: frozenset[str]
-    #: Packets without a message, by type: "ARP", "TCP", "UDP", "other".
-    other_packets: dict[str, int]
-    #: The packets at which the clock was set, and by how much [s].
-    clock_steps: tuple[tuple[int, float], ...]
-    #: What the capture itself says that it lacks, in words.
-    capture_gaps: tuple[str, ...]
-    #: The share of packets that were cut [1].
-    truncated: float
-    #: How many hosts are expected, or their addresses; None if that is not known.
-    expected: int | tuple[str, ...] | None = None
+    def __init__(
+        self,
+        messages: pd.DataFrame,
+        processes: pd.DataFrame,
+        network_events: pd.DataFrame,
+        server_hosts: frozenset[str],
+        quality: Quality,
+        endpoints: pd.DataFrame,
+        expected: int | tuple[str, ...] | None,
+    ) -> None:
+        self.messages, self.processes, self.network_events = messages, processes, network_events
+        #: How many hosts are expected, or their addresses; None if that is not known.
+        self.endpoints, self.expected = endpoints, expected
+        #: Hosts that run nothing but servers.
+        self.server_hosts, self.quality = server_hosts, quality
+        #: The host whose unicast alone was captured, if any; those that only look for others count.
+        hosts = set(messages["sender"].astype(str).unique())
+        self.vantage_host = vantage_host(messages, hosts, server_hosts)
+        #: When each message was captured [s], the sequence number that it is about, and the index
+        #: of its sender and receiver among the processes, -1 if it does not say.
+        self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
+        self.sender_index = self.index("process", processes.index)
+        self.receiver_index = self.index("peer", processes.index)
+        #: When the last message was captured [s].
+        self.end = float(self.time.max(initial=0.0))
+        #: The address of each process; whether it is a server or router, and speaks RTPS.
+        self.process_host = processes["host"].to_numpy(object)
+        self.is_server = processes["server"].to_numpy(bool)
+        self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
 
     def __getitem__(self, column: str) -> Array:
         """Return a column of the messages."""
         return self.messages[column].to_numpy()
-
-    @cached_property
-    def time(self) -> Array:
-        """When each message was captured [s]."""
-        return self["time"].astype(np.float64)
-
-    @cached_property
-    def number(self) -> Array:
-        """The sequence number that each message is about."""
-        return self["number"].astype(np.int64)
-
-    @cached_property
-    def end(self) -> float:
-        """When the last message was captured [s]."""
-        return float(self.time.max(initial=0.0))
-
-    @cached_property
-    def sender_index(self) -> Array:
-        """The index of each sender among the processes, -1 if the message does not say."""
-        return self.index("process", self.processes.index)
-
-    @cached_property
-    def receiver_index(self) -> Array:
-        """The index of each receiver among the processes, -1 if the message does not say."""
-        return self.index("peer", self.processes.index)
-
-    @cached_property
-    def process_host(self) -> Array:
-        """The address of each process."""
-        return self.processes["host"].to_numpy(object)
-
-    @cached_property
-    def is_server(self) -> Array:
-        """Whether each process is a server or router."""
-        return self.processes["server"].to_numpy(bool)
-
-    @cached_property
-    def is_rtps(self) -> Array:
-        """Whether each process speaks RTPS."""
-        return (self.processes["protocol"] == "RTPS").to_numpy()
 
     def index(self, column: str, values: Any) -> Array:
         """Return the index of each message's value among `values`, -1 if it is none of them."""
@@ -175,27 +139,19 @@ def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
     return set(ends.itertuples(index=False, name=None))
 
 
-def vantage_host(messages: pd.DataFrame, server_hosts: frozenset[str]) -> str | None:
-    """Return the host whose unicast alone was captured, if there are at least three hosts.
-
-    As `Capture.view`; hosts that only look for others count, too.
-    """
-    hosts = set(messages["sender"].astype(str).unique())
+def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
+    """Return the host whose unicast alone was captured, if there are at least three hosts."""
     pairs = pairs_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
+    # All is from and to a server in any case.
     common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
 
 
-def without_clock_steps(
-    times: Array, frames: Array, steps: Sequence[tuple[int, float]], start: float
-) -> Array:
-    """Return times since the first packet, as if the clock had not been set; a step takes no time.
-
-    The clock read `start` [s] when the first packet came.
-    """
-    first_frames, seconds = np.array(steps, float).reshape(-1, 2).T
+def without_clock_steps(table: pd.DataFrame, quality: Quality) -> pd.DataFrame:
+    """Return a table with times since the first packet, as if no clock had been set."""
+    first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
-    elapsed: Array = times - start - before[np.searchsorted(first_frames, frames, side="right")]
-    return elapsed
+    step = before[np.searchsorted(first_frames, table["frame"], side="right")]
+    return table.assign(time=table["time"] - quality.first - step)

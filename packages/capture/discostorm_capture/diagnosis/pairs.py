@@ -29,11 +29,9 @@ class Pair:
     #: Indices of the processes.
     subject: int
     observer: int
-    #: When the observer first spoke to the subject, which it can only if it heard of it [s];
-    #: infinite if never.
+    #: When the observer first spoke to the subject, of which it then had heard [s], or infinite.
     first_contact: float
-    #: When the observer had been told all endpoints of the subject [s]: infinite if it never
-    #: confirmed that, NaN if the capture does not show it.
+    #: When the observer knew all endpoints of the subject [s]: infinite if never, NaN if unseen.
     complete: float
     #: How many endpoints the subject announced to it.
     sent: int

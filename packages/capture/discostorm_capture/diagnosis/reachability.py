@@ -14,8 +14,7 @@ from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients, scoutin
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 PATIENCE = 4.0
-#: A host that is silent for this long is taken to be there all the same: announcements are rare
-#: [s].
+#: A host that is silent for this long may be there: announcements are rare [s].
 RARE = 10.0
 
 
@@ -49,10 +48,7 @@ class Reachability:
 def reachability(
     obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
 ) -> Reachability:
-    """Return which host of a scope hears which.
-
-    `missing` are hosts some of whose messages the capture lacks, each with the host they are for.
-    """
+    """Return which host of a scope hears which, but for ends of messages the capture lacks."""
     hosts = _announcing(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
     found = Reachability(
@@ -94,9 +90,9 @@ def _set(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
 
 def _fill_rtps(obs: Observations, found: Reachability) -> None:
     sender, receiver = (obs.index(end, found.hosts) for end in ("sender", "receiver"))
-    place = {address: index for index, address in enumerate(found.hosts)}
+    index = {address: index for index, address in enumerate(found.hosts)}
     # The last one is for messages that do not name a process.
-    host = np.array([*(place.get(address, -1) for address in obs.process_host), -1])
+    host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     _set(found.multicast_ok, by, of, directed)
@@ -107,8 +103,7 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
     confirms = obs.isin("kind", KEYS, ENCRYPTED)
     confirms |= obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
     _set(found.unicast_ok, by, of, directed & confirms)
-    # A handshake is confirmed by its next step alone, which may fail for other reasons. A
-    # Heartbeat that tells of nothing is answered by nothing that tells it was heard.
+    # A handshake may fail for other reasons, and no answer tells that an empty Heartbeat was heard.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
     _set(found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.number > 0))
     # With DDS Security nothing is confirmed to a host that has none.

@@ -72,14 +72,11 @@ class Diagnosis:
     Parameters
     ----------
     findings : tuple of Finding
-        What is wrong with the fleet, most telling first; then what happened; then what the capture
-        cannot show.
+        What is wrong with the fleet, most telling first; what happened; limits of the capture.
     complete : bool or None
-        Whether all processes that ought to know each other do, for as long as they were there
-        together; None if the capture does not show it.
+        Whether all processes that ought to know each other do; None if the capture is silent on it.
     over : bool or None
-        Whether no endpoints were announced any more when the capture ended; None if it shows no
-        discovery.
+        Whether announcements had ended when the capture did; None if it shows no discovery.
     complete_at : float
         When the last pair completed, since the earliest packet and without steps of the clock [s];
         infinite if one never did, NaN if that is not known.
@@ -118,10 +115,9 @@ class Diagnosis:
         -------
         pandas.DataFrame
             By ``host``, its address: ``products``; ``processes`` and ``endpoints`` [1];
-            ``announced_s``, when it was heard first, ``knows_all_s``, when its processes had been
-            told all that they ought to know of others, and ``known_s``, when all others had been
-            told of it [s], infinite if never, NaN if not known; ``sent`` and ``received``
-            messages [1] and their ``sent_bytes`` and ``received_bytes`` [B].
+            ``announced_s``, when it was heard first, ``knows_all_s``, when it knew all others,
+            and ``known_s``, when all others knew it [s], infinite if never, NaN if not known;
+            ``sent`` and ``received`` messages [1]; ``sent_bytes`` and ``received_bytes`` [B].
         """
         return self._hosts.copy()
 
@@ -132,32 +128,28 @@ class Diagnosis:
         -------
         pandas.DataFrame
             A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to
-            be known, ``of_process`` and ``by_process``; ``heard_s``, when the one first spoke to
-            the other [s], infinite if never, and how many endpoints were ``sent`` to it [1].
+            be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to
+            the former [s], infinite if never; and the endpoints ``sent`` to it [1].
         """
         return tables.incomplete(self._evidence)
 
     def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
-        """Return who sent what when, until a little after the startup.
-
-        It ends when 1.25 times `complete_at` have passed, and 2 s at least; with the capture if
-        that is not finite.
+        """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
 
         Parameters
         ----------
         most : int
-            The rows that it may have [1]. If there are more, messages are put together in steps of
-            time, as short as that allows, and their receivers are left out.
+            The rows that it may have [1]: if there are more, it has steps of time, as short as
+            that allows, and no receivers.
 
         Returns
         -------
         pandas.DataFrame
             A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
-            was captured [s]; ``host``, who sent them; ``receiver``, an address, and whether it is
-            ``multicast``, None in steps; ``ends``, whether they take back an announcement or
-            end a connection; ``messages`` [1] and ``bytes`` [B]. In its ``attrs``: ``until_s``,
-            when it ends, ``step_s``, the step [s], 0 if there is none, and ``left_out``, how many
-            messages it leaves out [1], as even the hosts and kinds were too many.
+            was captured [s]; ``host``, who sent them; ``receiver`` and ``multicast``, None in
+            steps; ``ends``, whether they are of a shutdown; ``messages`` [1] and ``bytes`` [B]. In
+            its ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without [s], and
+            ``left_out``, the messages for which there were too many hosts and kinds [1].
         """
         _checks.integer("most", most, 1)
         return tables.timeline(self._evidence, self.complete_at, most)
@@ -262,7 +254,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     same = {host for one in causes if one.kind in SAME for host in one.hosts}
     causes = [one for one in causes if one.kind in SAME or not same or {*one.hosts} - same]
     losses = list(traffic.loss(evidence))
-    if obs.truncated > MAX_TRUNCATED:
+    if obs.quality.truncated > MAX_TRUNCATED:
         causes, losses = list(network.two_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
@@ -279,7 +271,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     limits += qos.unknown_qos(evidence)
     times = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
     announced = obs.time[obs.isin("kind", *ANNOUNCING)]
-    over = obs.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
+    over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
         findings=(*wrong, *(one for one in events if one.about == "event"), *limits),
         complete=_complete(evidence, times, bool(wrong), {one.kind for one in limits}),
@@ -307,25 +299,21 @@ def _complete(evidence: Evidence, times: list[float], wrong: bool, limits: set[s
 def not_authenticated(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
     obs = evidence.obs
-    pairs = [one for one in evidence.incomplete if {one.subject, one.observer} & obs.secured]
-    ends = [obs.hosts_of(sorted((pair.subject, pair.observer))) for pair in pairs]
+    pairs = [(one.subject, one.observer) for one in evidence.incomplete]
+    pairs = [pair for pair in pairs if {*pair} & obs.secured]
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        yield Finding(
-            "not authenticated",
-            obs.hosts_of(one for pair in pairs for one in (pair.subject, pair.observer)),
-            f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never sent "
-            f"the other its keys: {listed([*dict.fromkeys(' with '.join(two) for two in ends)])}",
-        )
+        said = f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never "
+        said += f"sent the other its keys: {listed([*ends])}"
+        hosts = obs.hosts_of(process for pair in pairs for process in pair)
+        yield Finding("not authenticated", hosts, said)
 
 
 def incomplete(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs that did not complete, where nothing at all explains it."""
     obs, pairs = evidence.obs, evidence.incomplete
-    ends = [obs.hosts_of((pair.observer, pair.subject)) for pair in pairs]
+    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        yield Finding(
-            "incomplete",
-            obs.hosts_of(pair.observer for pair in pairs),
-            f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed: "
-            f"{listed([*dict.fromkeys(' of '.join(two) for two in ends)])}",
-        )
+        said = f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed"
+        hosts = obs.hosts_of(pair.observer for pair in pairs)
+        yield Finding("incomplete", hosts, f"{said}: {listed([*ends])}")

@@ -25,9 +25,8 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     import pandas as pd
 
     obs = evidence.obs
-    first = pd.Series(
-        {host: first for host, (first, _) in obs.host_first_last.items()}, dtype=float
-    )
+    times = {host: first for host, (first, _) in obs.host_first_last.items()}
+    first = pd.Series(times, dtype=float)
     by_host = obs.processes.assign(first=obs.first_last[0]).groupby("host", sort=False)
     table = by_host.agg(
         products=("product", lambda products: ", ".join(dict.fromkeys(products))),
@@ -39,10 +38,8 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
     idle = [host for host in first.index if host in looking and host not in table.index]
     table = table.reindex([*table.index, *idle]).rename_axis("host")
-    counts = ["processes", "endpoints"]
-    table = table.fillna({"products": ""} | dict.fromkeys(counts, 0)).astype(
-        dict.fromkeys(counts, int)
-    )
+    table = table.fillna({"products": "", "processes": 0, "endpoints": 0})
+    table = table.astype({"processes": int, "endpoints": int})
     table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
     complete = [pair.complete for pair in evidence.all_pairs]
     for column, end in (("knows_all_s", "observer"), ("known_s", "subject")):
@@ -63,11 +60,9 @@ def incomplete(evidence: Evidence) -> pd.DataFrame:
 
     host, name = evidence.obs.process_host, evidence.obs.processes.index
     rows = [
-        (
-            *(host[pair.subject], host[pair.observer], name[pair.subject], name[pair.observer]),
-            *(pair.first_contact, pair.sent),
-        )
+        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.sent)
         for pair in evidence.incomplete
+        for ends in [(pair.subject, pair.observer)]
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
 

@@ -13,13 +13,12 @@ from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.scopes import clients
 
-#: Thresholds for loss: the fewest frames that count, their share, and the share of heavy loss [1].
-#: Samples are lost if asked for again, segments if sent again; of samples fewer are noticed. The
-#: lab's healthy runs had at most 1 sample and 2 segments, those with 5 % of loss less than the
-#: heavy shares.
+#: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
+#: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
+#: 5 % of loss less than the heavy shares.
 SAMPLES, SEGMENTS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 #: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
-#: when it has most to do. Segments do not count that soon: TCP repeats them at once.
+#: in which segments do not count: TCP repeats them at once.
 READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.25
 #: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
 #: third [1], of a capture of at least so long [s].
@@ -37,8 +36,7 @@ PORT = 7447
 def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int]]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
-    A sample is lost if the capture shows it, and the process that it was for asks for it later.
-    What was sent before that process spoke is left out, and so is what it may not have read yet.
+    A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
     sender, receiver, frame = obs.sender_index, obs.receiver_index, obs["frame"]
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
@@ -79,9 +77,8 @@ def _lost_frames(obs: Observations, sent: Array, lacks: Array, startup: float) -
 
     # By number and time, as one key: of each number the last one before it was asked for.
     key = obs.end + 1.0
-    asked = np.searchsorted(
-        number * key + time, obs.number[lacks] * key + obs.time[lacks], side="right"
-    )
+    lacking = obs.number[lacks] * key + obs.time[lacks]
+    asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.number[lacks])
     later &= obs.time[lacks] - time[last] > _reading(obs.time[lacks], startup)
@@ -108,14 +105,11 @@ def loss(evidence: Evidence) -> Iterator[Finding]:
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    low, high = _interval(again, sent)
-    yield Finding(
-        "heavy loss" if heavy else "loss",
-        (),
-        f"{again} of {sent} frames with samples or segments that the capture shows were asked for "
-        f"or sent again, so about {words.percent(again / sent)} were lost ({words.percent(low)} to "
-        f"{words.percent(high)} with 95% confidence), or the answers to them",
-    )
+    share, low, high = (words.percent(one) for one in (again / sent, *_interval(again, sent)))
+    said = f"{again} of {sent} frames with samples or segments that the capture shows were asked "
+    said += f"for or sent again, so about {share} were lost ({low} to {high} with 95% confidence), "
+    said += "or the answers to them"
+    yield Finding("heavy loss" if heavy else "loss", (), said)
 
 
 def _interval(count: int, total: int) -> tuple[float, float]:
@@ -139,12 +133,8 @@ def storm(evidence: Evidence) -> Iterator[Finding]:
     if len(np.unique(last.astype(np.int64))) < STILL * third:
         return
     first = times[times <= times[0] + third]
-    yield Finding(
-        "storm",
-        (),
-        f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} in "
-        f"the first {third:.0f} s",
-    )
+    said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
+    yield Finding("storm", (), f"{said}in the first {third:.0f} s")
 
 
 def flood(evidence: Evidence) -> Iterator[Finding]:
@@ -198,8 +188,8 @@ def _discovery_servers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
         if count < MESSAGES or end - obs.time[later].min() < WAIT:
             continue
         asking = words.count_noun(obs.messages["sender"][later].nunique(), "host")
-        said = [f"{asking} sent it {count} messages without answer"]
-        said.append("it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s")
+        spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
+        said = [f"{asking} sent it {count} messages without answer", spoke]
         if refused := int((obs.events("unreachable")["receiver"] == host).sum()):
             said.append(f"{refused} times its host said that no process has the port (ICMP)")
         yield host, said

@@ -25,10 +25,7 @@ def sent_ratio(product: str, message: str, other: str, other_message: str) -> fl
 
 
 def matching_ratio(product: str) -> float:
-    """Return how many times the messages a start has if names match instead of being unique.
-
-    The median over the swarms that were captured both ways.
-    """
+    """Return a start's messages with matching names to those with unique ones, in the median."""
     sent = {point.name: _startup(point)[0] for point in lab_counts.points(product)}
     swarms = [name[:-1] for name in sent if name[-1] == "m" and f"{name[:-1]}u" in sent]
     return median(sent[f"{swarm}m"] / sent[f"{swarm}u"] for swarm in swarms)
@@ -47,6 +44,12 @@ def messages_per_frame(product: str) -> float:
     """Return how many messages share a frame at the start: the median swarm."""
     starts = map(_startup, lab_counts.points(product))
     return median(messages / frames for messages, frames in starts)
+
+
+def captured_payload_spread(product: str, message: str) -> float:
+    """Return half the range of the mean payload of the swarms, relative to the median swarm."""
+    sizes = lab_counts.payloads(product, message)
+    return (max(sizes) - min(sizes)) / 2 / median(sizes)
 
 
 def sessions_per_pair(product: str) -> float:

@@ -16,9 +16,7 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
-
-#: Efforts of remedies that need neither new programs nor other software.
-_CONFIGURATION = {"setting", "file"}
+from discostorm_book.ladder import TABLES
 
 
 def default(product: str | Protocol, name: str) -> float:
@@ -27,48 +25,43 @@ def default(product: str | Protocol, name: str) -> float:
 
 
 def payloads_measured(protocol: Protocol) -> float:
-    """Return which part of the messages had, in captures, a payload in the paper's range.
-
-    Of at least one product that speaks the protocol, the median of all points of the lab.
-    """
-    products = [
-        name
-        for name, table in PROTOCOLS.items()
-        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name
+    """Return the part of messages with a median payload in the paper's range, in some product."""
+    products = [n for n in MEASURED if n in PROTOCOLS and PROTOCOLS[n].family == protocol.name]
+    right = [
+        any(
+            each.payload.low <= median(sizes) <= each.payload.high
+            for product in products
+            if (sizes := lab_counts.payloads(product, each.name))
+        )
+        for each in protocol.messages
     ]
-
-    def within(name: str, low: float, high: float) -> bool:
-        sizes = (lab_counts.payloads(product, name) for product in products)
-        return any(low <= median(each) <= high for each in sizes if each)
-
-    messages = protocol.messages
-    right = [within(each.name, each.payload.low, each.payload.high) for each in messages]
     return sum(right) / len(right)
 
 
-def start_saved(configuration: str, hosts: float) -> float:
-    """Return which part of the start's airtime a configuration saves, with any names the least.
-
-    Relative to the product without it, as both tables were measured, on the paper's channel, for
-    hosts of 2 processes with 10 endpoints, of which none or all match.
-    """
+def start_ratio(configuration: str, hosts: float, processes: float) -> float:
+    """Return the start's airtime to that without a configuration, with any names the most."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
-    saved = []
+    ratios = []
     for matching in (0.0, 1.0):
-        fleet = Fleet((HostGroup(hosts, 2, 10),), matching)
+        fleet = Fleet((HostGroup(hosts, processes, 10),), matching)
         with_it, without = (
             sum(costs["uplink_s"] + costs["downlink_s"] for costs in message_costs(table, fleet))
             for table in (PROTOCOLS[configuration], PROTOCOLS[instead_of])
         )
-        saved.append(1 - float(with_it) / float(without))
-    return min(saved)
+        ratios.append(float(with_it) / float(without))
+    return max(ratios)
+
+
+def least_saved(configuration: str, first: int, last: int, processes: float) -> float:
+    """Return the least part of the start's airtime saved in fleets of first to last hosts."""
+    return 1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
 
 
 def remedies_by_configuration() -> float:
     """Return which part of the planner's remedies is a setting or a file of configuration."""
     efforts = [row["effort"] for row in read_data("vendors/remedies.csv") if row["effort"]]
-    return sum(effort in _CONFIGURATION for effort in efforts) / len(efforts)
+    return sum(effort in ("setting", "file") for effort in efforts) / len(efforts)
 
 
 def runs_found(configuration: str, event: str) -> float:
@@ -158,6 +151,16 @@ def runs_converged(hosts: float) -> float:
     return min(
         int(row["converged"]) / int(row["runs"]) for row in rows if "periods" in row["protocol"]
     )
+
+
+def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
+    """Return the hosts that random delays are sure to add, within a lease and full queues."""
+    limit = PROTOCOLS[TABLES[protocol.name][1]].lease
+    (late,), (at_once,) = (
+        _simulated("ladder", protocol=protocol.name, step=step, mpdus=mpdus, limit_s=limit)
+        for step in ("staggered", "queues")
+    )
+    return int(late["hosts_low"]) - int(at_once["hosts_high"])
 
 
 def enumerated_down_for_up(protocol: Protocol, phase: str, *swarm: int) -> float:

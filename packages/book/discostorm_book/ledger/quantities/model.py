@@ -54,11 +54,6 @@ def host_load_degree(protocol: Protocol, variable: str, *names: str) -> int:
     return int(sp.degree(host_load(protocol, *names), nt.NOTATION[variable].symbol))
 
 
-def load_difference(protocol: Protocol, name: str, other: Protocol, other_name: str) -> sp.Expr:
-    """Return how many more messages one protocol sends than another."""
-    return sp.simplify(load(protocol, name) - load(other, other_name))
-
-
 def control_saved() -> sp.Expr:
     """Return the part of DDS's control messages that Zenoh does without."""
     return 1 - sp.simplify(load(ZENOH, "control") / load(DDS, "control"))
@@ -100,11 +95,6 @@ def share(protocol: Protocol, name: str, *swarm: float) -> float:
 def share_of_phase(protocol: Protocol, name: str, phase: str, *swarm: float) -> float:
     """Return the share of a phase's airtime that a message takes."""
     return airtime(protocol, name, *swarm) / airtime(protocol, phase, *swarm)
-
-
-def control_share(protocol: Protocol, *swarm: float) -> float:
-    """Return the share of all airtime that the control messages take."""
-    return share(protocol, "control", *swarm)
 
 
 def overhead_share(protocol: Protocol, *swarm: float) -> float:

@@ -1,0 +1,255 @@
+"""Measure releases of the middleware, one run at a time (see README.md).
+
+    run_releases.py [--grid GRID] [--out FOLDER] [--captures FOLDER] [--only RELEASE] [--once]
+
+Each run is counted as soon as it has ended, and stored in FOLDER, `lab/data/releases`: what was run
+in `runs.csv`, what was counted in `counts.csv`. A run that is there is not run again, unless it is
+marked: its cores were not idle, or its processes began late. Those are repeated at the end, twice.
+"""
+
+import argparse
+import csv
+import gzip
+import json
+import os
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from count_messages import DIGITS, HOPS, counted, described
+from run_grid import BUILD, GRIDS, LAB, SPDP_ONLY, finish, remove, run, start
+
+ROOTS = BUILD / "releases"
+TABLE = LAB / "releases" / "releases.csv"
+#: What tells a run from all others.
+KEY = ("release", "hosts", "processes", "endpoints", "names", "types", "server", "number")
+RUNS = (
+    *("run", *KEY[:-1], "use", "number", "seconds", "wire", "matched", "expected", "last_match_s"),
+    *("start_skew_s", "endpoints_created_s", "others", "idle", "again"),
+    *("kernel", "command", "environment", "sha256"),
+)
+TAIL = 1.0  # s that tcpdump runs on
+#: Share of the processors that others than the lab may take in the window.
+OTHERS = 0.1
+#: Of the window, the share that the processes leave: with less they wait for each other's turn.
+IDLE = 0.3
+LATE = 0.1  # s after the start at which the last process may begin
+PASSES = 3
+#: A host of its own, wired to the access point, as in `run_grid.py`.
+SERVER_HOST = 101
+#: Vendors of RTPS, as each header names them.
+VENDORS = {b"\x01\x0f": "eProsima", b"\x01\x10": "Eclipse Cyclone DDS"}
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    """Return the rows of a table, none if it is not there."""
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def store(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> None:
+    """Write a table at once, so that an end before time leaves it whole."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    new = path.with_suffix(".new")
+    with new.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n", extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(rows)
+    new.replace(path)
+
+
+def key(row: dict[str, Any]) -> tuple[str, ...]:
+    """Return what tells a run from all others."""
+    return tuple(str(row[column]) for column in KEY)
+
+
+def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
+    """All runs of releases that have a root, the first of every point before the second of any."""
+    releases = {f"{row['product']}-{row['version']}": row for row in table(TABLE)}
+    found = []
+    for number in range(1, max((int(point["runs"]) for point in points), default=0) + 1):
+        for point in points:
+            if number > int(point["runs"]) or point["release"] not in roots:
+                continue
+            release, root = releases[point["release"]], roots[point["release"]]
+            hosts, server, env = int(point["hosts"]), point["server"], {}
+            served: list[tuple[int, list[str]]] = []
+            if release["rmw"]:
+                env["RMW"] = release["rmw"]
+            if release["product"] == "cyclone_dds":
+                env["CYCLONEDDS_URI"] = SPDP_ONLY  # what it chooses by itself on Wi-Fi
+            if server == "server":
+                at = f"10.77.0.{SERVER_HOST}"
+                env["ROS_DISCOVERY_SERVER"] = f"{at}:11811"
+                served = [(SERVER_HOST, [*root["server"], "-i", "0", "-l", at, "-p", "11811"])]
+            elif server == "router_per_host":
+                words = root["server"]
+                served = [
+                    (host, [word.replace("HOST", str(host)) for word in words])
+                    for host in range(1, hosts + 1)
+                ]
+            shape = f"h{hosts}p{point['processes']}e{point['endpoints']}"
+            named = (point["release"].replace(".", "_"), server, shape, point["names"])
+            seconds = float(point["seconds"])
+            found.append(
+                {
+                    "name": "-".join(
+                        part for part in (*named, point["types"], f"r{number}") if part
+                    ),
+                    "release": point["release"],
+                    "product": release["product"],
+                    "version": release["version"],
+                    "kernel": os.uname().release,
+                    "command": root["command"],
+                    "env": env,
+                    "servers": served,
+                    "hosts": hosts,
+                    "processes": int(point["processes"]),
+                    "endpoints": int(point["endpoints"]),
+                    "names": point["names"],
+                    "types": point["types"],
+                    "server": server,
+                    # What Zenoh's program is told is how it is linked; its types have no say.
+                    "variant": server if release["product"] == "zenoh" else point["types"],
+                    "use": point["use"],
+                    "run": number,
+                    "number": number,
+                    "seconds": seconds,
+                    "tail": TAIL,
+                    "windows": {"startup": [-10.0, seconds]},
+                    "idle_needed": 0.0,
+                }
+            )
+    return found
+
+
+def wire(octets: bytes) -> str:
+    """Return what packets say of the version: of RTPS, of the vendor, and of the product."""
+    headers = Counter(re.findall(rb"RTPS([\x01\x02].)(\x01[\x00-\x7f])", octets, re.DOTALL))
+    if not headers:
+        return ""
+    (protocol, vendor), _ = headers.most_common(1)[0]
+    said = [f"RTPS {protocol[0]}.{protocol[1]}", VENDORS.get(vendor, vendor.hex(".")) or ""]
+    # eProsima's parameter 0x8000, four octets; in Cyclone DDS a text with the version in it.
+    product = Counter(re.findall(rb"\x00\x80\x04\x00([\x01-\x09].{2}\x00)", octets, re.DOTALL))
+    named = Counter(re.findall(rb"/(\d+\.\d+\.\d+)/Linux", octets))
+    if vendor == b"\x01\x0f" and product:
+        said.append(".".join(str(octet) for octet in product.most_common(1)[0][0][:3]))
+    elif named:
+        said.append(named.most_common(1)[0][0].decode())
+    return ", ".join(said)
+
+
+def matches(out: Path) -> dict[str, Any]:
+    """Return what the processes of a run say of their matches, and remove their logs."""
+    logs = sorted(out.parent.glob(f"{out.name}.*.log"))
+    said = re.findall(r"^matched (\d+) (\d+) ([\d.]+)$", "".join(map(Path.read_text, logs)), re.M)
+    for log in logs:
+        log.unlink()
+    if not said:
+        return {"matched": "", "last_match_s": ""}
+    last = max(float(at) for *_, at in said)
+    total = sum(int(writers) + int(readers) for writers, readers, _ in said)
+    return {"matched": total, "last_match_s": f"{last:.3f}"}
+
+
+def expected(told: dict[str, Any]) -> int:
+    """Return how many matches there are if everybody is matched with everybody of its topic."""
+    everyone = told["hosts"] * told["processes"]
+    return everyone**2 * told["endpoints"] if told["names"] == "matching" else 0
+
+
+def measured(out: Path, notes: Counter[str]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Return the row of a run that has been captured and packed, and those of its counts."""
+    capture = out.with_suffix(".pcap.gz")
+    told = json.loads(out.with_suffix(".json").read_text())
+    row = described("", capture, told)
+    row["run"] = row["sha256"][:DIGITS]
+    row |= {name: told[name] for name in (*KEY, "use", "others")}
+    row |= {"expected": expected(told)} | matches(out)
+    if row["matched"] == "":
+        row["expected"] = ""
+    with gzip.open(capture) as packed:
+        row["wire"] = wire(packed.read())
+    busy = told["others"] > OTHERS or told["idle"] < IDLE
+    row["again"] = int(busy or float(row["start_skew_s"]) > LATE)
+    return row, list(counted(row["run"], capture, told, notes))
+
+
+def rooted(names: set[str]) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Return the roots of releases, and a sentence for each that has none."""
+    found, missing = {}, []
+    for name in sorted(names):
+        made = ROOTS / name / "made.json"
+        if made.exists():
+            found[name] = json.loads(made.read_text())
+        else:
+            missing.append(f"{name} has no root: make lab-roots makes it, or says what is missing")
+    return found, missing
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--grid", type=Path, default=GRIDS / "releases.csv")
+    parser.add_argument("--out", type=Path, default=LAB / "data" / "releases", metavar="FOLDER")
+    parser.add_argument("--captures", type=Path, default=BUILD / "releases_captures")
+    parser.add_argument("--only", action="append", default=[], metavar="RELEASE")
+    parser.add_argument(
+        "--once", action="store_true", help="repeat nothing; a marked run is no failure"
+    )
+    given = parser.parse_args()
+    points = table(given.grid)
+    if not points:
+        parser.error(f"--grid {given.grid}: there is no point in it")
+    names = {point["release"] for point in points}
+    if unknown := set(given.only) - names:
+        parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(names))}")
+    roots, missing = rooted(names & set(given.only or names))
+    for sentence in missing:
+        print(sentence, file=sys.stderr)
+    given.captures.mkdir(parents=True, exist_ok=True)
+    runs: list[dict[str, Any]] = list(table(given.out / "runs.csv"))
+    counts: list[dict[str, Any]] = list(table(given.out / "counts.csv"))
+    todo = jobs(points, roots)
+    notes: Counter[str] = Counter()
+
+    def keep(out: Path) -> str:
+        """Count a run and store it, in the place of one that was marked; a line about it."""
+        news = finish(out)
+        try:
+            row, rows = measured(out, notes)
+        except SystemExit as why:
+            remove(out)
+            return f"is run again: {why}"
+        runs[:] = [old for old in runs if key(old) != key(row)] + [row]
+        stored = {one["run"] for one in runs}
+        counts[:] = [one for one in counts if one["run"] in stored] + rows
+        store(given.out / "counts.csv", counts, HOPS)
+        store(given.out / "runs.csv", runs, RUNS)
+        matched = f", {row['matched']} of {row['expected']} matches" * (row["matched"] != "")
+        mark = ", has to be repeated" * row["again"]
+        return f"{news}{matched}, idle {row['idle']:.0%}, others {row['others']:.0%}{mark}"
+
+    failed = 0
+    for _ in range(1 if given.once else PASSES):
+        there = {key(row) for row in runs if given.once or str(row["again"]) == "0"}
+        left = [job for job in todo if key(job) not in there]
+        print(f"{len(todo) - len(left)} of {len(todo)} runs are in {given.out}", flush=True)
+        if not left:
+            break
+        # Runs come one after the other: no second one fits beside the first.
+        failed = run(left, given.captures, crowd=0, spacing=0.0, finish=keep)
+    for note, many in notes.most_common():
+        print(f"  in {many}: {note}", file=sys.stderr)
+    marked = sum(str(row["again"]) != "0" for row in runs)
+    if marked:
+        print(f"{marked} runs are marked, and run again by the next call", file=sys.stderr)
+    return 1 if failed or missing or (marked and not given.once) else 0
+
+
+if __name__ == "__main__":
+    start(main)
