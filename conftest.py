@@ -35,6 +35,12 @@ def pytest_sessionstart() -> None:
         os.environ["DISCOSTORM_LAB_LOCK"] = "tests"
 
 
+def pytest_unconfigure() -> None:
+    """Let campaigns of the lab begin again."""
+    for lock in LOCKED:
+        lock.close()
+
+
 class ByFileOrPage(LoadScopeScheduling):
     """Keep in one process the tests of a file, of simulation, and of browser/test_pages.py a page.
 
