@@ -173,14 +173,22 @@ def test_fleets_without_radios_need_no_airtime(tmp_path: Path) -> None:
     assert plan.advice() == "All hosts are wired; discovery needs no airtime."
     assert plan.numbered_remedies() == ()
     file = tmp_path / "wired.toml"
-    for hosts in (1, 4):
+    for hosts, printed in ((1, ("--csv",)), (4, ())):
         file.write_text(
             f"[[groups]]\nhosts = {hosts}\nprocesses = 2\nendpoints = 10\nwired = true\n"
         )
         done = CliRunner().invoke(main, ["plan", str(file)])
         assert done.output == "All hosts are wired; discovery needs no airtime.\n"
-        done = CliRunner().invoke(main, ["plan", str(file), "--protocol", "all", "--csv"])
+        done = CliRunner().invoke(main, ["plan", str(file), "--protocol", "all", *printed])
         assert done.exit_code == 0, done.output
-        done = CliRunner().invoke(main, ["plan", str(file), "--protocol", "all"])
-        assert done.exit_code == 0, done.output
-        assert "nothing" in done.output
+    assert "nothing" in done.output
+
+
+def test_periodic_traffic_that_full_exchanges_carry_leaves_a_window_to_start_in() -> None:
+    fleet, table = ds.Fleet.swarm(22, 4, 10), ds.PROTOCOLS["Fast DDS"]
+    plan = ds.plan(fleet, table, RADIO)
+    assert plan.steady_range.full < 1 < plan.steady_range.single
+    assert remedy(plan, "staggered start").steps == ("staggered start",)
+    full = ds.plan(replace(fleet, groups=(ds.HostGroup(60, 4, 10),)), table, RADIO)
+    assert full.steady_range.full > 1
+    assert "staggered start" not in {found.kind for found in full.remedies}
