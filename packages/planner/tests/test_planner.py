@@ -295,3 +295,19 @@ def test_a_reboot_takes_all_pairs_of_its_robot_times_what_was_measured() -> None
     assert found.high == pytest.approx(burst * found.share * 1.71)
     assert reboot(Setting(FIG3, ds.DDS, ds.PAPER)) is None
     assert reboot(Setting(ds.Fleet.swarm(1, 2, 10), fast_dds, ds.PAPER)) is None
+
+
+def test_a_wired_host_is_no_robot_that_reboots() -> None:
+    robots = ds.HostGroup(3, 1, 10, name="robots")
+    desk = ds.HostGroup(1, 8, 10, name="desk", wired=True)
+    found = reboot(Setting(ds.Fleet((robots, desk)), ds.PROTOCOLS["Fast DDS"], ds.PAPER))
+    assert found is not None
+    assert found.group == "robots"
+
+
+def test_every_change_keeps_what_matches() -> None:
+    """Also when processes are composed, services left out, and hosts dealt out."""
+    group = ds.HostGroup(6, 2, 30, nodes=1, shared=4)
+    plan = ds.plan(ds.Fleet((group,), matching=0.5), ds.PROTOCOLS["Fast DDS"])
+    assert {"processes", "endpoints", "channels"} <= {found.kind for found in plan.remedies}
+    assert {fleet.matching for found in plan.remedies for fleet in found.fleets} == {0.5}
