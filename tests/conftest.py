@@ -7,7 +7,8 @@ import os
 import shutil
 import subprocess
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +17,7 @@ import pytest
 from support import BUILD, ROOT, TOC, left_alone, missing, newest, sources
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, Page, ViewportSize
 
 
 #: Left to `make test-all`: what visits pages more than once, runs the lab's programs, makes the
@@ -43,6 +44,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             name = item.path.relative_to(folder).as_posix()
             if name.startswith(THOROUGH) and name != ONE_VISIT:
                 item.add_marker(pytest.mark.thorough)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the current folder of a test of the command line, which holds a fleet file."""
+    from command_line import NAV2  # here, as most tests need no command line
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+    return tmp_path
 
 
 @pytest.fixture(scope="session")
@@ -97,6 +108,28 @@ def browser(options: dict[str, Any]) -> Iterator[Browser]:
         chromium = playwright.chromium.launch(**options)
         yield chromium
         chromium.close()
+
+
+@pytest.fixture(scope="session")
+def open_tab(browser: Browser) -> Callable[..., AbstractContextManager[Page]]:
+    """Return what opens an address in a light tab without network; no script of it may fail."""
+
+    @contextmanager
+    def opened(
+        address: str, viewport: ViewportSize, script: str = "", **others: Any
+    ) -> Iterator[Page]:
+        errors: list[str] = []
+        options: dict[str, Any] = {"color_scheme": "light", "offline": True} | others
+        with browser.new_context(viewport=viewport, **options) as context:
+            page = context.new_page()
+            page.on("pageerror", lambda error: errors.append(str(error)))
+            if script:
+                page.add_init_script(script)
+            page.goto(address)
+            yield page
+        assert errors == []
+
+    return opened
 
 
 @pytest.fixture(scope="session")

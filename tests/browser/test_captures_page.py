@@ -3,7 +3,8 @@
 import gzip
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -87,14 +88,9 @@ def test_they_weigh_little() -> None:
 
 
 @pytest.fixture(scope="module")
-def tab(browser: Browser, book: Path) -> Iterator[Page]:
-    errors: list[str] = []
-    with browser.new_context(viewport=DESKTOP, color_scheme="light", offline=True) as context:
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.goto((book / "notebooks" / f"{PAGE}.html").as_uri())
+def tab(open_tab: Callable[..., AbstractContextManager[Page]], book: Path) -> Iterator[Page]:
+    with open_tab((book / "notebooks" / f"{PAGE}.html").as_uri(), DESKTOP) as page:
         yield page
-    assert not errors
 
 
 @pytest.fixture

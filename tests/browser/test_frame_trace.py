@@ -2,7 +2,8 @@
 
 import re
 import statistics
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
 from pathlib import Path
@@ -180,15 +181,9 @@ def test_the_browsers_trace_is_pythons(browser: Browser, number: int) -> None:
 
 
 @pytest.fixture(scope="module")
-def tab(browser: Browser, book: Path) -> Iterator[Page]:
-    errors: list[str] = []
-    with browser.new_context(viewport=DESKTOP, color_scheme="light", offline=True) as context:
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.add_init_script(STOPWATCH)
-        page.goto((book / "notebooks" / f"{CHAPTER}.html").as_uri())
+def tab(open_tab: Callable[..., AbstractContextManager[Page]], book: Path) -> Iterator[Page]:
+    with open_tab((book / "notebooks" / f"{CHAPTER}.html").as_uri(), DESKTOP, STOPWATCH) as page:
         yield page
-    assert not errors
 
 
 def choose(tab: Page, number: int) -> Locator:

@@ -1,7 +1,8 @@
 """Pictures of chapters to touch: equation (12) as blocks of airtime, and failures of servers."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -401,19 +402,17 @@ def test_on_paper_and_without_scripts_the_still_stands(
 
 @pytest.mark.book
 @pytest.mark.parametrize("name", [BLOCKS, FAILURES])
-def test_nothing_serious_keeps_anyone_out(context: BrowserContext, book: Path, name: str) -> None:
-    errors: list[str] = []
-    tab = context.new_page()
-    tab.on("pageerror", lambda error: errors.append(str(error)))
-    tab.emulate_media(reduced_motion="reduce")
-    tab.goto((book / "notebooks" / f"{name}.html").as_uri())
-    tab.evaluate(AXE)
-    barriers = BARRIERS.replace("document,", "document.querySelector('.line-controls'),")
-    for scheme, size in (("light", SMALLEST), ("dark", DESKTOP)):
-        show(tab, scheme, size)  # type: ignore[arg-type]
-        if name == FAILURES:  # the most there is to see
-            tab.get_by_label("a router per robot", exact=True).check()
-            tab.get_by_label("Time since the failure").fill("75")
-        assert tab.evaluate(barriers, {}) == []
-        assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
-    assert errors == []
+def test_nothing_serious_keeps_anyone_out(
+    open_tab: Callable[..., AbstractContextManager[Page]], book: Path, name: str
+) -> None:
+    address = (book / "notebooks" / f"{name}.html").as_uri()
+    with open_tab(address, DESKTOP, reduced_motion="reduce") as tab:
+        tab.evaluate(AXE)
+        barriers = BARRIERS.replace("document,", "document.querySelector('.line-controls'),")
+        for scheme, size in (("light", SMALLEST), ("dark", DESKTOP)):
+            show(tab, scheme, size)  # type: ignore[arg-type]
+            if name == FAILURES:  # the most there is to see
+                tab.get_by_label("a router per robot", exact=True).check()
+                tab.get_by_label("Time since the failure").fill("75")
+            assert tab.evaluate(barriers, {}) == []
+            assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]

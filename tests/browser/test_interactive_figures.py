@@ -2,7 +2,8 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any, Literal
 
@@ -336,20 +337,20 @@ def test_on_paper_and_without_scripts_all_is_open(
 
 @pytest.mark.book
 @pytest.mark.parametrize("name", [FIG3, next(iter(GUESSES)), QUEUE])
-def test_nothing_serious_keeps_anyone_out(context: BrowserContext, book: Path, name: str) -> None:
-    errors: list[str] = []
-    tab = context.new_page()
-    tab.on("pageerror", lambda error: errors.append(str(error)))
-    tab.emulate_media(reduced_motion="reduce")
-    tab.goto((book / "notebooks" / f"{name}.html").as_uri())
-    tab.evaluate(AXE)
-    # The whole page, with the question asked, is looked at in test_browser.py.
-    barriers = BARRIERS.replace("document,", "document.querySelector('.guess, .line-controls'),")
-    assert barriers != BARRIERS
-    for scheme, size in THEMES:
-        show(tab, scheme, size)
-        assert tab.evaluate(barriers, {}) == []
-        assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
-        if tab.get_by_role("button", name="Guess").count():
-            tab.get_by_role("button", name="Guess").click()
-    assert errors == []
+def test_nothing_serious_keeps_anyone_out(
+    open_tab: Callable[..., AbstractContextManager[Page]], book: Path, name: str
+) -> None:
+    address = (book / "notebooks" / f"{name}.html").as_uri()
+    with open_tab(address, DESKTOP, reduced_motion="reduce") as tab:
+        tab.evaluate(AXE)
+        # The whole page, with the question asked, is looked at in test_pages.py.
+        barriers = BARRIERS.replace(
+            "document,", "document.querySelector('.guess, .line-controls'),"
+        )
+        assert barriers != BARRIERS
+        for scheme, size in THEMES:
+            show(tab, scheme, size)
+            assert tab.evaluate(barriers, {}) == []
+            assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
+            if tab.get_by_role("button", name="Guess").count():
+                tab.get_by_role("button", name="Guess").click()

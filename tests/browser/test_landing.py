@@ -4,7 +4,8 @@ import functools
 import gzip
 import re
 import statistics
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -34,15 +35,9 @@ def address(book: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def tab(browser: Browser, address: str) -> Iterator[Page]:
-    errors: list[str] = []
-    with browser.new_context(viewport=PHONE, color_scheme="light") as context:
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.add_init_script(STOPWATCH)
-        page.goto(address)
+def tab(open_tab: Callable[..., AbstractContextManager[Page]], address: str) -> Iterator[Page]:
+    with open_tab(address, PHONE, STOPWATCH, offline=False) as page:
         yield page
-    assert errors == []
 
 
 def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) -> None:

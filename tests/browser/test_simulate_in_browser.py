@@ -1,7 +1,8 @@
 """Ten starts of the reader's own: the same as Python's, among the stored quartiles."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import numpy as np
@@ -68,14 +69,9 @@ def test_the_stored_runs_are_the_simulators() -> None:
 
 
 @pytest.fixture(scope="module")
-def tab(browser: Browser, book: Path) -> Iterator[Page]:
-    errors: list[str] = []
-    with browser.new_context(viewport=DESKTOP, color_scheme="light", offline=True) as context:
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.goto((book / "notebooks" / f"{CHAPTER}.html").as_uri())
+def tab(open_tab: Callable[..., AbstractContextManager[Page]], book: Path) -> Iterator[Page]:
+    with open_tab((book / "notebooks" / f"{CHAPTER}.html").as_uri(), DESKTOP) as page:
         yield page
-    assert not errors
 
 
 def choose(tab: Page, name: str, hosts: int) -> int:

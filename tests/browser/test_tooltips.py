@@ -2,12 +2,13 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Locator, Page, expect
 from test_interactive_figures import THEMES
 from test_pages import AXE, BARRIERS, DESKTOP, show
 
@@ -27,15 +28,10 @@ def index(book: Path) -> dict[str, Any]:
 
 
 @pytest.fixture
-def tab(browser: Browser, book: Path) -> Iterator[Page]:
-    errors: list[str] = []
-    with browser.new_context(viewport=DESKTOP, color_scheme="light", offline=True) as context:
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.goto((book / PAGE).as_uri())
+def tab(open_tab: Callable[..., AbstractContextManager[Page]], book: Path) -> Iterator[Page]:
+    with open_tab((book / PAGE).as_uri(), DESKTOP) as page:
         page.wait_for_function("window.MathJax?.typesetPromise")
         yield page
-    assert not errors
 
 
 def tip(tab: Page) -> Locator:

@@ -170,8 +170,12 @@ def test_values_of_parameters_are_those_of_the_notation() -> None:
     assert uncertainty.utilization_at({}, ds.DDS, PAIR) == pytest.approx(usual, rel=1e-14)
     with pytest.raises(ValueError, match=r"values must name .*R_uni.*; got '1'"):
         uncertainty.utilization_at({1: 2}, ds.DDS, PAIR)
-    with pytest.raises(ValueError, match="R_uni must be a finite number above 0; got 0"):
-        uncertainty.utilization_at({"R_uni": 0}, ds.DDS, PAIR)
+    for rate in ("R_uni", "R_multi"):
+        with pytest.raises(ValueError, match=f"{rate} must be a finite number above 0; got 0"):
+            uncertainty.utilization_at({rate: 0}, ds.DDS, PAIR)
+    wired = ds.Fleet((*PAIR.groups, ds.HostGroup(2, 3, 7, "desk", wired=True)))
+    usual = ds.utilization(ds.DDS, wired)
+    assert uncertainty.utilization_at({}, ds.DDS, wired) == pytest.approx(usual, rel=1e-14)
 
 
 @pytest.mark.parametrize("value", [-1, 10**400, float("nan"), float("inf")])

@@ -1,7 +1,5 @@
 """The command line: what it prints can be read back, and what is wrong is answered in words."""
 
-import csv
-import io
 import json
 import math
 import os
@@ -11,45 +9,20 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
+from command_line import NAV2, SWARM, read_csv, read_json, run
 
 import discostorm as ds
 from discostorm import figures
-from discostorm.cli import main, output
-from discostorm.data import data_path
+from discostorm.cli import output
 
-NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
-
-SWARM = "--hosts 7 --processes 2 --endpoints 10"
-
-
-def run(*arguments: str) -> Result:
-    words = [word for argument in arguments for word in argument.split("|")]
-    return CliRunner(env={"COLUMNS": "79"}).invoke(main, words, prog_name="discostorm")
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def swarm(command: str, *more: str) -> Result:
-    return run(command, SWARM.replace(" ", "|"), *more)
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
-    return tmp_path
-
-
-def read_json(result: Result) -> Any:
-    assert result.exit_code == 0, result.output
-    return json.loads(result.stdout)
-
-
-def read_csv(result: Result) -> list[dict[str, str]]:
-    assert result.exit_code == 0, result.output
-    return list(csv.DictReader(io.StringIO(result.stdout)))
+    return run(command, *SWARM, *more)
 
 
 def test_utilization_for_people() -> None:
@@ -415,7 +388,7 @@ def test_the_installed_script_is_the_command() -> None:
     program = [str(Path(sys.executable).with_name("discostorm"))]
     env = os.environ | {"COLUMNS": "79"}
     done = subprocess.run(
-        [*program, "utilization", *SWARM.split(), "--csv"],
+        [*program, "utilization", *SWARM, "--csv"],
         text=True, capture_output=True, check=False, env=env,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")

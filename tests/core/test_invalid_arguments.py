@@ -224,6 +224,16 @@ def test_limit_that_one_host_exceeds() -> None:
 # Fleets
 
 
+def test_fractions_that_would_send_a_negative_number_of_messages() -> None:
+    for table, counts in (("Cyclone DDS", (1.5, 1, 10)), ("Zenoh router per host", (1.5, 1, 10))):
+        with pytest.raises(
+            ValueError, match=r"hosts and processes must be whole .* got 1\.5 and 1"
+        ):
+            ds.breakdown(ds.PROTOCOLS[table], *counts)
+    # Where a fraction sends nothing negative, it is counted.
+    assert ds.breakdown(ds.DDS, 1.5, 1, 10).loc["SEDP", "uplink_messages"] == 7.5
+
+
 def test_fleet_and_counts_exclude_each_other() -> None:
     fleet = ds.Fleet.swarm(7, 2, 10)
     fails(
@@ -245,6 +255,20 @@ def test_host_group(name: str) -> None:
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: sp.nan})
     named = {**SWARM, name: 10**300, "name": "scouts"}
     fails(ValueError, f"group 'scouts': {allowed}; got 1000", ds.HostGroup, **named)
+
+
+def test_what_is_shared_is_at_most_the_fewest_endpoints() -> None:
+    for counts in ([10, 4], [4, 10]):
+        assert ds.HostGroup(2, 1, counts, shared=4).shared == 4
+        fails(
+            ValueError,
+            "at most 4; got 5",
+            ds.HostGroup,
+            hosts=2,
+            processes=1,
+            endpoints=counts,
+            shared=5,
+        )
 
 
 def test_symbols_where_numbers_are_needed() -> None:

@@ -2,16 +2,14 @@
 
 import json
 import math
-import os
 import subprocess
 import sys
 import tomllib
-from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
+from command_line import NAV2, SWARM, run, shell
 from support import ROOT
 
 import discostorm as ds
@@ -19,29 +17,10 @@ from discostorm.cli import main, output
 from discostorm.data import read_data
 from discostorm.wifi.radio import radio_named
 
-NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
-SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
 LONE = "no one to discover"
 
 
-def run(*words: str, **given: Any) -> Result:
-    return CliRunner(env={"COLUMNS": "80"}).invoke(main, list(words), **given)
-
-
-def shell(command: str, **env: str) -> subprocess.CompletedProcess[str]:
-    program = f"{sys.executable} -m discostorm"
-    return subprocess.run(
-        ["bash", "-c", command.replace("discostorm", program)],
-        capture_output=True, encoding="utf-8", errors="replace", check=False,
-        env=os.environ | env,
-    )  # fmt: skip
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
-    return tmp_path
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def test_tables_of_a_few_rows_need_no_pandas() -> None:

@@ -6,25 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from user_data_by_hand import CYCLONE, FAST, HEADERS, ZENOH, fleet, read, sample
 
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.flows import Flow, flow, topics
 from discostorm.messages import user_data_protocol
 from discostorm.messages.user_data import answers, frames, framing
-
-HEADERS = 24 + 4 + 8 + 20  # of a frame before IP's data: MAC, FCS, LLC and SNAP, IPv4
-CYCLONE, FAST, ZENOH = "Cyclone DDS", "Fast DDS", "Zenoh"
-
-
-def sample(octets: float, reliable: bool = False, to: Any = "all others") -> Flow:
-    return Flow("own", to, rate=10, bytes=octets, reliable=reliable)
-
-
-def fleet(*flows: Flow, hosts: float = 3, **others: Any) -> ds.Fleet:
-    robots = ds.HostGroup(hosts, 2, 10, "robots", data=flows)
-    return ds.Fleet((robots, *others.values()))
-
 
 # ---------------------------------------------------------------- frames, counted by hand
 
@@ -172,18 +160,6 @@ def test_a_protocol_of_no_family_leaves_data_to_dds() -> None:
 
 
 # ---------------------------------------------------------------- fleets and their files
-
-FILE = """
-[[groups]]
-name = "robots"
-hosts = 3
-processes = 2
-endpoints = 40
-"""
-
-
-def read(text: str) -> ds.Fleet:
-    return ds.Fleet.from_bytes((FILE + text).encode(), "fleet.toml")
 
 
 def test_a_fleet_file_lists_topics() -> None:

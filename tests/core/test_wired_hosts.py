@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.messages import HOPS, Message
-from discostorm.model import burst
+from discostorm.model import burst, leave_one_out
 
 ROBOTS = ds.HostGroup(3, 2, 10, "robots", shared=2)
 LAPTOP = ds.HostGroup(2, 1, 4, "laptop", shared=1)
@@ -167,3 +167,14 @@ def test_a_wired_server_sends_over_the_air_to_wireless_processes_alone() -> None
     row = next(m for m in ds.PROTOCOLS["Fast DDS Discovery Server"].messages if m.unit == unit)
     assert len(row.hops) == 1
     assert row.on_air(row.hops[0]).count(fleet) == 6 * (6 * 10 + 40 - 10)
+
+
+def test_without_each_group_the_rest_are_counted_with_their_wires() -> None:
+    groups = (ROBOTS, WIRED, ds.HostGroup(2, 2, 6, "arms"))
+    for table in (ds.DDS, ds.PROTOCOLS["Fast DDS"]):
+        expected = [
+            ds.utilization(table, ds.Fleet(groups[:index] + groups[index + 1 :]))
+            for index in range(len(groups))
+        ]
+        assert leave_one_out(table, ds.Fleet(groups)) == pytest.approx(expected, rel=1e-12)
+    assert leave_one_out(ds.DDS, ds.Fleet((ROBOTS,))) == [0.0]

@@ -148,6 +148,18 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     assert json.loads(json.dumps(many.to_dict()))["up_to"] is None
 
 
+def test_a_fleet_as_large_as_the_largest_held_out_is_not_beyond() -> None:
+    largest = round(100 * measured.error_bands("Cyclone DDS")[-1].most_hosts)
+    for hosts, beyond in ((largest, False), (largest + 1, True)):
+        found = measured.band("Cyclone DDS", ds.Fleet.swarm(hosts, 1, 10), (100, 1000, 10))
+        assert found is not None
+        assert found.beyond == beyond
+    # Of a table that was measured without endpoints each one counts.
+    assert measured.size_of(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
+    assert measured.most_hosts((4, 8, 0), 1) == 8
+    assert measured.most_hosts((4, 8, 0), 8) == 2
+
+
 def test_the_papers_tables_have_no_band_and_no_reboot() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 2, 10), ds.DDS)
     assert plan.to_dict()["band"] is plan.to_dict()["reboot"] is None

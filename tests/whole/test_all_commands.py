@@ -1,19 +1,16 @@
 """The command line: what it prints can be read back, and what is wrong is answered in words."""
 
-import csv
-import io
-import json
 import lzma
 import math
 import re
 import shlex
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import click
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
+from command_line import SWARM, read_csv, read_json, run
 from support import REFERENCE, ROOT
 
 import discostorm as ds
@@ -26,38 +23,18 @@ from discostorm.words import RECORD
 from discostorm_book import notebook
 from discostorm_book.ledger.claims import VERDICTS, ledger
 
-NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
-
-SWARM = "--hosts 7 --processes 2 --endpoints 10"
-
 #: The names of all protocols, in the calculator's order.
 OFFERED = [protocol.name for protocol in offered()]
 
 
-def run(*arguments: str) -> Result:
-    words = [word for argument in arguments for word in argument.split("|")]
-    return CliRunner(env={"COLUMNS": "79"}).invoke(main, words, prog_name="discostorm")
-
-
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
+def folder(folder: Path) -> Path:
+    """Add a capture, and what ROS 2 printed."""
     packed = data_path("captures/cyclone_dds_010.pcap.xz", "discostorm_capture")
     told = REFERENCE / "ros2" / "one_robot.txt"
-    (tmp_path / "ros2.txt").write_text(told.read_text(encoding="utf-8"), encoding="utf-8")
-    (tmp_path / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
-    return tmp_path
-
-
-def read_json(result: Result) -> Any:
-    assert result.exit_code == 0, result.output
-    return json.loads(result.stdout)
-
-
-def read_csv(result: Result) -> list[dict[str, str]]:
-    assert result.exit_code == 0, result.output
-    return list(csv.DictReader(io.StringIO(result.stdout)))
+    (folder / "ros2.txt").write_text(told.read_text(encoding="utf-8"), encoding="utf-8")
+    (folder / "discovery.pcap").write_bytes(lzma.decompress(packed.read_bytes()))
+    return folder
 
 
 def test_all_commands_count_what_ros_2_shares_in_a_fleet_file() -> None:
@@ -243,7 +220,7 @@ def test_help_describes_every_option() -> None:
 
 
 def test_the_books_shell_shows_command_output_and_exit_code() -> None:
-    command = f"discostorm utilization {SWARM} --protocol dds"
+    command = f"discostorm utilization {' '.join(SWARM)} --protocol dds"
     shown = notebook.shell(command, "discostorm plan x.toml").data
     assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
     assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")

@@ -1,42 +1,15 @@
 """The command line as people expect it: odd terminals, full disks, pipes, and what can be given."""
 
 import json
-import os
-import subprocess
-import sys
-from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
+from command_line import NAV2, SWARM, run, shell
 
 import discostorm as ds
-from discostorm.cli import main
 from discostorm.wifi.radio import radio_named
 
-NAV2 = (files("discostorm") / "data" / "fleets" / "nav2_laptop.toml").read_text(encoding="utf-8")
-SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
-
-
-def run(*words: str, **given: Any) -> Result:
-    return CliRunner(env={"COLUMNS": "80"}).invoke(main, list(words), **given)
-
-
-def shell(command: str, **env: str) -> subprocess.CompletedProcess[str]:
-    program = f"{sys.executable} -m discostorm"
-    return subprocess.run(
-        ["bash", "-c", command.replace("discostorm", program)],
-        capture_output=True, encoding="utf-8", errors="replace", check=False,
-        env=os.environ | env,
-    )  # fmt: skip
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "fleet.toml").write_text(NAV2, encoding="utf-8")
-    return tmp_path
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def test_what_the_planner_advises_can_be_given_back() -> None:

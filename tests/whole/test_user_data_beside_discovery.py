@@ -7,6 +7,7 @@ import lab_data
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from user_data_by_hand import CYCLONE, FAST, FILE, HEADERS, ZENOH, fleet, read, sample
 
 import discostorm as ds
 from discostorm.cli import main
@@ -16,38 +17,6 @@ from discostorm.messages.user_data import answers, frames, framing
 from discostorm.model import burst
 from discostorm.wifi.radio import both_ends
 from discostorm_simulation.result import CAUSES
-
-HEADERS = 24 + 4 + 8 + 20  # of a frame before IP's data: MAC, FCS, LLC and SNAP, IPv4
-CYCLONE, FAST, ZENOH = "Cyclone DDS", "Fast DDS", "Zenoh"
-
-
-def sample(octets: float, reliable: bool = False, to: Any = "all others") -> Flow:
-    return Flow("own", to, rate=10, bytes=octets, reliable=reliable)
-
-
-def fleet(*flows: Flow, hosts: float = 3, **others: Any) -> ds.Fleet:
-    robots = ds.HostGroup(hosts, 2, 10, "robots", data=flows)
-    return ds.Fleet((robots, *others.values()))
-
-
-# ---------------------------------------------------------------- fleets and their files
-
-FILE = """
-[[groups]]
-name = "robots"
-hosts = 3
-processes = 2
-endpoints = 40
-"""
-
-
-def read(text: str) -> ds.Fleet:
-    return ds.Fleet.from_bytes((FILE + text).encode(), "fleet.toml")
-
-
-def text(value: str) -> list[tuple[int, int]]:
-    return [(4, 4), (len(value) + 1, 1)]
-
 
 # ---------------------------------------------------------------- what the lab saw
 

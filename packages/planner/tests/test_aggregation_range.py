@@ -102,6 +102,7 @@ def test_one_access_point_has_one_answer(name: str, hosts: int) -> None:
         (0.2, 0.9, "fits"),
         (0.2, 1.0, "may fit"),
         (0.99, 30.0, "may fit"),
+        (1.2, 0.5, "may fit"),  # frames too long to share an exchange
         (1.0, 1.0, "does not fit"),
         (1.5, math.inf, "does not fit"),
     ],
@@ -150,6 +151,22 @@ def test_when_all_know_each_other_is_that_of_the_table() -> None:
         assert ("do not all know each other within 60.0 s" in said) == math.isinf(found.low)
         assert ("at the earliest" in said) == (math.isinf(found.high) and not math.isinf(found.low))
     assert {(False, False), (True, True)} <= kinds
+
+
+def test_periodic_traffic_prolongs_the_simulated_startup() -> None:
+    plan = ds.plan(fleet_of("Nav2 in one process", 8), FAST_DDS, AC)
+    own = Setting(plan.fleet, FAST_DDS, plan.wifi, 64)
+    start, steady = aggregation_range.burst_range(own).simulated, plan.steady_range.simulated
+    assert start is not None
+    assert steady
+    assert plan.startup.simulated == pytest.approx(start / (1 - steady), rel=1e-12)
+
+
+def test_what_was_simulated_with_other_a_mpdus_is_not_told() -> None:
+    robot = fleet_of("Nav2 in one process", 8)
+    for mpdus, known in ((64, True), (16, False)):
+        wifi = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi()
+        assert (ds.plan(robot, FAST_DDS, wifi).convergence_time is not None) == known
 
 
 @pytest.mark.parametrize(("more", "known"), [(0, True), (0.45, True), (-0.45, True), (0.5, False)])

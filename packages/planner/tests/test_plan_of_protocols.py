@@ -1,0 +1,384 @@
+"""Other protocols and configurations: which are tried, with which numbers and reasons."""
+
+import json
+import math
+from dataclasses import replace
+
+import pytest
+from matplotlib.figure import Figure
+from planner_by_hand import (
+    FIG3,
+    NAV2,
+    PAPER,
+    RADIO,
+    ROBOTS,
+    ROWS_ARRANGED,
+    TOLD,
+    remedy,
+    written_out,
+)
+
+import discostorm as ds
+from discostorm.data import read_data
+from discostorm.protocols import MEASURED, MITIGATED
+from discostorm.robots import robots as robots_by_name
+from discostorm_planner import protocol_changes, remedy_rules
+
+
+def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
+    for name, protocol in ds.PROTOCOLS.items():
+        plan = ds.plan(NAV2, protocol)
+        if protocol.family is None:
+            continue
+        zenoh = name.startswith("Zenoh")
+        assert protocol.family == ("Zenoh" if zenoh else "DDS")
+        offered = any(r.kind == "domains" for r in plan.remedies)
+        assert offered == (not zenoh and protocol.basis != "mitigated")
+        assert any(
+            r.startswith("splitting into domains: in Zenoh") for r in plan.not_applicable
+        ) == (zenoh)
+        arranged = [r for r in plan.not_applicable if r.startswith("splitting into domains with ")]
+        assert bool(arranged) == (not zenoh and not offered)
+        # tests/lab/test_snippets.py has two domains at one server.
+        if "Server" in name:
+            assert "of all domains to each other" in arranged[0]
+        assert "splitting onto 2 channels" in {r.what for r in plan.remedies}
+
+
+def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
+    own = ds.Protocol("own", ds.DDS.messages)
+    plan = ds.plan(NAV2, own)
+    assert "domains" not in {found.kind for found in plan.remedies}
+    (said,) = (reason for reason in plan.not_applicable if "not known for own" in reason)
+    assert said.endswith("whose family is neither DDS nor Zenoh")
+    for title in ("splitting into domains", "Discovery Server", "router", "static peers"):
+        assert title in said
+    simulated = remedy(plan, "staggered start").note
+    assert "robots with DDS needed" in simulated
+    assert "robots with Zenoh needed" in simulated
+    # Its messages may have no roles.
+    unknown = replace(ds.ZENOH, messages=tuple(replace(m, role=None) for m in ds.ZENOH.messages))
+    left_out = ds.plan(NAV2, unknown).not_applicable
+    assert "static peers: not known for Zenoh, whose messages have no roles" in left_out
+
+
+@pytest.mark.parametrize("name", ds.PROTOCOLS)
+def test_a_name_decides_nothing(name: str) -> None:
+    """Every number and every text of a plan is that of the same table by another name."""
+    mine = replace(ds.PROTOCOLS[name], name="(mine)")
+    for wifi, window in ((ds.PAPER, 1.0), (RADIO, math.inf)):
+        plans = [
+            ds.plan(ds.Fleet((ROBOTS, TOLD.groups[1])), table, wifi, window=window)
+            for table in (ds.PROTOCOLS[name], mine)
+        ]
+        usual, renamed = (
+            [plan.to_json(), " ".join(plan.advice().split()), plan.picture_data().to_json()]
+            for plan in plans
+        )
+        assert [text.replace("(mine)", name) for text in renamed] == usual
+        assert not plans[1].picture_data().duplicated(["baseline", "change"]).any()
+
+
+@pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if p.family])
+def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) -> None:
+    table = ds.PROTOCOLS[name]
+    plan = ds.plan(ds.Fleet.swarm(6, 3, 50), table)
+    offered = {found.kind for found in plan.remedies if len(found.steps) == 1}
+    switched = {found.kind for found in plan.remedies} - offered
+    reasons = "\n".join(plan.not_applicable)
+    rows = read_data("vendors/remedies.csv")
+    for kind in {row["kind"] for row in rows}:
+        of_kind = [row for row in rows if row["kind"] == kind]
+        own = [row for row in of_kind if row["family"] in ("any", table.family)]
+        if own and own[0]["table"] and own[0]["table"] not in set(ds.PROTOCOLS) - {name}:
+            continue  # not measured yet, or in use already
+        told = any(
+            f"{row['title']}{after}" in reasons
+            for row in own or of_kind
+            for after in (": ", " with ")
+        )
+        assert (kind in offered) != told or kind in switched, kind
+    assert "Not computed" not in plan.advice()
+    assert not hasattr(plan, "not_computed")
+
+
+def test_every_row_of_the_remedies_has_what_it_needs() -> None:
+    rows = read_data("vendors/remedies.csv")
+    assert len({(row["kind"], row["family"]) for row in rows}) == len(rows)
+    families = {row["family"] for row in read_data("vendors/families.csv")}
+    assert {row["family"] for row in rows} == families | {"any"}
+    efforts = {
+        row["effort"]: int(row["rank"])
+        for row in read_data("vendors/efforts.csv", "discostorm_planner")
+    }
+    assert sorted(efforts.values()) == list(range(1, len(efforts) + 1))
+    for row in rows:
+        assert row["works"] in ("computed", "no")
+        assert row["all_find_each_other"] in ("yes", "no")
+        assert row["gain"] in (("counted", "best case") if row["works"] == "computed" else ("",))
+        assert all(row[column] for column in ("title", "why", "source"))
+        assert bool(row["price"]) == bool(row["effort"]) == (row["works"] == "computed")
+        assert not row["effort"] or row["effort"] in efforts
+        assert not row["base"] or row["base"] in MEASURED
+        arranged = row["family"] == "DDS" and row["table"] in MITIGATED
+        assert bool(row["in_domains"]) == arranged
+        assert len(f"{row['price']}; {row['fails']}") <= 150, row["title"]
+    torn = {row["kind"] for row in rows if row["all_find_each_other"] == "no"}
+    assert torn == {"channels", "domains"}
+    pasted = {row["kind"] for row in read_data("vendors/snippets.csv")}
+    assert pasted == {row["kind"] for row in rows} - {"hybrid"}
+
+
+def openings(fleet: ds.Fleet, sides: int) -> float:
+    """Airtime of four messages a session, as long as a KeepAlive, for each side that dials."""
+    processes = [host for host, own in enumerate(written_out(fleet)) for _ in own]
+    pairs = sum(here < there for here in processes for there in processes)
+    return sides * pairs * 4 * 2 * PAPER["unicast"](84)
+
+
+def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
+    plan = ds.plan(FIG3, ds.DDS)
+    zenoh = remedy(plan, "middleware")
+    gap = plan.utilization - zenoh.utilization
+    one, both = openings(FIG3, 1), openings(FIG3, 2)
+    assert gap < one < both, "what is left out is larger than the gap"
+    assert zenoh.note.endswith(
+        f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. The gap is {gap:.2f} s, "
+        "so either may need less"
+    )
+    assert "we count peers that scout by multicast" in zenoh.trade_offs
+    assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs
+    # The other way round it is the same gap.
+    assert remedy(ds.plan(FIG3, ds.ZENOH), "middleware").note == zenoh.note
+    # Of large processes the openings are few.
+    nav2 = remedy(ds.plan(NAV2, ds.DDS), "middleware")
+    assert openings(NAV2, 2) < nav2.before - nav2.utilization
+    assert f"{openings(NAV2, 2):.2f} s if both do" in nav2.note
+    assert nav2.note.endswith("and the sessions do not close it")
+    # Nobody opens a session alone, or for ever.
+    assert remedy(ds.plan(ds.Fleet.swarm(1, 2, 5), ds.DDS), "middleware").note == ""
+    for_ever = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"], window=math.inf)
+    assert {found.note for found in for_ever.remedies if found.kind == "middleware"} == {""}
+
+
+def test_tables_are_compared_with_those_that_count_alike() -> None:
+    paper = {"DDS", "Zenoh"}
+    products = {name for name, table in ds.PROTOCOLS.items() if remedy_rules.software(table)}
+    assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
+    products -= MITIGATED
+    for name, table in ds.PROTOCOLS.items():
+        # What is arranged against the storm can be given up, but is no middleware to switch to.
+        others = (
+            products
+            if name in MITIGATED
+            else next(
+                group
+                for group in (paper, products, set(ds.PROTOCOLS) - paper - products - MITIGATED)
+                if name in group
+            )
+        )
+        switched = [r.protocol for r in ds.plan(FIG3, table).remedies if r.kind == "middleware"]
+        # Neither a wire nor a proposal is what one can switch to on Wi-Fi.
+        never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ROWS_ARRANGED)}
+        never |= {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
+        never.add("Zenoh peer")  # that of ROS 2 has tokens
+        expected = set() if name.startswith("hybrid") else others - never
+        assert {other.name for other in switched} == expected
+        assert all(ds.PROTOCOLS[other.name] == other for other in switched)
+    # Of two DDS tables neither opens sessions.
+    plan = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"])
+    notes = {r.protocol.name: r.note for r in plan.remedies if r.kind == "middleware"}
+    assert notes["DDS, periods of Cyclone DDS"] == ""
+    assert "opens sessions" in notes["Zenoh, periods of Zenoh peer"]
+    # Tables of what products send count the sessions themselves.
+    plan = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"])
+    assert {r.note for r in plan.remedies if r.kind == "middleware"} == {""}
+
+
+def test_a_table_of_ones_own_may_switch_to_both() -> None:
+    own = ds.Protocol("own", ds.DDS.messages[:2])
+    plan = ds.plan(FIG3, own)
+    assert [r.protocol.name for r in plan.remedies if r.kind == "middleware"] == ["Zenoh", "DDS"]
+    assert "adds" in remedy(plan, "middleware", 1).sentence()
+    assert isinstance(plan.picture(), Figure)
+
+
+def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    name = "Fast DDS Discovery Server"
+    fast_dds, others = ds.PROTOCOLS["Fast DDS"], dict(ds.PROTOCOLS)
+    others.pop(name, None)
+    for module in (remedy_rules, protocol_changes):
+        monkeypatch.setattr(module, "PROTOCOLS", others)
+    assert "discovery server" not in {r.kind for r in ds.plan(NAV2, fast_dds).remedies}
+    server = replace(fast_dds, name=name, messages=fast_dds.messages[:3], key=name)
+    for module in (remedy_rules, protocol_changes):
+        monkeypatch.setattr(module, "PROTOCOLS", others | {name: server})
+    found = remedy(ds.plan(NAV2, fast_dds), "discovery server")
+    assert (found.protocol, found.note) == (server, "")
+    assert found.utilization == ds.utilization(server, NAV2)
+    assert found.failure_mode.startswith("late joiners stay undiscovered while it is down")
+    assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.xml"}
+    # The paper's DDS is compared with it by the product's own table.
+    papers = remedy(ds.plan(NAV2, ds.DDS), "discovery server")
+    assert papers.before == ds.utilization(fast_dds, NAV2)
+    assert papers.note == "both values are of Fast DDS's measured model"
+    # Of another product it is a switch as well.
+    bare = ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast)
+    cyclone = ds.plan(NAV2, ds.PROTOCOLS["Cyclone DDS"], bare)
+    switched = remedy(cyclone, "discovery server")
+    assert switched.steps == ("middleware", "discovery server")
+    assert not any("Discovery Server" in reason for reason in cyclone.not_applicable)
+    assert all("discovery server" not in r.steps or len(r.steps) > 2 for r in cyclone.combinations)
+    # And with it, its product's own table is no configuration of servers.
+    served = ds.plan(NAV2, server)
+    assert server.family == "DDS"
+    assert remedy_rules.software(server) == "Fast DDS"
+    assert "Fast DDS" in {r.protocol.name for r in served.remedies if r.kind == "middleware"}
+
+
+@pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS", "Zenoh peer, tokens"])
+def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_had_alone(
+    name: str,
+) -> None:
+    (robot,) = (host for kind, host in robots_by_name().items() if kind == "TurtleBot 4 with Nav2")
+    wifi = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
+    plan = ds.plan(ds.Fleet((replace(robot, hosts=12),)), ds.PROTOCOLS[name], wifi)
+    offered = {found.protocol.name: found for found in plan.remedies}
+    assert {row["table"] for row in ROWS_ARRANGED} <= set(offered)
+    router = offered["Zenoh router"]
+    if name != "Zenoh peer, tokens":
+        assert router.steps == ("middleware", "router")
+        assert router.efforts == ("switch", "server")
+        assert router.rank == 7
+        server = offered["Fast DDS Discovery Server"]
+        assert router.range_after is not None
+        assert server.range_after is not None
+        assert router.range_after.full < server.range_after.full
+        # Nothing fits, so that what saves most comes first.
+        told = plan.sections()["Best single changes:"]
+        first = offered["Zenoh router per host"]
+        assert first in told
+        assert first.efforts == ("switch", "servers")
+        assert first.range_after is not None
+        assert first.range_after.full < 2 < router.range_after.full
+
+
+def test_configurations_are_compared_in_one_table() -> None:
+    plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
+    rows = {row.name: row for row in plan.configurations}
+    wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
+    assert set(rows) == (set(MEASURED) | set(MITIGATED)) - wired
+    assert rows["Fast DDS"].utilization == plan.utilization
+    assert [row.startup.single for row in plan.configurations] == sorted(
+        row.startup.single for row in rows.values()
+    )
+    for name, row in rows.items():
+        steady = ds.utilization(ds.PROTOCOLS[name], TOLD, window=math.inf)
+        assert row.steady_range.single == steady
+        start = ds.drain_time(ds.PROTOCOLS[name], TOLD)
+        assert row.startup.single == pytest.approx(start)
+        assert f"  {name} " in plan.advice()
+    told = json.loads(plan.to_json())["configurations"]
+    assert [row["protocol"] for row in told] == list(rows)
+    # A start that never ends is said so, and JSON has no infinity.
+    large = ds.plan(ds.Fleet.swarm(200, 20, 100), ds.PROTOCOLS["Fast DDS"])
+    assert "never done" in large.advice()
+    assert None in {row["start_s"] for row in json.loads(large.to_json())["configurations"]}
+
+
+def test_calmer_announcements_are_those_of_the_snippet() -> None:
+    for name, period in (("Fast DDS", 15), ("Cyclone DDS", 30)):
+        table = ds.PROTOCOLS[name]
+        found = remedy(ds.plan(NAV2, table, window=float("inf")), "announcements")
+        assert found.protocol.lease == 100
+        assert found.protocol.message("SPDP").schedule.period == period
+        assert found.protocol.messages != table.messages
+        assert found.saved > 0.5
+        (piece,) = found.snippets
+        assert f"{period}" in piece.text
+        assert "100" in piece.text
+
+
+def test_static_peers_of_zenoh_leave_out_scouting_alone() -> None:
+    table = ds.PROTOCOLS["Zenoh peer"]
+    plan = ds.plan(NAV2, table)
+    found = remedy(plan, "peers")
+    gone = {m.name for m in table.messages} - {m.name for m in found.protocol.messages}
+    assert gone == {m.name for m in table.of_phase("Scouting")}
+    assert found.utilization == ds.utilization(found.protocol, plan.fleet)
+
+
+def test_what_the_fleet_says_is_shared_is_counted_and_nothing_is_added() -> None:
+    """A participant of ROS 2 shares 2 endpoints with every other, and each node 2 more."""
+    server = ds.PROTOCOLS["Fast DDS Discovery Server"]
+    plan = ds.plan(TOLD)
+    assert plan.fleet is TOLD
+    assert [group["shared"] for group in plan.to_dict()["fleet"]] == [28, 6]
+    found = remedy(plan, "discovery server")
+    assert found.utilization == ds.utilization(server, TOLD) > 2
+    assert not found.now_fits
+    # Programs without ROS 2 share nothing, and then a server is enough.
+    without = remedy(ds.plan(NAV2), "discovery server")
+    assert without.now_fits
+    assert without.utilization == ds.utilization(server, NAV2) < 1
+    # The paper's tables know no names.
+    assert plan.utilization == ds.utilization(ds.DDS, NAV2)
+    # Composing keeps what is shared, leaving out services keeps what there are endpoints for.
+    small = ds.plan(ds.Fleet((ds.HostGroup(4, 3, 14, nodes=1, shared=4),)))
+    (composed,) = remedy(small, "processes").fleets
+    (fewer,) = remedy(small, "endpoints").fleets
+    assert [fleet.groups[0].shared for fleet in (composed, fewer)] == [12, 2]
+
+
+@pytest.mark.parametrize("name", ["DDS", "Zenoh", "Fast DDS", "Cyclone DDS", "Zenoh peer"])
+def test_every_remedy_that_can_be_done_says_what_to_paste(name: str) -> None:
+    plan = ds.plan(ds.Fleet.swarm(6, 3, 50), ds.PROTOCOLS[name])
+    for found in (*plan.remedies, *plan.combinations):
+        if found.kind == "hybrid" or (found.kind == "middleware" and found.protocol == ds.DDS):
+            assert not found.snippets
+            continue
+        assert found.snippets, found.what
+    for found in plan.remedies:
+        if found.kind == "radio":
+            (piece,) = found.snippets
+            width = found.wifi.radio.width / 1e6 if found.wifi.radio else 0
+            assert f"{width:.0f}mhz" in piece.file
+
+
+def test_peers_of_zenoh_are_pasted_what_is_counted_and_routers_are_not() -> None:
+    plan = ds.plan(ds.Fleet((ds.HostGroup(12, 2, 30, shared=4),)), ds.PROTOCOLS["Fast DDS"])
+    files = {
+        r.protocol.name: {piece.file for piece in r.snippets}
+        for r in (*plan.remedies, *plan.combinations)
+        if "middleware" in r.steps
+    }
+    assert "zenoh_session.json5" in files["Zenoh peer, tokens"]
+    routed = [found for name, found in files.items() if name.startswith("Zenoh router")]
+    assert routed
+    assert all("zenoh_session.json5" not in found for found in routed)
+
+
+#: What each kind of change asks of a user: a setting, a file, other hardware, nodes built anew.
+EFFORTS = {
+    "aggregation": ("radio",),
+    "discovery server": ("server",),
+    "discovery server on a robot": ("server",),
+    "endpoints": ("build",),
+    "hybrid": ("research",),
+    "middleware": ("switch",),
+    "multicast endpoint data": ("file",),
+    "multicast rate": ("setting",),
+    "peers": ("file",),
+    "processes": ("build",),
+    "radio": ("radio",),
+    "staggered start": ("setting",),
+    "static endpoints": ("build",),
+    "two discovery servers": ("servers",),
+}
+
+
+def test_each_change_has_its_effort() -> None:
+    plan = ds.plan(ds.Fleet.swarm(3, 8, 20))
+    assert {r.kind: r.efforts for r in plan.remedies if len(r.steps) == 1} == EFFORTS

@@ -1,0 +1,305 @@
+"""What a plan says: sentences, table, JSON and picture."""
+
+import json
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from planner_by_hand import (
+    CHANNEL,
+    FIG3,
+    LAPTOP,
+    NAV2,
+    PLAN_OF_FIG3,
+    PRODUCT_OF,
+    RADIO,
+    ROBOTS,
+    TOLD,
+    approx,
+    remedy,
+)
+
+import discostorm as ds
+from discostorm import words
+from discostorm.data import read_data
+from discostorm.protocols import MEASURED, MITIGATED
+from discostorm_simulation import staggered
+
+
+def words_of_time(seconds: float) -> str:
+    if seconds < 0.1:
+        return f"{1000 * seconds:.3g} ms"
+    if seconds >= 100:
+        return f"{seconds / 60:.1f} minutes"
+    return f"{seconds:.2f} s" if seconds < 10 else f"{seconds:.1f} s"
+
+
+@pytest.mark.parametrize("name", ["DDS", "Zenoh"])
+def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) -> None:
+    protocol = ds.PROTOCOLS[name]
+    found = remedy(ds.plan(ds.Fleet.swarm(20, 2, 10), protocol), "staggered start")
+    window, said = staggered.window(protocol, 20, 2, 10), found.sentence()
+    assert found.start_window == window
+    assert found.saved == 0
+    assert f"over at least {words_of_time(window)}" in said
+    rows = [
+        row
+        for row in read_data("simulated/staggered.csv", "discostorm_planner")
+        if (row["protocol"], row["hosts"], row["radio"], row["mpdus"]) == (name, "20", "n", "1")
+    ]
+    times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
+    both = f"{times['rule']:.0f} s instead of {times['together']:.0f} s"
+    assert f"20 robots with {name} needed {both}" in said
+    # By more than the runs scatter: these intervals of the medians do not meet.
+    ends = {row["start"]: row for row in rows}
+    column = "convergence_time_s"
+    assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
+
+
+def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_advised() -> None:
+    fleet = ds.Fleet((ds.HostGroup(12, 25, 30), ds.HostGroup(2, 3, 200)))
+    plan = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
+    assert plan.steady == ds.utilization(ds.PROTOCOLS["Fast DDS"], plan.fleet, window=math.inf) > 1
+    assert plan.advice().startswith("The periodic traffic alone needs ")
+    assert not any("staggered start" in found.steps for found in plan.remedies)
+    (reason,) = (r for r in plan.not_applicable if r.startswith("starting one after the other"))
+    assert f"alone needs {words.percent(plan.steady)} of the channel" in reason
+    told = json.loads(plan.to_json())
+    assert [told["steady"], told["steady_fits"]] == [plan.steady, False]
+    for found, row in zip(
+        (*plan.remedies, *plan.combinations), told["remedies"] + told["combinations"], strict=True
+    ):
+        fits = found.steady < 1
+        assert (row["start_within_s"] is not None) == fits == math.isfinite(found.start_window)
+        assert ("so the fleet never fits" in found.caution()) != fits
+    assert {found.steady < 1 for found in plan.remedies} == {True, False}
+    # What fits is told as before.
+    small = ds.plan(ds.Fleet.swarm(4, 2, 10), ds.PROTOCOLS["Fast DDS"])
+    found = remedy(small, "staggered start")
+    start = found.before - small.steady
+    assert found.start_window == pytest.approx(start / (1 - small.steady))
+    assert "does not fit:" not in small.advice()
+
+
+@pytest.mark.parametrize("name", ds.PROTOCOLS)
+@pytest.mark.parametrize("window", [0.5, 1.0, 20, float("inf")])
+def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float) -> None:
+    table = ds.PROTOCOLS[name]
+    plan = ds.plan(FIG3, table, window=window)
+    assert plan.utilization == ds.utilization(table, plan.fleet, window=window)
+    for found in plan.remedies:
+        parts = [
+            ds.utilization(found.protocol, part, wifi=found.wifi, window=window)
+            for part in found.fleets
+        ]
+        assert found.utilization == approx(sum(parts))
+        assert found.window == window
+    text = " ".join(plan.advice().split())
+    words = {0.5: "the first 0.5 s", 1: "one second", 20: "the first 20 s"}
+    assert words.get(window, "in the steady state") in text
+    seconds = json.loads(plan.to_json())["window_s"]
+    assert seconds == (None if window == float("inf") else window)
+    assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
+    measured = name in MEASURED | MITIGATED
+    of_paper = table.family is not None
+    assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
+    assert (f"The measured model of {name} comes from captures" in text) == measured
+    if window == 20:
+        assert f"needs {words_of_time(20 * plan.utilization)} of airtime" in text
+
+
+def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
+    assert str(PLAN_OF_FIG3) == PLAN_OF_FIG3.advice()
+    for width in (40, 79):
+        table, *_ = PLAN_OF_FIG3.advice(width).split("What this rests on")
+        assert max(map(len, table.splitlines())) <= width
+    sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
+    assert any("changes less than 0.5%" in sentence for sentence in sentences)
+    assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in s for s in sentences)
+    many, two = replace(ROBOTS, processes=8), replace(ROBOTS, processes=2)
+    for groups, what in (
+        ((many,), "composing 8 processes into 1"),
+        ((two, LAPTOP), "composing 2 processes of robots into 1"),
+        ((two, replace(LAPTOP, processes=3)), "composing the processes of each host into 1"),
+    ):
+        assert remedy(ds.plan(ds.Fleet(groups)), "processes").what == what
+
+
+def test_table_and_json_hold_the_same_numbers() -> None:
+    named = replace(TOLD.groups[0], name="Bodenläufer")
+    plan = ds.plan(ds.Fleet((named, TOLD.groups[1])), ds.ZENOH)
+    table = plan.to_frame()
+    read = json.loads(plan.to_json())
+    assert plan.to_json().splitlines()[1].startswith('  "')
+    assert "Bodenläufer" in plan.to_json()
+    assert read == plan.to_dict()
+    assert read["utilization"] == plan.utilization
+    assert read["fits"] is False
+    assert [group["name"] for group in read["fleet"]] == ["Bodenläufer", "laptop"]
+    assert read["left_out"] == list(plan.not_applicable) != []
+    told = sum(map(len, plan.sections().values()))
+    rest = len(plan.remedies) + len(plan.combinations) - told
+    assert f"{rest} changes, why others are left out" in plan.advice()
+    assert read["fleet"][0]["endpoints"] == 678
+    entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
+    assert list(table.index) == [entry["what"] for entry in entries]
+    columns = (
+        "before",
+        "utilization",
+        "saved",
+        "best_case",
+        "note",
+        "all_find_each_other",
+        "fails",
+    )
+    for column in columns:
+        assert table[column].tolist() == [entry[column] for entry in entries]
+    assert table["effort"].tolist() == [found.rank for found in every]
+    assert table["fits"].tolist() == [found.utilization < 1 for found in every]
+    for entry, found in zip(entries, every, strict=True):
+        assert entry["price"] == found.trade_offs
+        assert len(entry["fleets"]) == len(found.fleets)
+    shares = plan.shares_table()
+    assert shares["share"].tolist() == [entry["share"] for entry in read["shares"]]
+
+
+def test_no_number_has_two_names_in_json() -> None:
+    """Of what has a name of its own, no two entries are always the same."""
+    said = [
+        json.loads(ds.plan(fleet, table, window=window).to_json())
+        for fleet, window in ((TOLD, 20.0), (FIG3, 1.0))
+        for table in ds.PROTOCOLS.values()
+    ]
+    levels = {
+        "plan": said,
+        "share": [share for plan in said for share in plan["shares"]],
+        "remedy": [found for plan in said for found in plan["remedies"]],
+    }
+    for entries in levels.values():
+        columns: dict[tuple[Any, ...], str] = {}
+        for name in entries[0]:
+            values = tuple(json.dumps(entry[name]) for entry in entries)
+            assert values not in columns, (name, columns.get(values))
+            columns[values] = name
+
+
+def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
+    plan = ds.plan(FIG3)
+    data = plan.picture_data()
+    best = {found.kind: found for found in reversed(plan.remedies)}
+    drawn = [found for kind, found in best.items() if kind != "staggered start"]
+    assert len(drawn) < len(plan.remedies) - 1
+
+    def by(found: ds.Remedy) -> str:
+        if found.kind in CHANNEL:
+            return "DDS, standard timing"
+        base = PRODUCT_OF.get(found.protocol.name)
+        return f"{base}, measured model" if base else "DDS, paper model"
+
+    def name(found: ds.Remedy) -> str:
+        kind = "at best" if found.best_case else "prototype" if found.kind == "hybrid" else ""
+        return f"{found.what} ({kind})" if kind else found.what
+
+    before, after = data[data["change"] == ""], data[data["change"] != ""]
+    # A baseline stands first in its group, and each group is together.
+    assert list(before.index) == [
+        data.index[data["baseline"] == base][0] for base in before["baseline"]
+    ]
+    assert before["baseline"].is_unique
+    assert data["baseline"].ne(data["baseline"].shift()).sum() == len(before)
+    as_it_is = before.set_index("baseline")["utilization"]
+    assert as_it_is["DDS, paper model"] == plan.utilization
+    assert as_it_is["DDS, standard timing"] == remedy(plan, "radio").before
+    told = {(row.baseline, row.change): row.utilization for row in after.itertuples()}
+    assert told == {(by(found), name(found)): found.utilization for found in drawn}
+    assert all(as_it_is[by(found)] == approx(found.before) for found in drawn)
+
+    figure = plan.picture("What helps")
+    (axis,) = figure.axes
+    assert figure.get_suptitle() == "What helps"
+    texts = [text.get_text() for text in axis.texts]
+    assert {f"{base}: {words.duration(was)} today" for base, was in as_it_is.items()} <= set(texts)
+    assert {words.duration(found.utilization) for found in drawn} <= set(texts)
+    labels = {" ".join(label.get_text().split()) for label in axis.get_yticklabels()}
+    assert labels == {"", *map(name, drawn)}
+    assert "[s]" in axis.get_xlabel()
+    (steady,) = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"], window=math.inf).picture().axes
+    assert "[%]" in steady.get_xlabel()
+    on_preset = ds.plan(FIG3, wifi=RADIO).picture_data()
+    assert dict(on_preset[on_preset["change"] == ""].set_index("baseline")["utilization"]) == {
+        "DDS, paper model": ds.plan(FIG3, wifi=RADIO).utilization,
+    } | {
+        f"{base}, measured model": ds.utilization(ds.PROTOCOLS[base], plan.fleet, wifi=RADIO)
+        for base in ("Fast DDS", "Cyclone DDS")
+    }
+
+
+def test_gains_are_told_from_what_there_was() -> None:
+    plan = ds.plan(ds.Fleet.swarm(2, 1e8, 0))
+    for found in plan.remedies:
+        base = PRODUCT_OF.get(found.protocol.name)
+        if base is not None:
+            assert found.before == ds.utilization(ds.PROTOCOLS[base], plan.fleet)
+            assert found.note == f"both values are of {base}'s measured model"
+        elif found.kind not in CHANNEL:
+            assert found.before == plan.utilization
+    said = plan.remedies[0].sentence()
+    assert "composing 100,000,000 processes into 1 cuts 945,000 years to" in said
+    # What is left counts, however little it is of what there was.
+    tiny = [found for found in plan.combinations if found.saved == 1 and found.utilization]
+    assert tiny
+    assert all("(just below 100%)" in found.sentence() for found in tiny)
+
+
+def test_what_a_change_adds_to_nothing_is_told() -> None:
+    alone, on_robot = ds.Fleet.swarm(1, 2, 5), "Fast DDS Discovery Server, on a robot"
+    plan = ds.plan(alone, ds.PROTOCOLS[on_robot])
+    assert plan.utilization == 0
+    wired = remedy(plan, "discovery server")
+    taken = ds.utilization(ds.PROTOCOLS["Fast DDS Discovery Server"], plan.fleet)
+    assert wired.sentence() == (
+        f"a Discovery Server adds {1000 * taken:.1f} ms; nothing was sent before"
+    )
+    # The other way round nothing is left.
+    back = remedy(ds.plan(alone, wired.protocol), "discovery server on a robot")
+    assert (back.utilization, back.saved) == (0, 1)
+    assert back.sentence().endswith(f"cuts {1000 * taken:.1f} ms to no time (100%)")
+
+
+def test_several_things_are_told_in_the_plural() -> None:
+    plan = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"])
+    said = {found.kind: found.sentence() for found in plan.remedies}
+    for kind, start in {
+        "discovery server": "a Discovery Server cuts ",
+        "two discovery servers": "two Discovery Servers cut ",
+        "static endpoints": "static endpoints cut ",
+        "processes": "composing 8 processes into 1 cuts ",
+        "multicast rate": "sending multicast at 24 instead of 6 Mbit/s c",
+        "hybrid": "the hybrid discovery cuts ",
+    }.items():
+        assert said[kind].startswith(start)
+    assert all(" cut " in found.sentence() for found in plan.combinations)
+
+
+def test_a_host_without_others_is_advised_nothing() -> None:
+    for protocol in ds.PROTOCOLS.values():
+        advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).advice()
+        assert advice.endswith("no other host receives its messages.")
+        assert "single changes" not in advice
+        assert "single changes" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
+
+
+def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
+    table = ds.PROTOCOLS["Fast DDS"]
+    assert table.captured is not None
+    hosts, processes, endpoints = table.captured
+    within = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints), table).advice()
+    beyond = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints + 1), table).advice()
+    assert f"{processes} processes with up to {endpoints} endpoints" in " ".join(within.split())
+    assert "extrapolated" not in " ".join(within.split())
+    assert "This fleet is extrapolated" in " ".join(beyond.split())
+    aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
+    for size, verdict in ((2, "so it fits"), (6, "so it may fit"), (40, "so it does not fit")):
+        assert verdict in ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).advice()
+    assert "so it fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).advice()
