@@ -651,10 +651,9 @@ def test_tables_pictures_and_json_hold_the_same() -> None:
     answer = json.loads(found.to_json())
     assert answer["drain_time"] == found.drain_time.tolist()
     assert answer["counts"]["ppdus"] == found.counts["ppdus"].tolist()
-    airtime = found.airtime_table()
+    names = [message.name for message in found.protocol.messages]
     up = answer["airtime"]["SEDP"]["up"]
-    assert up == found.airtime[:, list(airtime.index).index("SEDP"), 0].tolist()
-    assert airtime.loc["SEDP", "up_s"] == pytest.approx(np.mean(up))
+    assert up == found.airtime[:, names.index("SEDP"), 0].tolist()
     assert min(up) > 0
     assert answer["lost_by_host"] == found.lost_by_host.tolist()
     time, hosts, access_point = found.queues[1].T.tolist()

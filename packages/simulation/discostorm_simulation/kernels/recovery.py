@@ -1,12 +1,10 @@
 """What the middlewares do with what arrives: discovery, repair, leases.
 
-Whoever learns of a process sends it what the table says answers an announcement, above all one
-message for each of its own endpoints, an item. Over UDP a writer repeats Heartbeats to all
-that have not acknowledged, a reader answers each with an ACKNACK, and what this says is
-missing is sent again (OMG DDSI-RTPS 2.5, 8.4). Over TCP the sender repeats the first missing
-item when its timer ends, doubles the timer, and goes on as in slow start (RFC 6298, 5681); the
-acknowledgements of TCP travel for free. Who has not been heard of for a lease is forgotten
-with all that it sent, and may be discovered again.
+Whoever learns of a process sends it what answers an announcement, above all an item for each own
+endpoint. Over UDP a writer repeats Heartbeats until all have acknowledged and sends again what an
+ACKNACK says is missing (OMG DDSI-RTPS 2.5, 8.4). Over TCP the first missing item is repeated when
+its timer ends, with slow start (RFC 6298, 5681); acknowledgements of TCP travel for free. Who has
+not been heard of for a lease is forgotten, and may be discovered again.
 """
 
 import numpy as np
@@ -250,10 +248,7 @@ def expire_leases(cell, reader, time):
 
 @shared
 def send_by_clock(cell, host, burst, time):
-    """Send what a host's processes send by the clock: to all, or to each that is known.
-
-    User data go to those of whom everything is known, as a writer must have found the reader.
-    """
+    """Send what a host's processes send by the clock: to all, or to each that is known."""
     state, its = cell.state[0], cell.stations[host]
     flag = st.STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
     for process in range(its.first, its.first + its.processes):
@@ -291,10 +286,7 @@ def announce_again(cell, process, time):
 
 @shared
 def answer_count(cell, row, process, source):
-    """Return how many messages of a row a process sends in answer to one of another's.
-
-    On average as many as the table has of the one for each of the other.
-    """
+    """Return how many messages answer one of another's: on average as the table's counts say."""
     answered = cell.kinds[row].answers
     wanted = cell.each[process, row]
     heard = cell.each[source, answered]
@@ -412,10 +404,7 @@ def receive_message(cell, frame, process, time):
 
 @njit
 def is_converged(cell):
-    """Return whether everybody knows everybody, or need not.
-
-    Beside user data a run without recovery lasts until its end is due.
-    """
+    """Return whether all know all; without recovery only user data keep a run from its end."""
     state = cell.state[0]
     return state.converged > 0 if state.repairs else state.stamp == 0
 
