@@ -16,7 +16,7 @@ import click
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import _checks
+from discostorm import _checks, words
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
@@ -56,9 +56,9 @@ def simulate(
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
-    Every frame goes up to the access point as unicast, waits there and goes down again, multicast
-    once at the basic rate without acknowledgement. Stations contend by EDCA, best effort (802.11a
-    and g: by DCF), with at most 7 attempts; with aggregation until a frame arrives or is too old.
+    Frames go up to the access point as unicast, wait there and go down again, multicast once at
+    the basic rate. Stations contend by EDCA, best effort (802.11a and g: by DCF), at most 7 times;
+    with aggregation until a frame arrives or is too old.
 
     Parameters
     ----------
@@ -77,9 +77,8 @@ def simulate(
         Part of the data frames with errors between a host and the access point [1], up and down
         alike, at least 0 and below 1; an array has one a host.
     recovery : bool, optional
-        Whether messages answer messages and the middleware repairs losses, see
-        `discostorm_simulation.kernels.recovery`; not through servers or routers. If not, hosts
-        send what their schedules say, and only Wi-Fi repeats.
+        Whether messages answer messages and the middleware repairs losses, not through servers
+        or routers. If not, hosts send what their schedules say, and only Wi-Fi repeats.
     runs : int, optional
         Independent runs [1], which go side by side in threads.
     seed : int, optional
@@ -87,14 +86,12 @@ def simulate(
     until : float, optional
         With recovery or user data, when to end [s] after the last start, above 0, at most 1e6.
     eifs : bool, optional
-        Whether those who hear a collision wait EIFS, as after a frame with errors; in ns-3
-        frames of equal strength hide each other's preamble.
+        Whether those who hear a collision wait EIFS, as after a frame with errors; not in ns-3.
     block_ack : {"negotiate", "established"}, optional
-        With aggregation: whether senders first exchange ADDBA frames, as after power-on (see
-        `discostorm_simulation.kernels.block_ack`), or had agreed before the start.
+        With aggregation: whether ADDBA frames come first, as after power-on, or came before.
     power : array of shape (hosts + 1, hosts + 1), optional
-        How strongly each station is heard by each other [dB], at [sender, receiver], the access
-        point last, such as of `discostorm_simulation.powers`, for the capture effect.
+        For the capture effect: how strongly stations hear each other [dB], at [sender, receiver],
+        the access point last, see `discostorm_simulation.powers`.
     threshold : tuple of (float, float), optional
         By how much a frame's power must exceed the sum of all that overlap it [dB], at least 0:
         unicast data, and what is sent at the basic rate; in ns-3, with two antennas, 18 and 1.
@@ -109,8 +106,7 @@ def simulate(
     ImportError
         If wasmtime is missing.
     ValueError, TypeError
-        If an argument is out of range or of another kind, cannot be simulated (`NoRecovery`), or
-        a run needs more memory than is available.
+        If an argument cannot be simulated (`NoRecovery`), or a run needs more memory than there is.
 
     References
     ----------
@@ -209,17 +205,14 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
             f"got {setup.hosts.host_of.size} processes"
         )
     if seconds * len(seeds) > _SAID and sys.stderr is not None:
-        runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
-        about = f"{runs} of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
-        click.echo(f"discostorm: {about}", err=True)
+        about = f"of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
+        click.echo(f"discostorm: {words.count_noun(len(seeds), 'run')} {about}", err=True)
     if len(seeds) == 1:
         return [one_run(setup, seeds[0])]
     stop, found = Event(), []
+    hidden = sys.stderr is None or seconds * len(seeds) < _SHOWN
     progress = click.progressbar(
-        length=len(seeds),
-        label="simulating",
-        file=sys.stderr,
-        hidden=sys.stderr is None or seconds * len(seeds) < _SHOWN,
+        length=len(seeds), label="simulating", file=sys.stderr, hidden=hidden
     )
     workers = max(1, min(os.cpu_count() or 1, len(seeds), int(free / max(megabytes, 1.0))))
     with ThreadPoolExecutor(workers) as threads, progress as bar:

@@ -155,11 +155,6 @@ class Shares:
     receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
 
-    @property
-    def whole(self) -> NDArray[np.bool_]:
-        """Of which rows of the table nobody sends a fraction."""
-        return np.asarray(((self.each % 1 == 0) & (self.to_all % 1 == 0)).all(axis=0))
-
     def most(self) -> NDArray[np.int64]:
         """Return how many of each message a process sends at most, at once, to one or to all."""
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
@@ -245,7 +240,8 @@ def kind_records(
     fast, slow = paddings(wifi)
     shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
-    records["set"], records["whole"] = shares.sets, shares.whole
+    records["set"] = shares.sets
+    records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
         multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):

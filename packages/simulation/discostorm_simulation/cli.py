@@ -184,8 +184,7 @@ def simulate(
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
-        told = words.join_words(list(refused))
-        why = next(iter(refused.values()))
+        told, why = words.join_words(list(refused)), next(iter(refused.values()))
         click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
         answers = [
@@ -201,7 +200,7 @@ def simulate(
         if name in alone and not modeled:
             said += beside(one, alone[name])
         click.echo(visible(words.wrapped(said)) + "\n")
-    shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
+    shown = ("run", "drain_time_s", "lost", "convergence_time_s", ALONE, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
@@ -212,8 +211,7 @@ def simulate(
             without = [c for c in ("convergence_time_s", ALONE) if c in table]
             table[without] = None if output.as_csv else float("nan")
         named = {"protocol": name} if len(protocols) > 1 else {}
-        columns = [c for c in table if c in (*shown, ALONE)]
-        kept = table if output.as_csv else table[columns]
+        kept = table if output.as_csv else table[[c for c in table if c in shown]]
         rows += [named | row for row in kept.to_dict("records")]
     printed = columns_of(
         rows,

@@ -136,14 +136,6 @@ def _trigger(protocol: Protocol, message: Message) -> int:
     return st.ANSWER if alike else st.DISCOVERY
 
 
-def _when(message: Message, answered: Message) -> int:
-    """Return which of the messages it answers it does: all, the later ones, or the first."""
-    own, other = message.schedule, answered.schedule
-    if message.role != "announcement" or own == other:
-        return st.ALWAYS
-    return st.LATER if own.starts[0] > other.starts[0] else st.FIRST
-
-
 def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Say of each row of the table what it is for and when it is sent."""
     names = [message.name for message in protocol.messages]
@@ -159,15 +151,15 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         if message.answers is not None:
             answered = protocol.message(message.answers)
             record["answers"] = names.index(message.answers)
-            record["when"] = _when(message, answered)
-            times = answered.schedule
+            own, times = message.schedule, answered.schedule
+            if message.role == "announcement" and own != times:
+                record["when"] = st.LATER if own.starts[0] > times.starts[0] else st.FIRST
             # Half-way to the second time, as queues delay what is sent at first.
             second = (*times.starts, times.starts[-1] + times.period)[1]
             record["since"] = ticks((times.starts[0] + second) / 2)
-            starts = message.schedule.starts
-            if record["trigger"] == st.DISCOVERY and len(starts) > 1:
-                record["gap_number"] = len(starts) - 1
-                record["gap_first"] = ticks(starts[1] - starts[0])
+            if record["trigger"] == st.DISCOVERY and len(own.starts) > 1:
+                record["gap_number"] = len(own.starts) - 1
+                record["gap_first"] = ticks(own.starts[1] - own.starts[0])
 
 
 def _check_circles(protocol: Protocol, kinds: Records) -> None:

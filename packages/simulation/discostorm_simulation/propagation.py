@@ -15,10 +15,18 @@ _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
 def disc(hosts: int) -> NDArray[np.float64]:
-    """Return places of hosts [radius] spread evenly over a disc, the access point in its middle.
+    """Return places of hosts spread evenly over a disc, the access point in its middle.
 
-    They stand like the seeds of a sunflower, the nearest first (H. Vogel, Mathematical Biosciences
-    44, 1979).
+    Parameters
+    ----------
+    hosts : int
+        How many [1], at least 1.
+
+    Returns
+    -------
+    ndarray of shape (hosts, 2)
+        Places [radius of the disc], as of a sunflower's seeds (H. Vogel, "A better way to construct
+        the sunflower head", Mathematical Biosciences 44, 1979).
     """
     _checks.integer("hosts", hosts, 1)
     number = np.arange(int(hosts))

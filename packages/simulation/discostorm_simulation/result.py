@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from discostorm import words
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
@@ -17,7 +18,6 @@ from discostorm.wifi.radio import TOPOLOGY
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.figure import Figure
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,13 +41,7 @@ QUANTILES = tuple(part / 20 for part in range(21))
 
 
 class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
-    """The recovery of a protocol is not simulated: `simulate` needs ``recovery=False``.
-
-    Attributes
-    ----------
-    why : str
-        Why, and what to change if that helps.
-    """
+    """The recovery of a protocol is not simulated, as `why` says: it needs ``recovery=False``."""
 
     def __init__(self, protocol: str, why: str) -> None:
         super().__init__(f"recovery must be False for the protocol {protocol!r}: {why}")
@@ -161,7 +155,10 @@ class Simulation:
             return np.array([getattr(run, name) for run in runs])
 
         return cls(
-            *(fleet, protocol, wifi, settings),
+            fleet,
+            protocol,
+            wifi,
+            settings,
             **{name: each(name) for name in SIDE_BY_SIDE},
             counts={name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
             queues=tuple(run.queues for run in runs),
@@ -181,14 +178,11 @@ class Simulation:
         return hash((self.fleet, self.protocol, self.wifi, self.drain_time.tobytes()))
 
     def __repr__(self) -> str:
-        runs = self.drain_time.size
-        middle = (
-            f"{name} {np.median(getattr(self, name)):.4g}{unit}"
-            for name, unit in (("drain_time", " s"), ("lost", ""), ("convergence_time", " s"))
-        )
+        runs = words.count_noun(self.drain_time.size, "run")
+        drain, lost, known = map(np.median, (self.drain_time, self.lost, self.convergence_time))
         return (
-            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs} "
-            f"{'run' if runs == 1 else 'runs'}; medians: {', '.join(middle)})"
+            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs}; medians: drain_time "
+            f"{drain:.4g} s, lost {lost:.4g}, convergence_time {known:.4g} s)"
         )
 
     def table(self) -> pd.DataFrame:
@@ -203,51 +197,27 @@ class Simulation:
         """Return the first transmissions of the first run, one row each."""
         import pandas as pd
 
-        sent = self.transmissions
-        hosts = int(self.settings["hosts"])
+        sent, hosts = self.transmissions, int(self.settings["hosts"])
         # The two that are no messages count from the end.
         others = ["block ACK agreement", "block ACK request"]
         names = [*(message.name for message in self.protocol.messages), *others]
+        stations = [*(f"host {number + 1}" for number in range(hosts)), "access point"]
         return pd.DataFrame(
             {
                 "start_s": sent["start"] * 1e-7,
                 "end_s": sent["end"] * 1e-7,
-                "station": [
-                    "access point" if number == hosts else f"host {number + 1}"
-                    for number in sent["station"]
-                ],
+                "station": [stations[number] for number in sent["station"]],
                 "message": [names[kind] for kind in sent["kind"]],
                 "frames": sent["frames"],
                 "outcome": [OUTCOMES[outcome] for outcome in sent["outcome"]],
             }
         )
 
-    def figure(self) -> Figure:
-        """Return a picture: frames that wait over time, and how many pairs know each other."""
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(7, 3.2), layout="constrained")
-        panels = figure.subplots(1, 2 if self.pair_times.size else 1, squeeze=False)[0]
-        time, hosts, access_point = self.queues[0].T
-        panels[0].plot(time, hosts, label="all hosts")
-        panels[0].plot(time, access_point, label="access point", linestyle="--")
-        panels[0].set(xlabel="time after the start [s]", ylabel="frames waiting [1], first run")
-        panels[0].legend()
-        if self.pair_times.size:
-            times = np.sort(self.pair_times, axis=None)
-            known = np.arange(1, times.size + 1) / times.size
-            good = np.isfinite(times)
-            panels[1].step(times[good], known[good], where="post")
-            panels[1].set(ylabel="pairs complete [1], all runs", ylim=(0, 1.02))
-            panels[1].set(xlabel="time after the start [s]")
-        return figure
-
     def to_dict(self) -> dict[str, Any]:
         """Return what was simulated and all numbers a run as plain Python, for JSON.
 
-        Infinity is None. Of `pair_times` it has quantiles, of `transmissions` nothing: see
-        `transmission_table`. The protocol is named; the channel is ``Radio(**radio).wifi()``.
-        A run with the ``starts`` of one as its ``start`` repeats that one, if it is the first.
+        Infinity is None; `pair_times` are quantiles; the channel is ``Radio(**radio).wifi()``. A
+        run with the ``starts`` of the first one as its ``start`` repeats that.
         """
         assert self.wifi.radio is not None
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]

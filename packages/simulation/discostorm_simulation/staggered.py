@@ -36,7 +36,7 @@ def window(
     Returns
     -------
     float
-        `discostorm.timeline.drain_time` [s]: infinity where what is repeated fills the channel.
+        The drain time [s]: infinity where what is repeated fills the channel by itself.
 
     Examples
     --------
@@ -72,6 +72,18 @@ def in_turn(
 ) -> Floats:
     """Return a start for each host [s]: when the airtime of all that come before it has passed.
 
+    Parameters
+    ----------
+    protocol, hosts, processes, endpoints, wifi
+        As for `discostorm.utilization`, one number each; hosts whole, at most a million.
+
+    Returns
+    -------
+    ndarray of shape (hosts,)
+        In ascending order [s].
+
+    References
+    ----------
     After the idea of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis,
     DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract, with the closed form.
 

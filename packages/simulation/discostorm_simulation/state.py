@@ -34,26 +34,24 @@ REPAIR = STEADY << 1
 LINE = 64
 
 
-def _record(
-    *names: str, floats: tuple[str, ...] = (), short: tuple[str, ...] = (), lines: int = 0
-) -> np.dtype[np.void]:
-    """Return a record of whole numbers, but for floats; as long as some lines of cache."""
-    kinds = dict.fromkeys(names, np.int64) | dict.fromkeys(floats, np.float64)
-    fields = list((kinds | dict.fromkeys(short, np.int32)).items())
+def _record(fields: str, lines: int = 0) -> np.dtype[np.void]:
+    """Return a record of named whole numbers, "/4" short ones, "/f" floats; of so many lines."""
+    kinds = {"": np.int64, "4": np.int32, "f": np.float64}
+    named = [
+        (name, kinds[kind]) for name, _, kind in (one.partition("/") for one in fields.split())
+    ]
     if lines:
-        rest = lines * LINE - np.dtype(fields).itemsize
-        fields += [(f"_{number}", np.int64) for number in range(rest // 8)]
-    return np.dtype(fields)
+        rest = lines * LINE - np.dtype(named).itemsize
+        named += [(f"_{number}", np.int64) for number in range(rest // 8)]
+    return np.dtype(named)
 
 
 #: The radio in ticks, bytes and counts; `timeout`: after a frame, when no answer has begun;
 #: `eifs_extra`: EIFS - AIFS; by which factors a frame exceeds all that overlap it (capture).
 RADIO = _record(
-    *("slot", "sifs", "aifs", "cw_min", "cw_max", "attempts", "edca", "timeout", "eifs_extra"),
-    *("ack", "block_ack", "bar", "preamble", "symbol", "grid", "bits", "added"),
-    *("addba", "basic_ack"),
-    *("mpdus", "max_bytes", "min_subframe", "window", "queue", "lifetime"),
-    floats=("capture_threshold", "capture_threshold_basic"),
+    "slot sifs aifs cw_min cw_max attempts edca timeout eifs_extra ack block_ack bar preamble "
+    "symbol grid bits added addba basic_ack mpdus max_bytes min_subframe window queue lifetime "
+    "capture_threshold/f capture_threshold_basic/f"
 )
 
 #: What the cell is at: slot ``slot`` begins at the tick ``base``, the medium is idle from ``idle``
@@ -61,15 +59,11 @@ RADIO = _record(
 #: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts what is
 #: sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two stamps.
 STATE = _record(
-    *("clock", "base", "slot", "idle", "ahead", "waiting", "deferred", "deferred_time", "events"),
-    *("free", "spare"),
-    *("open", "coming", "drained", "queued", "sample", "step", "samples", "logged", "random"),
-    *("hosts", "links", "kinds", "per_receiver", "finished", "pairs", "converged", "repairs"),
-    *("expected", "arrived", "host_full", "host_age", "host_retry", "ap_full", "ap_age"),
-    *("ap_retry", "on_air", "ppdus", "mpdus", "retried", "collisions", "collided", "requests"),
-    *("busy", "wasted", "expired", "cold", "addba_frames"),
-    *("unlike", "overlapping", "others", "damaged"),
-    "stamp",
+    "clock base slot idle ahead waiting deferred deferred_time events free spare open coming "
+    "drained queued sample step samples logged random hosts links kinds per_receiver finished "
+    "pairs converged repairs expected arrived host_full host_age host_retry ap_full ap_age "
+    "ap_retry on_air ppdus mpdus retried collisions collided requests busy wasted expired cold "
+    "addba_frames unlike overlapping others damaged stamp"
 )
 
 #: Causes of losses, for `count_drop`. (Of plain numbers numba would compile a function for each.)
@@ -80,51 +74,43 @@ QUEUE_FULL, EXPIRED, RETRY_LIMIT, LOST_ON_AIR = (np.int64(number) for number in 
 #: host h hang on ``to_head`` and ``to_tail`` of h. What most transmissions need is in the first
 #: line of cache; of an even number of lines first ones would share few places in the cache.
 STATION = _record(
-    *("held", "failures", "waits", "begun", "times", "number"),
-    *("length", "made", "last", "missed", "head"),
-    *("tail", "following", "send_slot", "to_head", "to_tail", "processes", "first", "loss"),
-    *("sent", "bar_pending", "stage", "process", "steps", "there", "kind", "sought"),
-    *("to_number", "passed"),
-    floats=("loss",),
-    short=(
-        *("held", "failures", "waits", "begun", "times", "number", "sent", "bar_pending"),
-        *("to_number", "passed"),
-    ),
+    "held/4 failures/4 waits/4 begun/4 times/4 number/4 length made last missed head tail "
+    "following send_slot to_head to_tail processes first loss/f sent/4 bar_pending/4 stage "
+    "process steps there kind sought to_number/4 passed/4",
     lines=3,
 )
 
 #: A frame that is sent, when it came, its number, its failures; at an access point that aggregates
 #: a copy of the entry ``number`` of `CellState.pool`.
-WINDOW = _record("frame", "came", "number", "tries")
+WINDOW = _record("frame came number tries")
 
 #: An agreement on block acknowledgements: request and response that wait, by their order (0: none).
-BLOCK_ACK = _record("state", "request", "response", "request_tries", "response_tries")
+BLOCK_ACK = _record("state request response request_tries response_tries")
 #: Not agreed on; asked for; not answered in time; agreed on.
 NO_BLOCK_ACK, REQUESTED, UNANSWERED, ESTABLISHED = (np.int64(number) for number in range(4))
 UPWARD, DOWNWARD = np.int64(0), np.int64(1)
 
 #: Requests and responses that wait at a station; it sends that of 2 * host + direction, -1: none.
-ADDBA = _record("waiting", "sends")
+ADDBA = _record("waiting sends")
 
 #: A frame or burst that waits, and the next; at the access point also the next to the same host.
-ENTRY = _record(*("frame", "came", "next", "same", "number", "tries"), short=("number", "tries"))
+ENTRY = _record("frame came next same number/4 tries/4")
 
 #: Who waits beside the wheel: from which tick on, for how many slots, and so until when.
-DEFERRED = _record("station", "base", "left", "time")
+DEFERRED = _record("station base left time")
 
 #: Who sends now, until when, from which tick and for how many slots it waits then; what arrived.
-SENDER = _record("station", "end", "base", "slots", "frame")
+SENDER = _record("station end base slots frame")
 
 #: What happens later.
-EVENT = _record("time", "what")
+EVENT = _record("time what")
 
 #: A row of the protocol's table. ``to_all``: its sender counts it, not its receivers; ``set``: a
 #: row of `CellState.receivers_before`; ``whole``: nobody sends a fraction; ``since`` parts early
 #: from late messages for ``when``; ``user``: the row of `CellState.delays`, from 1 on; 0: none.
 KIND = _record(
-    *("octets", "multicast", "to_all", "up", "down", "set", "whole", "time_up", "time_down"),
-    *("role", "informs", "of_host", "trigger", "answers", "when", "since", "tcp"),
-    *("to_unknown", "gap_first", "gap_number", "user"),
+    "octets multicast to_all up down set whole time_up time_down role informs of_host trigger "
+    "answers when since tcp to_unknown gap_first gap_number user"
 )
 
 #: What a message is for: `role`; and when it is sent: `trigger`.
@@ -134,24 +120,23 @@ ALWAYS, LATER, FIRST = range(3)
 
 #: How the middleware repairs, in ticks; see `kernels.recovery`.
 REPAIRS = _record(
-    *("announce_interval_initial", "announce_interval_max"),
-    *("heartbeat_period_initial", "heartbeat_period_max"),
-    *("lease", "topics", "heartbeat", "acknack", "rto_first", "rto_min", "rto_max"),
+    "announce_interval_initial announce_interval_max heartbeat_period_initial "
+    "heartbeat_period_max lease topics heartbeat acknack rto_first rto_min rto_max"
 )
 
 #: What process x holds of process y, at [x, y]: whether it knows y and has all its items; since
 #: when y was told of x, and which topics y has acknowledged; and its TCP timer and round trip to y.
 PAIR = _record(
-    *("discovered", "last_heard", "missing", "completed_at", "announced_at", "acknowledged"),
-    *("rto", "expires_at", "srtt", "rttvar", "timer_running"),
+    "discovered last_heard missing completed_at announced_at acknowledged rto expires_at srtt "
+    "rttvar timer_running"
 )
 
-PROCESS = _record("host", "start", "announce", "heartbeat", "heartbeat_active")
+PROCESS = _record("host start announce heartbeat heartbeat_active")
 
-TRANSMISSION = _record("start", "end", "station", "kind", "frames", "outcome")
+TRANSMISSION = _record("start end station kind frames outcome")
 SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))
 
-QUEUE_SAMPLE = _record("time", "hosts", "access_point")
+QUEUE_SAMPLE = _record("time hosts access_point")
 
 
 class CellState(NamedTuple):

@@ -1,8 +1,7 @@
-"""How two stations agree on block acknowledgements before the first A-MPDU from one to the other.
+"""Agreements on block acknowledgements: ADDBA request and response, before the first A-MPDU.
 
-What is for a receiver waits for the response to an ADDBA request, which contends like any frame,
-ahead of data. If it is late, frames go one by one until it comes or it is time to ask again
-(IEEE Std 802.11-2020, 10.25.2 and 11.5; the two times are ns-3's).
+Until a late response comes frames go one by one, or it is asked for again (IEEE Std 802.11-2020,
+10.25.2 and 11.5; the two times are ns-3's).
 """
 
 import numpy as np

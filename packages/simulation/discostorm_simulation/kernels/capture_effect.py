@@ -1,8 +1,7 @@
 """Which of the frames that overlap is received, if stations are heard at unlike strength (capture).
 
-A receiver follows the frame whose power exceeds the sum of all others: by one factor for what is
-sent at the basic rate, as the begin of each frame is, and by a larger one for data. Of an A-MPDU
-between the two, MPDUs arrive that begin when the others are over. The answer is taken to arrive.
+The one whose power exceeds the sum of all others: by one factor at the basic rate, as its begin is,
+by a larger one for data. Between the two those MPDUs arrive that begin when the others are over.
 """
 
 import numpy as np

@@ -1,9 +1,7 @@
-"""Who sends when: the contention of 802.11 stations for one medium.
+"""Who sends when: contention by IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one category).
 
-Every station that waits stands in a wheel at the slot in which it will send, and a busy medium
-moves the clock under the wheel, so a transmission costs the same for any number of stations. Who
-has just collided stands beside the wheel until the next transmission. The rules are those of IEEE
-Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access category).
+Who waits stands in a wheel at the slot in which it will send, so a transmission costs the same for
+any number of stations; who has just collided stands beside it until the next transmission.
 """
 
 import numpy as np
