@@ -643,6 +643,17 @@ def test_starting_one_after_the_other_loses_less() -> None:
     assert lost(lambda rng, hosts: rng.uniform(0, 10, hosts)) < 0.1 < 0.5 < lost(0.0)
 
 
+def test_a_burst_is_not_over_while_some_of_it_is_still_to_come() -> None:
+    """Fast DDS announces itself for the last time after half a second."""
+    pair = ds.Fleet.swarm(2, 1, 1)
+    for until, over in ((0.05, False), (0.6, True)):
+        found = ds.simulate(pair, ds.PROTOCOLS["Fast DDS"], ds.PAPER, until=until)
+        assert found.convergence_time < 0.05
+        assert found.counts["waiting"] == 0
+        assert np.isfinite(found.drain_time) == over
+    assert 0.5 < found.drain_time < 0.6
+
+
 def test_tables_and_json_hold_the_same() -> None:
     found = small()
     table = found.table()
