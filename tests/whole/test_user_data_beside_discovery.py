@@ -252,7 +252,7 @@ def test_data_are_sent_beside_discovery_and_counted_by_topic(name: str) -> None:
     again = ds.simulate(own, protocol, ds.PAPER, **RUNS)
     assert again == beside
     json.loads(beside.to_json())
-    assert beside.airtime_table().shape[0] == len(beside.protocol.messages) + 1
+    assert beside.airtime.shape[1] == len(beside.protocol.messages) + 1
 
 
 @pytest.mark.parametrize("name", ["Fast DDS", "Cyclone DDS", "Zenoh peer"])
