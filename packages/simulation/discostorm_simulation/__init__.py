@@ -16,7 +16,7 @@ import click
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import _checks
+from discostorm import _checks, words
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
@@ -56,61 +56,45 @@ def simulate(
 ) -> Simulation:
     """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
 
-    Every frame goes up to the access point as unicast, waits there and goes down again, multicast
-    once at the basic rate without acknowledgement. Stations contend by EDCA, best effort (802.11a
-    and g: by DCF): AIFS, binary exponential back-off, acknowledgement timeout, at most 7 attempts.
-    With aggregation, frames are repeated until they arrive or are too old. The access point passes
-    on in order what a host sends, and sends next to whoever has waited longest.
+    Frames go up to the access point as unicast, wait there and go down again, multicast once at
+    the basic rate. Stations contend by EDCA, best effort (802.11a and g: by DCF), at most 7 times;
+    with aggregation until a frame arrives or is too old.
 
     Parameters
     ----------
     fleet : Fleet
-        At least two hosts, and whole numbers. Data of its groups (`HostGroup.data`) are sent beside
-        discovery, as `discostorm_simulation.user_data` says.
+        At least two hosts, and whole numbers; its groups' data are sent beside discovery.
     protocol : Protocol
         Its messages, schedules, answers and lease; for recovery also roles and timers.
     wifi : Wifi
         A channel with a radio, such as `discostorm.PAPER` or ``Radio(...).wifi()``.
     queue : tuple of (float, float), optional
-        Frames [1] and seconds that the queue of each station and of the access point holds,
-        as ns-3 has them by default; infinity or None for no limit.
+        Frames [1] and seconds that each queue holds, as in ns-3; infinity or None for no limit.
     start : float, array or distribution, optional
-        When hosts start [s], from 0 to 1e6: one time for all, an array of one a host, an object
-        with ``rvs`` (of `scipy.stats`), or a function of a `numpy.random.Generator` and
-        a number of hosts that returns their times.
+        When hosts start [s], from 0 to 1e6: one time, one a host, an object with ``rvs`` (of
+        `scipy.stats`), or a function of a `numpy.random.Generator` and a number of hosts.
     loss : float or array, optional
-        Part of the data frames with errors on the link between a host and the access point
-        [1], up and down alike, at least 0 and below 1; an array has one a host.
+        Part of the data frames with errors between a host and the access point [1], up and down
+        alike, at least 0 and below 1; an array has one a host.
     recovery : bool, optional
-        Whether messages answer messages and the middleware repairs what is lost, as
-        `discostorm_simulation.kernels.recovery` says; not for tables whose processes announce
-        themselves to servers or routers, such as "Fast DDS Discovery Server" or "Zenoh router".
-        If not, each host sends all that its
-        schedules say by the clock, nothing answers discovery and nothing is repeated but by Wi-Fi.
+        Whether messages answer messages and the middleware repairs losses, not through servers
+        or routers. If not, hosts send what their schedules say, and only Wi-Fi repeats.
     runs : int, optional
         Independent runs [1], which go side by side in threads.
     seed : int, optional
-        Of the random numbers [1], at least 0: the same arguments give the same result to the
-        bit.
+        Of the random numbers [1], at least 0: the same arguments give the same bits.
     until : float, optional
-        With recovery, when to give up [s] after the last host's start, above 0 and at most
-        1e6; without it a run ends when the burst is through or, beside data, always at this time.
+        With recovery or user data, when to end [s] after the last start, above 0, at most 1e6.
     eifs : bool, optional
-        Whether those who hear a collision take it for a frame with errors and wait EIFS. If
-        not, as ns-3 has it, frames of equal strength hide each other's preamble.
+        Whether those who hear a collision wait EIFS, as after a frame with errors; not in ns-3.
     block_ack : {"negotiate", "established"}, optional
-        With aggregation: whether each sender first exchanges an ADDBA request and response with
-        each receiver, as after power-on, see `discostorm_simulation.kernels.block_ack`, or block
-        acknowledgements have been agreed on before the start.
+        With aggregation: whether ADDBA frames come first, as after power-on, or came before.
     power : array of shape (hosts + 1, hosts + 1), optional
-        How strongly each station is heard by each other [dB], at [sender, receiver], the access
-        point last, such as `discostorm_simulation.powers` gives it. Of frames that overlap, the
-        one then arrives that is strong enough (capture effect), as
-        `discostorm_simulation.kernels.capture_effect` says; if it is left out, none does.
+        For the capture effect: how strongly stations hear each other [dB], at [sender, receiver],
+        the access point last, see `discostorm_simulation.powers`.
     threshold : tuple of (float, float), optional
-        By how much the power of a frame must exceed the sum of all that overlap it [dB], at
-        least 0: unicast data, and what is sent at the basic rate. As the standard's receivers of
-        64-QAM 5/6 and BPSK 1/2 need it; those of ns-3 with two antennas need 18 and 1 dB.
+        By how much a frame's power must exceed the sum of all that overlap it [dB], at least 0:
+        unicast data, and what is sent at the basic rate; in ns-3, with two antennas, 18 and 1.
 
     Returns
     -------
@@ -121,22 +105,17 @@ def simulate(
     ------
     ImportError
         If wasmtime is missing.
-    ValueError
-        If an argument is out of range, the fleet, protocol or channel cannot be simulated, or a
-        run needs more memory than the machine has available.
-    TypeError
-        If an argument is of another kind.
+    ValueError, TypeError
+        If an argument cannot be simulated (`NoRecovery`), or a run needs more memory than there is.
 
     References
     ----------
-    IEEE Std 802.11-2020, 10.3 and 10.23.2 (contention), 10.25 (block acknowledgement); OMG
-    DDSI-RTPS 2.5, 8.4; RFC 6298. Periods: ``data/vendors/middleware_defaults.csv``.
+    IEEE Std 802.11-2020, 10.3, 10.23.2, 10.25; OMG DDSI-RTPS 2.5, 8.4; RFC 6298.
 
     Examples
     --------
     >>> import discostorm as ds
-    >>> swarm = ds.Fleet.swarm(3, 2, 10)
-    >>> found = ds.simulate(swarm, ds.DDS, ds.PAPER, recovery=False, runs=3)
+    >>> found = ds.simulate(ds.Fleet.swarm(3, 2, 10), ds.DDS, ds.PAPER, recovery=False, runs=3)
     >>> bool((found.drain_time > ds.utilization(ds.DDS, 3, 2, 10) / 2).all())
     True
     """
@@ -186,29 +165,28 @@ def simulate(
     return Simulation.of_runs(fleet, with_user_data(protocol, fleet), wifi, settings, found)
 
 
+def _two(name: str, value: Any, what: str) -> tuple[Any, Any]:
+    """Return both parts of an argument that is a tuple of two."""
+    given = value.tolist() if isinstance(value, np.ndarray) else value
+    if not (isinstance(given, (tuple, list)) and len(given) == 2):
+        raise TypeError(f"{name} must be {what}; got {_checks.short_repr(value)}")
+    return given[0], given[1]
+
+
 def _queue(queue: Queue | None) -> tuple[float, float]:
     """Return frames and seconds of a queue; infinity for no limit."""
-    if queue is None:
-        return np.inf, np.inf
-    given: Any = queue.tolist() if isinstance(queue, np.ndarray) else queue
-    if not (isinstance(given, (tuple, list)) and len(given) == 2):
-        raise TypeError(
-            f"queue must be None or a tuple of frames and seconds; got {_checks.short_repr(queue)}"
-        )
-    frames, seconds = (np.inf if value is None else value for value in given)
+    given = (None, None) if queue is None else queue
+    two = _two("queue", given, "None or a tuple of frames and seconds")
+    frames, seconds = (np.inf if value is None else value for value in two)
     _checks.integer("queue[0]", frames, 1, allow_inf=True)
     return float(frames), _checks.number("queue[1]", seconds, 0, exclusive_min=True, allow_inf=True)
 
 
-def _threshold(threshold: tuple[float, float]) -> tuple[float, float]:
+def _threshold(threshold: Any) -> tuple[float, float]:
     """Return by how much a frame must exceed what overlaps it, at the top and at the basic rate."""
-    if not (isinstance(threshold, (tuple, list)) and len(threshold) == 2):
-        raise TypeError(
-            "threshold must be a tuple of two numbers, of data and of the basic rate; "
-            f"got {_checks.short_repr(threshold)}"
-        )
+    two = _two("threshold", threshold, "a tuple of two numbers, of data and of the basic rate")
     data, basic = (
-        _checks.number(f"threshold[{n}]", one, 0, MOST_DECIBELS) for n, one in enumerate(threshold)
+        _checks.number(f"threshold[{n}]", one, 0, MOST_DECIBELS) for n, one in enumerate(two)
     )
     return data, basic
 
@@ -227,17 +205,14 @@ def _all_runs(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
             f"got {setup.hosts.host_of.size} processes"
         )
     if seconds * len(seeds) > _SAID and sys.stderr is not None:
-        runs = "1 run" if len(seeds) == 1 else f"{len(seeds)} runs"
-        about = f"{runs} of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
-        click.echo(f"discostorm: {about}", err=True)
+        about = f"of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
+        click.echo(f"discostorm: {words.count_noun(len(seeds), 'run')} {about}", err=True)
     if len(seeds) == 1:
         return [one_run(setup, seeds[0])]
     stop, found = Event(), []
+    hidden = sys.stderr is None or seconds * len(seeds) < _SHOWN
     progress = click.progressbar(
-        length=len(seeds),
-        label="simulating",
-        file=sys.stderr,
-        hidden=sys.stderr is None or seconds * len(seeds) < _SHOWN,
+        length=len(seeds), label="simulating", file=sys.stderr, hidden=hidden
     )
     workers = max(1, min(os.cpu_count() or 1, len(seeds), int(free / max(megabytes, 1.0))))
     with ThreadPoolExecutor(workers) as threads, progress as bar:

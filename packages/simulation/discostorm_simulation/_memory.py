@@ -7,21 +7,12 @@ from pathlib import Path
 
 #: Of control groups, version 2 and 1: where they are, limit, what is used, and what part of that is
 #: given back on demand (Linux, Documentation/admin-guide: cgroup-v2.rst, cgroup-v1/memory.rst).
-_V2 = ("sys/fs/cgroup", "memory.max", "memory.current", "inactive_file")
-_V1 = (
-    "sys/fs/cgroup/memory",
-    "memory.limit_in_bytes",
-    "memory.usage_in_bytes",
-    "total_inactive_file",
-)
+_V2 = ("", "memory.max", "memory.current", "inactive_file")
+_V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file")
 
 
 def available(root: Path = Path("/")) -> float:
-    """Return the memory that this process can still get [MB]; infinity if nothing says so.
-
-    That is what the machine has, or less where a control group has a limit, such as that of a
-    container or a batch job.
-    """
+    """Return the memory that this process or its container still gets [MB], or infinity."""
     return max(0.0, min([_machine(root), *_groups(root)]) / 1e6)
 
 
@@ -52,7 +43,7 @@ def _groups(root: Path) -> Iterator[float]:
         # In a container the path may be that outside of it, which is not there; its top is.
         path = Path(own.lstrip("/"))
         for group in (path, *path.parents):
-            yield _left(root / place / group, *names)
+            yield _left(root / "sys/fs/cgroup" / place / group, *names)
 
 
 def _left(group: Path, limit: str, used: str, spare: str) -> float:

@@ -1,11 +1,8 @@
 """From fleet, protocol and channel to the arrays that a run reads and changes.
 
-Who sends a message and who receives it is what its `discostorm.messages.Unit` declares. Where
-a process is to send x of it to each receiver, a fraction, it numbers them i = 0, 1, 2 ... and sends
-floor((i + 1) x + u) - floor(i x + u) to the i-th, with u between 0 and 1 drawn once a run for
-each process and row of the table. So each receives x in the mean over runs, all together
-less than one more or fewer than x times their number, and a whole x is x in every run. Of
-messages that share frames the frames are sent: x is that of their parts.
+Who sends and receives a message its `discostorm.messages.Unit` declares. Of a fraction x to each
+receiver a process sends floor((i + 1) x + u) - floor(i x + u) to the i-th, with u between 0 and 1
+drawn once a run for each process and row: each gets x in the mean, and a whole x in every run.
 """
 
 from collections.abc import Collection, Sequence
@@ -32,8 +29,7 @@ WINDOW = 64
 LONGER_ACTION = 8 * 4e-6
 #: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
-_MOST_PROCESSES = 2**st.PROCESS_BITS
-_MOST_ENDPOINTS = 2**st.ITEM_BITS
+_MOST_PROCESSES, _MOST_ENDPOINTS = 2**st.PROCESS_BITS, 2**st.ITEM_BITS
 _MOST_MESSAGES = 2**st.KIND_BITS
 
 
@@ -61,10 +57,9 @@ def hosts_of(fleet: Fleet) -> Hosts:
     numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
         raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
-    if (numbers * processes).sum() > _MOST_PROCESSES:
+    if (total := (numbers * processes).sum()) > _MOST_PROCESSES:
         raise ValueError(
-            f"fleet must have at most {_MOST_PROCESSES} processes to simulate; "
-            f"got {(numbers * processes).sum()}"
+            f"fleet must have at most {_MOST_PROCESSES} processes to simulate; got {total}"
         )
     return Hosts(
         np.repeat(processes, numbers),
@@ -76,10 +71,7 @@ def hosts_of(fleet: Fleet) -> Hosts:
 
 
 def radio_record(
-    wifi: Wifi,
-    queue: tuple[float, float],
-    eifs: bool,
-    threshold: tuple[float, float] = (np.inf, np.inf),
+    wifi: Wifi, queue: tuple[float, float], eifs: bool, threshold: tuple[float, float]
 ) -> Records:
     """Return the radio of a channel as the inner loops take it."""
     radio = wifi.radio
@@ -132,8 +124,7 @@ def radio_record(
 
 def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
     """Return factors of decibels."""
-    factors: NDArray[np.float64] = 10 ** (np.asarray(values, dtype=np.float64) / 10)
-    return factors
+    return np.asarray(10 ** (np.asarray(values, dtype=np.float64) / 10))
 
 
 def _ppdu_ticks(octets: int, padding: OfdmSymbols, preamble: int) -> int:
@@ -147,12 +138,11 @@ def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, in
     radio = wifi.radio
     assert radio is not None
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
+    fast = ticks(radio.preamble + radio.signal_extension)
+    slow = ticks(radio.wifi().multicast.overhead - waiting)
     return (
-        (wifi.unicast.padding or radio.padding, ticks(radio.preamble + radio.signal_extension)),
-        (
-            wifi.multicast.padding or radio.multicast_padding,
-            ticks(radio.wifi().multicast.overhead - waiting),
-        ),
+        (wifi.unicast.padding or radio.padding, fast),
+        (wifi.multicast.padding or radio.multicast_padding, slow),
     )
 
 
@@ -165,23 +155,13 @@ class Shares:
     receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
 
-    @property
-    def whole(self) -> NDArray[np.bool_]:
-        """Of which rows of the table nobody sends a fraction."""
-        fractions: NDArray[np.bool_] = ((self.each % 1 != 0) | (self.to_all % 1 != 0)).any(axis=0)
-        return ~fractions
-
     def most(self) -> NDArray[np.int64]:
         """Return how many of each message a process sends at most, at once, to one or to all."""
-        most: NDArray[np.float64] = np.maximum(self.each, self.to_all).max(axis=0)
-        return np.ceil(most).astype(np.int64)
+        return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
 def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
-    """Return how many frames of each message each process sends, and to whom.
-
-    What rows of ``spread`` send to hosts goes to their processes, on average as many to each.
-    """
+    """Return what each process sends to whom; rows of ``spread`` go to all processes of a host."""
     everyone = tuple(hosts.every)
     sets = {everyone: 0}
     remote = hosts.every.size - hosts.processes[hosts.host_of]
@@ -206,20 +186,18 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
     return Shares(each, to_all, before, of_row)
 
 
-def _where(protocol: Protocol, message: Message) -> str:
+def where(protocol: Protocol, message: Message) -> str:
+    """Return how errors name a message."""
     return f"protocol {protocol.name!r}, message {message.name!r}"
 
 
 def carrier_of(protocol: Protocol, message: Message) -> int:
-    """Return the row in whose frames a message without any is: the named or only one of its phase.
-
-    It is alike in each of these frames.
-    """
+    """Return the row in whose frames a message without any is: the only one it may be in."""
     framed = [m for m in protocol.messages if m.frames]
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
     if len(outer) != 1:
         raise ValueError(
-            f"{_where(protocol, message)}: inside must be the one message of the phase "
+            f"{where(protocol, message)}: inside must be the one message of the phase "
             f"{message.phase!r} in whose frames it is, to be simulated; "
             f"got {message.inside!r} of {[m.name for m in outer]}"
         )
@@ -235,11 +213,8 @@ def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
             continue
         carrier = carrier_of(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
-        counts = [
-            _sent(shares_of(alone, hosts), hosts, 0),
-            _sent(shares, hosts, carrier),
-        ]
-        octets[carrier] += message.payload.nominal * counts[0] / max(counts[1], 1.0)
+        sent = _sent(shares_of(alone, hosts), hosts, 0)
+        octets[carrier] += message.payload.nominal * sent / max(_sent(shares, hosts, carrier), 1.0)
     return octets
 
 
@@ -265,12 +240,13 @@ def kind_records(
     fast, slow = paddings(wifi)
     shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
-    records["set"], records["whole"] = shares.sets, shares.whole
+    records["set"] = shares.sets
+    records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
         multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):
             raise ValueError(
-                f"{_where(protocol, message)}: cast must be 'multicast', or hops only one of them, "
+                f"{where(protocol, message)}: cast must be 'multicast', or hops only one of them, "
                 f"for what is counted by {message.unit.name!r}, which has no receivers; "
                 f"got {message.cast!r}"
             )
@@ -278,7 +254,7 @@ def kind_records(
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         if octets > _MOST_OCTETS:
             raise ValueError(
-                f"{_where(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
+                f"{where(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
                 f"headers to be simulated; got {octets}"
             )
         record["octets"] = octets
@@ -301,10 +277,7 @@ class Bursts:
 
 
 def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
-    """Return what a host sends by the clock alone: messages due at the same time go together.
-
-    ``rows`` says as which rows of the run's table its messages go.
-    """
+    """Return what a host sends by the clock alone, as ``rows`` of the run's table."""
     at: dict[tuple[float, float], list[int]] = {}
     for row, message in zip(rows, protocol.messages, strict=True):
         schedule = message.schedule
@@ -315,14 +288,13 @@ def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
             at.setdefault((first, schedule.period), []).append(row)
             if schedule.period < TICK:
                 raise ValueError(
-                    f"{_where(protocol, message)}: period must be at least {TICK:g} s to be "
+                    f"{where(protocol, message)}: period must be at least {TICK:g} s to be "
                     f"simulated; got {schedule.period:g}"
                 )
     sets: dict[tuple[tuple[int, ...], float], int] = {}
-    times = []
-    for (time, period), together in sorted(at.items()):
-        number = sets.setdefault((tuple(together), period), len(sets))
-        times.append((time, number))
-    return Bursts(
-        tuple(together for together, _ in sets), tuple(period for _, period in sets), tuple(times)
-    )
+    times = [
+        (time, sets.setdefault((tuple(together), period), len(sets)))
+        for (time, period), together in sorted(at.items())
+    ]
+    messages, periods = zip(*sets, strict=True) if sets else ((), ())
+    return Bursts(messages, periods, tuple(times))

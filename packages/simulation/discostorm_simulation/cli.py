@@ -85,17 +85,15 @@ class Runs:
             return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
         late = len(known) - len(in_time)
         missing = f", in {late} of them {self.not_within}" if late else ""
-        return (
-            f"Your robots know each other after {words.durations(*_ends(in_time))} "
-            f"({runs}{missing})."
-        )
+        taken = words.durations(in_time[0], in_time[-1])
+        return f"Your robots know each other after {taken} ({runs}{missing})."
 
 
 def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Return what is known where recovery is not simulated: how long the channel is busy."""
     taken = float(timeline.drain_time(protocol, fleet, wifi=wifi))
     busy = f"for {words.duration(taken)}" if taken < float("inf") else "indefinitely"
-    lost = words.percents(*_ends(found.lost.tolist()))
+    lost = words.percents(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
         f"robots do not see each other. Here {lost} of the frames are lost, and nothing sends them "
@@ -112,6 +110,13 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
 
+def _number(name: str, default: float, told: str, unit: str | None = None) -> Any:
+    """Return an option that is a number."""
+    return click.option(
+        name, type=type(default), default=default, show_default=True, metavar=unit, help=told
+    )
+
+
 @describe_matching
 @click.command()
 @swarm_options
@@ -119,26 +124,12 @@ def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
 @option_group(
     "how",
     Runs,
-    click.option("--runs", type=int, default=5, show_default=True, help="Independent runs."),
-    click.option("--seed", type=int, default=0, show_default=True, help="Random seed."),
-    click.option(
-        "--loss", type=float, default=0.0, show_default=True, help="Frame error rate, 0 to below 1."
-    ),
-    click.option(
-        "--window",
-        type=float,
-        default=0.0,
-        show_default=True,
-        metavar="s",
-        help="Time within which the hosts start, at random.",
-    ),
-    click.option(
-        "--until",
-        type=float,
-        default=120.0,
-        show_default=True,
-        metavar="s",
-        help="Simulated time after the last start, with recovery or user data.",
+    _number("--runs", 5, "Independent runs."),
+    _number("--seed", 0, "Random seed."),
+    _number("--loss", 0.0, "Frame error rate, 0 to below 1."),
+    _number("--window", 0.0, "Time within which the hosts start, at random.", "s"),
+    _number(
+        "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
     click.option(
         "--unlimited", is_flag=True, help="Unlimited queues instead of 500 frames and 0.5 s."
@@ -193,8 +184,7 @@ def simulate(
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
-        told = words.join_words(list(refused))
-        why = next(iter(refused.values()))
+        told, why = words.join_words(list(refused)), next(iter(refused.values()))
         click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
         answers = [
@@ -210,7 +200,7 @@ def simulate(
         if name in alone and not modeled:
             said += beside(one, alone[name])
         click.echo(visible(words.wrapped(said)) + "\n")
-    shown = ["run", "drain_time_s", "lost", "convergence_time_s", "collisions"]
+    shown = ("run", "drain_time_s", "lost", "convergence_time_s", ALONE, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
@@ -221,8 +211,7 @@ def simulate(
             without = [c for c in ("convergence_time_s", ALONE) if c in table]
             table[without] = None if output.as_csv else float("nan")
         named = {"protocol": name} if len(protocols) > 1 else {}
-        columns = [c for c in table if c in (*shown, ALONE)]
-        kept = table if output.as_csv else table[columns]
+        kept = table if output.as_csv else table[[c for c in table if c in shown]]
         rows += [named | row for row in kept.to_dict("records")]
     printed = columns_of(
         rows,
@@ -247,23 +236,18 @@ def simulate(
 
 def _whole(fleet: ds.Fleet) -> ds.Fleet:
     """Return a fleet with whole numbers of endpoints, as frames are; say if it had others."""
-    rounded = [float(round(group.endpoints)) for group in fleet.groups]
-    for group, endpoints in zip(fleet.groups, rounded, strict=True):
+    groups = []
+    for group in fleet.groups:
+        endpoints = float(round(group.endpoints))
+        groups.append(replace(group, endpoints=endpoints))
         if endpoints != group.endpoints:
             name = f" of {group.name}" if group.name else ""
-            click.echo(
-                visible(
-                    f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
-                    f"simulated as {endpoints:g}."
-                ),
-                err=True,
+            note = (
+                f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
+                f"simulated as {endpoints:g}."
             )
-    groups = zip(fleet.groups, rounded, strict=True)
-    return replace(fleet, groups=tuple(replace(group, endpoints=n) for group, n in groups))
-
-
-def _ends(values: list[float]) -> tuple[float, float]:
-    return min(values), max(values)
+            click.echo(visible(note), err=True)
+    return replace(fleet, groups=tuple(groups))
 
 
 def _late(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:

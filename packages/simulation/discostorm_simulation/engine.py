@@ -119,9 +119,7 @@ class LoadedCell:
         state["spare"] += size
 
 
-def finish(
-    cell: CellState, until: int, reserve: int = 1024, stop: Event | None = None
-) -> CellState:
+def finish(cell: CellState, until: int, reserve: int, stop: Event | None = None) -> CellState:
     """Return the cell at the end of its run; raise `Stopped` soon after the event is set."""
     loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
     while not loaded.advance(until, reserve, steps):

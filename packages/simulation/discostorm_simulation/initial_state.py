@@ -45,17 +45,13 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
         bursts[number, rows] = ticks(setup.bursts.period[number])
     due = _first_events(setup, starts, processes, for_phases)
     events = np.zeros(2 * len(due) + 1024, st.EVENT)
-    events["time"][: len(due)] = [time for time, _ in due]
-    events["what"][: len(due)] = [what for _, what in due]
+    events[: len(due)] = due
     pool = np.zeros(POOL_ENTRIES, st.ENTRY)
     pool["next"] = np.arange(1, POOL_ENTRIES + 1)
 
     state = np.zeros(1, st.STATE)
-    state["base"] = radio["slot"]
-    state["idle"] = -1
-    state["deferred_time"] = st.NEVER
-    state["step"] = ticks(1e-3)
-    state["spare"] = POOL_ENTRIES
+    state["base"], state["idle"], state["deferred_time"] = radio["slot"], -1, st.NEVER
+    state["step"], state["spare"] = ticks(1e-3), POOL_ENTRIES
     state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
     state["per_receiver"] = aggregates
     state["cold"] = aggregates and setup.scenario.block_ack == "negotiate"
@@ -64,9 +60,8 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     # xorshift must not begin at zero.
     state["random"] = (for_run.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     state["events"] = len(due)
-    state["coming"] = count * sum(
-        setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times
-    )
+    once = sum(setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times)
+    state["coming"] = count * once
     if repairs is not None:
         state["repairs"] = 1
         state["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
@@ -134,10 +129,7 @@ def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np
 
 
 def _first_events(
-    setup: Setup,
-    starts: NDArray[np.float64],
-    processes: Records,
-    for_phases: np.random.SeedSequence,
+    setup: Setup, starts: NDArray[np.float64], processes: Records, seed: np.random.SeedSequence
 ) -> list[tuple[int, int]]:
     """Return as a heap what happens first: bursts, user data, and, with recovery, timers."""
     due = [
@@ -154,6 +146,5 @@ def _first_events(
             if lease < st.NEVER:
                 due.append((start + int(lease), int(st.LEASE_CHECK) | process))
     if setup.user_data is not None:
-        chance = np.random.default_rng(for_phases)
-        due += setup.user_data.first_events(setup.hosts, starts, chance)
+        due += setup.user_data.first_events(setup.hosts, starts, np.random.default_rng(seed))
     return sorted(due)  # a sorted list is a heap

@@ -1,7 +1,6 @@
 """How a middleware recovers: when each message of its table is sent, its timers and its lease.
 
-What a message is for says its role, see `discostorm.messages.Message`; when it is sent follows from
-that, from what it answers and from its schedule.
+When a message is sent follows from its role, from what it answers and from its schedule.
 """
 
 import numpy as np
@@ -10,15 +9,13 @@ from discostorm import _checks
 from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import Shares, ticks
+from discostorm_simulation.cell_setup import Shares, ticks, where
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
 
-#: Timer of TCP before the first round trip [s] (RFC 6298, 2.1).
-RTO_FIRST = 1.0
-#: Least and most of the timer [s] (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
-RTO_MIN, RTO_MAX = 0.2, 120.0
-
+#: Timer of TCP before the first round trip (RFC 6298, 2.1), its least and its most (Linux:
+#: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h) [s].
+RTO = {"rto_first": 1.0, "rto_min": 0.2, "rto_max": 120.0}
 #: What a process sends to a host for each port that a process there may have.
 HOST_BY_HOST = UNITS["process and other host"]
 #: What a message is to the inner loops; announcements they tell by what they inform of.
@@ -28,9 +25,16 @@ _ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKN
 def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
     """Say in the rows of a table how a middleware recovers, and return its timers."""
     _check_table(protocol)
+    _check_repair(protocol)
     _check_ports(protocol, shares)
     _fill_kinds(protocol, kinds)
-    _check_items(protocol, kinds, shares)
+    _check_circles(protocol, kinds)
+    for row in np.flatnonzero(kinds["role"] == st.DATA):
+        if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
+            raise ValueError(
+                f"{where(protocol, protocol.messages[row])}: a process must send at most "
+                f"{2**st.ITEM_BITS} to each other to be simulated with recovery; got {most:g}"
+            )
     return _repair_record(protocol)
 
 
@@ -55,17 +59,11 @@ def _check_table(protocol: Protocol) -> None:
             "its processes announce themselves to servers or routers instead of to each other, and "
             "who learns what from these, and when, is not simulated",
         )
-    _check_answers(protocol)
-    _check_repair(protocol)
-
-
-def _check_answers(protocol: Protocol) -> None:
-    """Refuse messages that answer what the table does not have."""
     names = [message.name for message in protocol.messages]
     for message in protocol.messages:
         if message.answers is not None:
-            name = f"protocol {protocol.name!r}, message {message.name!r}: answers"
-            _checks.choice(name, message.answers, names, ", or None")
+            told = f"{where(protocol, message)}: answers"
+            _checks.choice(told, message.answers, names, ", or None")
 
 
 def _check_repair(protocol: Protocol) -> None:
@@ -73,17 +71,15 @@ def _check_repair(protocol: Protocol) -> None:
     for message in _of_role(protocol, "data"):
         if not message.unit.to_each:
             raise ValueError(
-                f"protocol {protocol.name!r}, message {message.name!r}: unit must have receivers "
-                f"for what has the role 'data' to be simulated with recovery; "
-                f"got {message.unit.name!r}"
+                f"{where(protocol, message)}: unit must have receivers for what has the role "
+                f"'data' to be simulated with recovery; got {message.unit.name!r}"
             )
     asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
     if len(asking) > 1 or [m.name for m in asking] != [m.answers for m in answering]:
-        told = [f"{m.name!r} ({m.role})" for m in (*asking, *answering)]
+        told = ", ".join(f"{m.name!r} ({m.role})" for m in (*asking, *answering))
         raise ValueError(
             f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
-            f"none, or one message each, the second of which answers the first; got "
-            f"{', '.join(told)}"
+            f"none, or one message each, the second of which answers the first; got {told}"
         )
 
 
@@ -92,10 +88,7 @@ def _of_role(protocol: Protocol, role: Role) -> list[Message]:
 
 
 def _announcements(protocol: Protocol) -> list[Message]:
-    """Return what the clock sends to those that are not known: to all or, if nothing is, to each.
-
-    What goes to servers or routers makes nobody known to each other.
-    """
+    """Return what the clock sends to unknown processes, to all or else to each; not to servers."""
     by_clock = [m for m in _of_role(protocol, "announcement") if m.answers is None and m.frames]
     to_all = [m for m in by_clock if m.cast == "multicast"]
     to_each = (PAIR, HOST_BY_HOST)
@@ -104,12 +97,8 @@ def _announcements(protocol: Protocol) -> list[Message]:
 
 def spread(protocol: Protocol) -> list[int]:
     """Return the rows with which processes announce themselves to all ports of listed hosts."""
-    announcements = _announcements(protocol)
-    return [
-        row
-        for row, message in enumerate(protocol.messages)
-        if message in announcements and message.unit == HOST_BY_HOST
-    ]
+    to_hosts = [message for message in _announcements(protocol) if message.unit == HOST_BY_HOST]
+    return [row for row, message in enumerate(protocol.messages) if message in to_hosts]
 
 
 def _check_ports(protocol: Protocol, shares: Shares) -> None:
@@ -118,48 +107,33 @@ def _check_ports(protocol: Protocol, shares: Shares) -> None:
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
             raise ValueError(
-                f"protocol {protocol.name!r}, message {message.name!r}: hosts must have at most "
-                f"{message.per_unit:g} processes on average, as many as have a port, to be "
-                f"simulated with recovery; got {message.per_unit / least:g}"
+                f"{where(protocol, message)}: hosts must have at most {message.per_unit:g} "
+                "processes on average, as many as have a port, to be simulated with recovery; "
+                f"got {message.per_unit / least:g}"
             )
 
 
 def clock_only(protocol: Protocol) -> Protocol:
     """Return the table without what is sent on arrival of something or on discovery."""
-    rows = tuple(
-        message for message in protocol.messages if _trigger(protocol, message) == st.CLOCK
-    )
+    rows = tuple(row for row in protocol.messages if _trigger(protocol, row) == st.CLOCK)
     return Protocol(protocol.name, rows)
 
 
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return when a message is sent: by the clock, in answer to each, or on discovery."""
+    announcing, own = message.role == "announcement", message.schedule
     if message.role in ("data", "heartbeat"):
         return st.DISCOVERY
-    announcing = message.role == "announcement"
     if message.answers is None:
-        once = message.schedule.period == np.inf
-        by_clock = announcing or not message.unit.to_each or not once
+        by_clock = announcing or not message.unit.to_each or own.period != np.inf
         return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
-    if announcing:
-        # With a schedule of its own it is for those that were not known.
-        return st.ANSWER if _at_times_of(message, answered) else st.DISCOVERY
-    return st.DISCOVERY if answered.role == "announcement" else st.ANSWER
-
-
-def _at_times_of(message: Message, answered: Message) -> bool:
-    """Return whether a message is sent each time that another is, or some of these times."""
-    own, other = message.schedule, answered.schedule
-    return set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
-
-
-def _when(message: Message, answered: Message) -> int:
-    """Return which of the messages it answers it does: all, the later ones, or the first."""
-    own, other = message.schedule, answered.schedule
-    if message.role != "announcement" or own == other:
-        return st.ALWAYS
-    return st.LATER if own.starts[0] > other.starts[0] else st.FIRST
+    if not announcing:
+        return st.DISCOVERY if answered.role == "announcement" else st.ANSWER
+    # With a schedule of its own it is for those that were not known.
+    other = answered.schedule
+    alike = set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
+    return st.ANSWER if alike else st.DISCOVERY
 
 
 def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
@@ -177,16 +151,15 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         if message.answers is not None:
             answered = protocol.message(message.answers)
             record["answers"] = names.index(message.answers)
-            record["when"] = _when(message, answered)
-            times = answered.schedule
+            own, times = message.schedule, answered.schedule
+            if message.role == "announcement" and own != times:
+                record["when"] = st.LATER if own.starts[0] > times.starts[0] else st.FIRST
             # Half-way to the second time, as queues delay what is sent at first.
             second = (*times.starts, times.starts[-1] + times.period)[1]
             record["since"] = ticks((times.starts[0] + second) / 2)
-            starts = message.schedule.starts
-            if record["trigger"] == st.DISCOVERY and len(starts) > 1:
-                record["gap_number"] = len(starts) - 1
-                record["gap_first"] = ticks(starts[1] - starts[0])
-    _check_circles(protocol, kinds)
+            if record["trigger"] == st.DISCOVERY and len(own.starts) > 1:
+                record["gap_number"] = len(own.starts) - 1
+                record["gap_first"] = ticks(own.starts[1] - own.starts[0])
 
 
 def _check_circles(protocol: Protocol, kinds: Records) -> None:
@@ -198,21 +171,10 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
             row = kinds["answers"][row]
             if row in chain:
                 raise ValueError(
-                    f"protocol {protocol.name!r}, message {names[row]!r}: answers must not lead "
-                    f"back to itself; got {' answers '.join(names[n] for n in [*chain, row])}"
+                    f"{where(protocol, protocol.messages[row])}: answers must not lead back to "
+                    f"itself; got {' answers '.join(names[n] for n in [*chain, row])}"
                 )
             chain.append(row)
-
-
-def _check_items(protocol: Protocol, kinds: Records, shares: Shares) -> None:
-    """Refuse more announcements of endpoints for a process than are told apart."""
-    for row in np.flatnonzero(kinds["role"] == st.DATA):
-        if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
-            raise ValueError(
-                f"protocol {protocol.name!r}, message {protocol.messages[row].name!r}: a process "
-                f"must send at most {2**st.ITEM_BITS} to each other to be simulated with "
-                f"recovery; got {most:g}"
-            )
 
 
 def _repair_record(protocol: Protocol) -> Records:
@@ -224,24 +186,18 @@ def _repair_record(protocol: Protocol) -> Records:
         )
     timers = protocol.timers
     assert timers is not None  # see `_check_table`
-    seconds = {
-        "lease": protocol.lease,
-        "rto_first": RTO_FIRST,
-        "rto_min": RTO_MIN,
-        "rto_max": RTO_MAX,
-    }
+    seconds = RTO | {"lease": protocol.lease}
+    taken = []
     if all(message.schedule.period == np.inf for message in _announcements(protocol)):
-        seconds["announce_interval_initial"] = timers.announce_interval_initial
-        seconds["announce_interval_max"] = timers.announce_interval_max
+        taken += ["announce_interval_initial", "announce_interval_max"]
     record = np.zeros(1, st.REPAIRS)
     names = [message.name for message in protocol.messages]
     for heartbeat in _of_role(protocol, "heartbeat"):
         (acknowledgement,) = _of_role(protocol, "acknowledgement")
-        seconds["heartbeat_period_initial"] = timers.heartbeat_period_initial
-        seconds["heartbeat_period_max"] = timers.heartbeat_period_max
+        taken += ["heartbeat_period_initial", "heartbeat_period_max"]
         record["heartbeat"] = names.index(heartbeat.name)
         record["acknack"] = names.index(acknowledgement.name)
         record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
-    for name, value in seconds.items():
+    for name, value in (seconds | {name: getattr(timers, name) for name in taken}).items():
         record[name] = ticks(value)
     return record

@@ -5,10 +5,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 
-#: By how many decibels a frame must exceed all that overlap it: unicast data, and what is sent at
-#: the basic rate. The least power that a receiver of 802.11n needs for 64-QAM 5/6, -64 dBm, and
-#: for BPSK 1/2, -82 dBm, less the noise that is assumed there, -101 + 15 dBm (IEEE Std
-#: 802.11-2020, 17.3.10.2 and Table 19-23).
+#: What 802.11n's receivers need for 64-QAM 5/6, -64 dBm, and BPSK 1/2, -82 dBm, less the noise
+#: assumed there, -101 + 15 dBm (IEEE Std 802.11-2020, 17.3.10.2 and Table 19-23) [dB].
 THRESHOLD = (22.0, 4.0)
 #: No power is farther than this from the unit [dB].
 MOST_DECIBELS = 300.0
@@ -17,9 +15,7 @@ _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
 def disc(hosts: int) -> NDArray[np.float64]:
-    """Return places of hosts that are spread evenly over a disc, the access point in its middle.
-
-    They stand like the seeds of a sunflower, the nearest first.
+    """Return places of hosts spread evenly over a disc, the access point in its middle.
 
     Parameters
     ----------
@@ -29,11 +25,8 @@ def disc(hosts: int) -> NDArray[np.float64]:
     Returns
     -------
     ndarray of shape (hosts, 2)
-        Places [radius of the disc].
-
-    References
-    ----------
-    H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44 (1979).
+        Places [radius of the disc], as of a sunflower's seeds (H. Vogel, "A better way to construct
+        the sunflower head", Mathematical Biosciences 44, 1979).
     """
     _checks.integer("hosts", hosts, 1)
     number = np.arange(int(hosts))

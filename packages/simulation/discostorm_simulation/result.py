@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from discostorm import words
+from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
@@ -16,7 +18,6 @@ from discostorm.wifi.radio import TOPOLOGY
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.figure import Figure
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -28,6 +29,11 @@ COUNTS = (
     *("expected", "arrived", *CAUSES, "waiting"),
     *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
 )
+#: What `Simulation` has as one array of all runs.
+SIDE_BY_SIDE = (
+    *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
+    *("airtime", "pair_times"),
+)
 DIRECTIONS = ("up", "down", "failed")
 OUTCOMES = ("success", "collision", "error")
 #: Which quantiles of the pairs' times JSON has: each twentieth, from the first to the last pair's.
@@ -35,24 +41,11 @@ QUANTILES = tuple(part / 20 for part in range(21))
 
 
 class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
-    """The recovery of a protocol is not simulated: `simulate` needs ``recovery=False``.
-
-    Attributes
-    ----------
-    why : str
-        Why, and what to change if that helps.
-    """
+    """The recovery of a protocol is not simulated, as `why` says: it needs ``recovery=False``."""
 
     def __init__(self, protocol: str, why: str) -> None:
         super().__init__(f"recovery must be False for the protocol {protocol!r}: {why}")
         self.why = why
-
-
-def _plain(value: Any) -> Any:
-    """Return it with None for infinity, which JSON has not."""
-    if isinstance(value, list):
-        return [_plain(one) for one in value]
-    return None if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -86,9 +79,7 @@ class Run:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Simulation:
-    """What `simulate` found, one value a run unless it says otherwise.
-
-    Two are equal if all their numbers are, and what they are of.
+    """What `simulate` found, one value a run unless it says otherwise; equal if all numbers are.
 
     Parameters
     ----------
@@ -99,51 +90,42 @@ class Simulation:
     wifi : Wifi
         The channel.
     settings : dict
-        The other arguments of `simulate`: ``start`` as it was given, or in words if it was a
-        distribution or a function; ``queue_frames`` and ``queue_s`` for ``queue``, ``until_s``
-        for ``until``. And ``hosts``, how many there were.
+        The other arguments of `simulate`, ``start`` in words if it was drawn; ``queue_frames``,
+        ``queue_s`` and ``until_s`` have a unit; and ``hosts``, how many there were.
     starts : ndarray of shape (runs, hosts)
         When each host started [s], in the order of the fleet's groups.
     drain_time : ndarray
-        End of the last transmission of the burst, with its acknowledgement [s]; infinity if
-        some of it was still waiting or still to come at the end. With recovery the repairs
-        belong to it.
+        End of the last transmission of the burst, with repairs [s]; infinity if it is not over.
     lost : ndarray
-        The part of the frames that never arrived [1]. A multicast frame counts once for each
-        host that was to receive it; with recovery repeated frames count, too.
+        The part of the frames that never arrived [1], multicast counted once for each host that
+        was to receive it; with recovery repeated frames count, too.
     lost_by_host : ndarray of shape (runs, hosts)
-        The same part of the frames of each host [1], in the order of the fleet's groups.
+        The same part of the frames of each host [1].
     convergence_time : ndarray
-        When every process knew every other one and all its endpoints, for the first time [s];
-        infinity if never. Without recovery it is the drain time if nothing was lost.
+        When every process first knew every other one and all its endpoints [s]; infinity if
+        never. Without recovery it is the drain time if nothing was lost.
     busy_time : ndarray
         How long at least one station sent [s].
     counts : dict of str to ndarray
         How many [1]: receptions ``expected``, ``arrived``, lost by cause (``host_full``,
-        ``host_age``, ``host_retry`` at the sending host: queue full, too old, retry limit;
-        ``ap_*`` the same at the access point; ``on_air``: multicast, which nobody repeats)
-        and still ``waiting``;
-        ``ppdus``, the ``mpdus`` in them, those ``retried``; ``collisions`` and the PPDUs
-        ``collided`` in them; ``requests`` for block acknowledgements and for
-        agreements on them, with the responses; ``expired`` leases.
+        ``host_age``, ``host_retry``: queue full, too old, retry limit; ``ap_*`` at the access
+        point; ``on_air``: multicast) and ``waiting``; ``ppdus``, the ``mpdus`` in them, those
+        ``retried``; ``collisions``, PPDUs ``collided``; ``requests`` for block acknowledgements
+        and agreements on them; ``expired`` leases.
     airtime : ndarray of shape (runs, messages + 1, 3)
-        Airtime by message, the last row for requests, with acknowledgements: up, down,
-        and failed [s].
+        By message, the last row for requests, with acknowledgements: up, down, and failed [s].
     queues : tuple of ndarray
-        For each run rows of time [s], and frames waiting at all hosts and at the access
-        point [1].
+        A run's rows of time [s], and frames waiting at all hosts and at the access point [1].
     pair_times : ndarray of shape (runs, pairs)
-        Since when each process has all of each other one, in ascending order [s]; infinity for
-        those that at the end have not, or no longer. Without recovery of shape (runs, 0).
+        Since when each process has all of each other one, ascending [s]; infinity for those that
+        at the end have not. Without recovery of shape (runs, 0).
     transmissions : ndarray
         The first transmissions of the first run, see `transmission_table`.
     data : dict of str to dict
-        Of each topic of user data, until discovery was complete or given up, without recovery until
-        the end: ``frames`` that were sent, of these ``arrived``, and those lost by cause, named as
-        in `counts` [1], a multicast frame once for each host that was to receive it;
-        ``delay_median_s``, ``delay_95_s`` and ``delay_most_s`` from when a sample was made to the
-        arrival of its last frames [s], NaN if none arrived. Frames in a queue at the end have not
-        arrived. Empty without user data.
+        Of each topic until discovery was complete, without recovery until the end: ``frames``
+        sent, of these ``arrived``, and those lost by cause as in `counts` [1];
+        ``delay_median_s``, ``delay_95_s`` and ``delay_most_s`` from a sample's making to the
+        arrival of its last frame [s], NaN if none arrived. Empty without user data.
     """
 
     fleet: Fleet
@@ -177,16 +159,9 @@ class Simulation:
             protocol,
             wifi,
             settings,
-            each("starts"),
-            each("drain_time"),
-            each("lost"),
-            each("lost_by_host"),
-            each("convergence_time"),
-            each("busy_time"),
+            **{name: each(name) for name in SIDE_BY_SIDE},
             counts={name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
-            airtime=each("airtime"),
             queues=tuple(run.queues for run in runs),
-            pair_times=each("pair_times"),
             transmissions=runs[0].transmissions,
             data={
                 topic: {name: np.array([run.data[topic][name] for run in runs]) for name in found}
@@ -203,93 +178,54 @@ class Simulation:
         return hash((self.fleet, self.protocol, self.wifi, self.drain_time.tobytes()))
 
     def __repr__(self) -> str:
-        runs = self.drain_time.size
-        middle = (
-            f"{name} {np.median(getattr(self, name)):.4g}{unit}"
-            for name, unit in (("drain_time", " s"), ("lost", ""), ("convergence_time", " s"))
-        )
+        runs = words.count_noun(self.drain_time.size, "run")
+        drain, lost, known = map(np.median, (self.drain_time, self.lost, self.convergence_time))
         return (
-            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs} "
-            f"{'run' if runs == 1 else 'runs'}; medians: {', '.join(middle)})"
+            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs}; medians: drain_time "
+            f"{drain:.4g} s, lost {lost:.4g}, convergence_time {known:.4g} s)"
         )
 
     def table(self) -> pd.DataFrame:
         """Return one row a run: the three times and parts, and all counts."""
         import pandas as pd
 
-        columns: dict[str, Any] = {
-            "drain_time_s": self.drain_time,
-            "lost": self.lost,
-            "convergence_time_s": self.convergence_time,
-            "busy_time_s": self.busy_time,
-        }
-        return pd.DataFrame(columns | self.counts).rename_axis("run")
-
-    def airtime_table(self) -> pd.DataFrame:
-        """Return the mean airtime of each message up, down and failed [s]."""
-        import pandas as pd
-
-        names = [message.name for message in self.protocol.messages]
-        index = pd.Index([*names, "block ACK request"], name="message")
-        columns = [f"{direction}_s" for direction in DIRECTIONS]
-        return pd.DataFrame(self.airtime.mean(axis=0), index=index, columns=columns)
+        times = {"drain_time_s": self.drain_time, "lost": self.lost}
+        times |= {"convergence_time_s": self.convergence_time, "busy_time_s": self.busy_time}
+        return pd.DataFrame(times | self.counts).rename_axis("run")
 
     def transmission_table(self) -> pd.DataFrame:
         """Return the first transmissions of the first run, one row each."""
         import pandas as pd
 
-        sent = self.transmissions
-        hosts = int(self.settings["hosts"])
+        sent, hosts = self.transmissions, int(self.settings["hosts"])
         # The two that are no messages count from the end.
         others = ["block ACK agreement", "block ACK request"]
         names = [*(message.name for message in self.protocol.messages), *others]
+        stations = [*(f"host {number + 1}" for number in range(hosts)), "access point"]
         return pd.DataFrame(
             {
                 "start_s": sent["start"] * 1e-7,
                 "end_s": sent["end"] * 1e-7,
-                "station": [
-                    "access point" if number == hosts else f"host {number + 1}"
-                    for number in sent["station"]
-                ],
+                "station": [stations[number] for number in sent["station"]],
                 "message": [names[kind] for kind in sent["kind"]],
                 "frames": sent["frames"],
                 "outcome": [OUTCOMES[outcome] for outcome in sent["outcome"]],
             }
         )
 
-    def figure(self) -> Figure:
-        """Return a picture: frames that wait over time, and how many pairs know each other."""
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(7, 3.2), layout="constrained")
-        panels = figure.subplots(1, 2 if self.pair_times.size else 1, squeeze=False)[0]
-        time, hosts, access_point = self.queues[0].T
-        panels[0].plot(time, hosts, label="all hosts")
-        panels[0].plot(time, access_point, label="access point", linestyle="--")
-        panels[0].set(xlabel="time after the start [s]", ylabel="frames waiting [1], first run")
-        panels[0].legend()
-        if self.pair_times.size:
-            times = np.sort(self.pair_times, axis=None)
-            known = np.arange(1, times.size + 1) / times.size
-            good = np.isfinite(times)
-            panels[1].step(times[good], known[good], where="post")
-            panels[1].set(
-                xlabel="time after the start [s]",
-                ylabel="pairs complete [1], all runs",
-                ylim=(0, 1.02),
-            )
-        return figure
-
     def to_dict(self) -> dict[str, Any]:
         """Return what was simulated and all numbers a run as plain Python, for JSON.
 
-        Infinity is None. Of `pair_times` it has quantiles, of `transmissions` nothing: see
-        `transmission_table`. The protocol is named; the channel is ``Radio(**radio).wifi()``.
-        A run with the ``starts`` of one as its ``start`` repeats that one, if it is the first.
+        Infinity is None; `pair_times` are quantiles; the channel is ``Radio(**radio).wifi()``. A
+        run with the ``starts`` of the first one as its ``start`` repeats that.
         """
         assert self.wifi.radio is not None
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
         columns = ("time_s", "hosts", "access_point")
+        data = {
+            topic: {name: json_ready(values.tolist()) for name, values in found.items()}
+            for topic, found in self.data.items()
+        }
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
@@ -297,10 +233,10 @@ class Simulation:
             "radio": asdict(self.wifi.radio),
             "fleet": self.fleet.to_dicts(),
             "matching": self.fleet.matching,
-            "settings": {key: _plain(value) for key, value in self.settings.items()},
+            "settings": json_ready(self.settings),
             "starts": self.starts.tolist(),
             **{
-                name: _plain(getattr(self, name).tolist())
+                name: json_ready(getattr(self, name).tolist())
                 for name in ("drain_time", "lost", "convergence_time", "busy_time", "lost_by_host")
             },
             "counts": {name: values.tolist() for name, values in self.counts.items()},
@@ -310,14 +246,7 @@ class Simulation:
             },
             "queues": [dict(zip(columns, run.T.tolist(), strict=True)) for run in self.queues],
             "pair_times": self._pair_quantiles(),
-        } | ({"data": self._data()} if self.data else {})
-
-    def _data(self) -> dict[str, Any]:
-        """Return what was found of each topic as plain Python."""
-        return {
-            topic: {name: _plain(values.tolist()) for name, values in found.items()}
-            for topic, found in self.data.items()
-        }
+        } | ({"data": data} if data else {})
 
     def _pair_quantiles(self) -> dict[str, Any]:
         """Return the number of pairs [1], and quantiles of their times that are such times [s]."""
@@ -325,7 +254,7 @@ class Simulation:
         if not pairs:
             return {"pairs": 0, "quantiles": [], "times": []}
         found = np.quantile(self.pair_times, QUANTILES, axis=1, method="higher").T.tolist()
-        return {"pairs": pairs, "quantiles": list(QUANTILES), "times": _plain(found)}
+        return {"pairs": pairs, "quantiles": list(QUANTILES), "times": json_ready(found)}
 
     def to_json(self) -> str:
         """Return `to_dict` as JSON."""

@@ -88,9 +88,8 @@ class Setup:
         count = self.hosts.host_of.size
         to_all = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
-        of_row = np.where(
-            to_all, self.shares.to_all.sum(axis=0), remote * self.shares.each.sum(axis=0)
-        )
+        one_by_one = remote * self.shares.each.sum(axis=0)
+        of_row = np.where(to_all, self.shares.to_all.sum(axis=0), one_by_one)
         frames = float(of_row.sum())
         # What is sent again and again, while others start and until the end.
         starts = delays(self.scenario.start, self.hosts.processes.size, np.random.default_rng(0))
@@ -137,13 +136,9 @@ def set_up(scenario: Scenario) -> Setup:
         table = middleware.clock_only(discovery)
     names = [message.name for message in protocol.messages]
     rows = [names.index(message.name) for message in table.messages]
-    bursts, data = user_data.user_data_of(
-        protocol,
-        cell_setup.bursts_of(table, rows),
-        kinds,
-        float(scenario.queue[1]),
-        scenario.until,
-    )
+    clock = cell_setup.bursts_of(table, rows)
+    lifetime = float(scenario.queue[1])
+    bursts, data = user_data.user_data_of(protocol, clock, kinds, lifetime, scenario.until)
     delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad one before all runs
     return Setup(
         scenario=scenario,
@@ -182,9 +177,8 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
     counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
-    drained = (
-        float(state["drained"] * TICK) if state["open"] == 0 and state["coming"] == 0 else np.inf
-    )
+    through = state["open"] == 0 and state["coming"] == 0
+    drained = float(state["drained"] * TICK) if through else np.inf
     if setup.repairs is None:
         converged = drained if counts["arrived"] == counts["expected"] else np.inf
         pair_times = np.empty(0)
@@ -195,6 +189,8 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
     hosts = cell.stations[: state["hosts"]]
     samples = cell.queue_samples[: state["samples"]]
+    own = setup.user_data
+    data = {} if own is None else user_data.found_of(setup.topics, cell, own.stamp)
     return Run(
         starts,
         drained,
@@ -207,7 +203,5 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
         np.stack([samples["time"] * TICK, samples["hosts"], samples["access_point"]], axis=1),
         pair_times,
         cell.log[: state["logged"]].copy(),
-        {}
-        if setup.user_data is None
-        else user_data.found_of(setup.topics, cell, setup.user_data.stamp),
+        data,
     )

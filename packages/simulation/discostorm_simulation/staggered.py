@@ -1,8 +1,4 @@
-"""Start one after the other: rules that say when each host of a swarm starts.
-
-Whoever starts later meets a calmer channel. The rules give what `discostorm.simulate` takes as
-``start``: `at_random` needs no one to agree with anyone, `in_turn` needs an order.
-"""
+"""Start one after the other: rules for ``start`` of `discostorm.simulate`, for calmer channels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -32,11 +28,6 @@ def window(
 ) -> float:
     """Return the rule of thumb's window: by when the channel could have carried the whole start.
 
-    That is `discostorm.timeline.drain_time`: the airtime of the whole start where nothing is
-    repeated, as in the paper's tables, by which the rule was simulated
-    (``data/simulated/staggered.csv``). Where something is, it has its share of the channel from
-    the first start on, as if all hosts were there: longer than needed, if anything.
-
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
@@ -45,8 +36,7 @@ def window(
     Returns
     -------
     float
-        Within how long all hosts should start [s]; infinity where what is repeated fills the
-        channel by itself, so that no window is long enough.
+        The drain time [s]: infinity where what is repeated fills the channel by itself.
 
     Examples
     --------
@@ -54,13 +44,6 @@ def window(
     >>> from discostorm_simulation import staggered
     >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
     2.0
-
-    Of ten Nav2 robots and a laptop it is half a minute:
-
-    >>> from discostorm.data import data_path
-    >>> nav2 = ds.Fleet.from_toml(data_path("fleets/nav2_laptop.toml"))
-    >>> round(staggered.window(ds.DDS, nav2))
-    28
     """
     found = drain_time(protocol, hosts, processes, endpoints, wifi)
     given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
@@ -69,20 +52,8 @@ def window(
 
 
 def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
-    """Return a rule by which each host draws its start from a window, all alike.
-
-    Parameters
-    ----------
-    within : float
-        How long the window is [s], at least 0.
-
-    Returns
-    -------
-    function
-        Of a `numpy.random.Generator` and a number of hosts, which returns their times [s].
-    """
-    seconds = _checks.number("within", within, 0)
-    return _AtRandom(seconds)
+    """Return a rule by which each host draws its start [s] from a window that is so long [s]."""
+    return _AtRandom(_checks.number("within", within, 0))
 
 
 @dataclass(frozen=True)
@@ -99,11 +70,7 @@ class _AtRandom:
 def in_turn(
     protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> Floats:
-    """Return a start for each host: when the airtime of all that come before it has passed.
-
-    After the idea of SPRED: start times from the sizes of the first bursts and the throughput of
-    the queue that sends them. Here the size of a burst is what the table says that one host
-    more adds, and the throughput what the closed form says.
+    """Return a start for each host [s]: when the airtime of all that come before it has passed.
 
     Parameters
     ----------
@@ -113,12 +80,12 @@ def in_turn(
     Returns
     -------
     ndarray of shape (hosts,)
-        When each host starts [s], in ascending order.
+        In ascending order [s].
 
     References
     ----------
-    "Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis, DGIST, 2026
-    (scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract.
+    After the idea of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis,
+    DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract, with the closed form.
 
     Examples
     --------

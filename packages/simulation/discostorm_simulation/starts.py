@@ -36,24 +36,19 @@ def told(start: Any) -> float | list[float] | str:
     return f"{named.__module__}.{named.__qualname__}"
 
 
-def _check_call(start: Callable[..., Any], *given: Any) -> None:
-    """Refuse a function that does not take what it is given."""
-    with suppress(ValueError):  # some that are compiled do not say what they take
-        try:
-            signature(start).bind(*given)
-        except TypeError as error:
-            raise TypeError(
-                "start must be a function of a numpy.random.Generator and a number of hosts; "
-                f"got one that does not take these: {error}"
-            ) from error
-
-
 def delays(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
     """Return when each host starts [s]; see `discostorm.simulate`."""
     if hasattr(start, "rvs"):
         drawn = start.rvs(size=hosts, random_state=rng)
     elif callable(start):
-        _check_call(start, rng, hosts)
+        try:
+            with suppress(ValueError):  # some that are compiled do not say what they take
+                signature(start).bind(rng, hosts)
+        except TypeError as error:
+            raise TypeError(
+                "start must be a function of a numpy.random.Generator and a number of hosts; "
+                f"got one that does not take these: {error}"
+            ) from error
         drawn = start(rng, hosts)
     else:
         drawn = start

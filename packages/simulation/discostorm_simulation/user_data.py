@@ -1,11 +1,9 @@
 """User data beside discovery: rows of the table, when hosts send them, and how late they were.
 
-A host sends samples to another with their period, the first at random within it, once it has all
-endpoints of that one; by multicast, and to a host that is wired to the access point, from its own
-start on. Without recovery, where nobody discovers anybody, it sends all samples from its start on,
-and the run lasts until its end is due. Samples are queued as all else is; what is lost is lost, as
-no middleware repairs it here. Of what goes to one other host, each as likely, the frames of a
-sample are dealt out to all of them if there are as many; those of a short one go to the same.
+A host sends samples to another with their period once it has all endpoints of that one; by
+multicast, to a wired host, and without recovery, from its own start on. What is lost is lost, as no
+middleware repairs it here. Frames of a sample to one other host are dealt out to all of them if
+there are as many; those of a short one go to the same.
 """
 
 from dataclasses import dataclass, replace
@@ -29,10 +27,7 @@ QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 @dataclass(frozen=True)
 class UserData:
-    """What hosts send besides discovery: sets of messages, their period, and of which group.
-
-    ``bursts`` are numbers of `Bursts.messages`; ``stamp`` is the time between two stamps [ticks].
-    """
+    """What hosts send besides discovery: numbers of `Bursts.messages`, and ticks between stamps."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]
@@ -83,44 +78,33 @@ def _topic(row: Message) -> str:
 def user_data_of(
     protocol: Protocol, bursts: Bursts, kinds: Records, lifetime: float, until: float
 ) -> tuple[Bursts, UserData | None]:
-    """Return the sets of messages with those of the data, and when these are sent.
-
-    Note in the rows whose delays are to be counted.
-    """
-    own = [(n, row) for n, row in enumerate(protocol.messages) if row.phase == DATA]
-    if not own:
-        return bursts, None
-    sent = [place for place, row in own if not _is_answer(row)]
-    kinds["user"][sent] = np.arange(1, len(sent) + 1)
+    """Return the bursts with those of the data, noting in ``kinds`` whose delays are counted."""
     names = [row.name for row in protocol.messages]
-    for place, row in own:
-        if row.answers is not None:
-            kinds["trigger"][place] = st.ANSWER
-            kinds["answers"][place] = names.index(row.answers)
     topics: dict[str, list[int]] = {}
-    for place, row in own:
+    counted = 0
+    for place, row in enumerate(protocol.messages):
+        if row.phase != DATA:
+            continue
+        if not _is_answer(row):
+            counted += 1
+            kinds["user"][place] = counted
         if row.answers is None:
             topics.setdefault(_topic(row), []).append(place)
-    messages = [tuple(rows) for rows in topics.values()]
+        else:
+            kinds["trigger"][place] = st.ANSWER
+            kinds["answers"][place] = names.index(row.answers)
+    if not topics:
+        return bursts, None
+    messages = tuple(map(tuple, topics.values()))
     firsts = [protocol.messages[rows[0]] for rows in messages]
     periods = tuple(row.schedule.period for row in firsts)
-    before = len(bursts.messages)
+    groups = tuple(row.unit.group or 0 for row in firsts)
     # Twice a queue's lifetime, and some more, is told apart.
-    longest = min(2 * lifetime + 1.0, until)
-    stamp = ticks(max(_STAMP, longest / st.ITEMS))
-    return (
-        replace(
-            bursts,
-            messages=(*bursts.messages, *messages),
-            period=(*bursts.period, *periods),
-        ),
-        UserData(
-            tuple(range(before, before + len(messages))),
-            periods,
-            tuple(row.unit.group or 0 for row in firsts),
-            stamp,
-        ),
-    )
+    stamp = ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
+    before = len(bursts.messages)
+    own = tuple(range(before, before + len(messages)))
+    both = replace(bursts, messages=bursts.messages + messages, period=bursts.period + periods)
+    return both, UserData(own, periods, groups, stamp)
 
 
 def found_of(

@@ -1,9 +1,7 @@
-"""How two stations agree on block acknowledgements before the first A-MPDU from one to the other.
+"""Agreements on block acknowledgements: ADDBA request and response, before the first A-MPDU.
 
-Who has more than one frame for a receiver sends it an ADDBA request first; what is for this
-receiver waits. The response contends like any frame, ahead of data. If it has not come in time,
-frames go one by one, each with its acknowledgement, until the response comes or enough time has
-passed to ask again (IEEE Std 802.11-2020, 10.25.2 and 11.5; the two times are ns-3's).
+Until a late response comes frames go one by one, or it is asked for again (IEEE Std 802.11-2020,
+10.25.2 and 11.5; the two times are ns-3's).
 """
 
 import numpy as np

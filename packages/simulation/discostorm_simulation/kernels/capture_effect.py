@@ -1,21 +1,13 @@
 """Which of the frames that overlap is received, if stations are heard at unlike strength (capture).
 
-A receiver follows the frame whose power there exceeds the sum of all others that are sent with it:
-by one factor for what is sent at the basic rate, such as the begin of each frame, and by a larger
-one for data at the top rate. Of an A-MPDU that exceeds by the smaller factor only, those MPDUs
-arrive that begin when the others are over. Who sends receives nothing. The answer is taken to
-arrive.
+The one whose power exceeds the sum of all others: by one factor at the basic rate, as its begin is,
+by a larger one for data. Between the two those MPDUs arrive that begin when the others are over.
 """
 
 import numpy as np
 
+from discostorm_simulation.kernels import delivery
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.delivery import (
-    data_ticks,
-    exceeds_interference,
-    is_multicast,
-    subframe_octets,
-)
 from discostorm_simulation.kernels.queues import receiving_host
 
 
@@ -34,9 +26,9 @@ def mpdus_begun_before(cell, station, since):
     """Return how many MPDUs of a PPDU begin in the ticks after its own begin."""
     octets = np.int64(0)
     for place in range(cell.stations[station].sent):
-        if data_ticks(cell.radio[0], octets) >= since:
+        if delivery.data_ticks(cell.radio[0], octets) >= since:
             return np.int64(place)
-        octets += subframe_octets(cell, cell.window[station, place].frame)
+        octets += delivery.subframe_octets(cell, cell.window[station, place].frame)
     return np.int64(cell.stations[station].sent)
 
 
@@ -45,15 +37,19 @@ def is_captured(cell, count, station, time):
     """Return whether something arrives of what a station sends with others; note what does not."""
     state, radio, sent = cell.state[0], cell.radio[0], cell.stations[station].sent
     state.damaged = 0
-    if is_multicast(cell, station):
+    if delivery.is_multicast(cell, station):
         for host in range(state.hosts):
-            if exceeds_interference(cell, count, station, host, radio.capture_threshold_basic):
+            if delivery.exceeds_interference(
+                cell, count, station, host, radio.capture_threshold_basic
+            ):
                 return True
         return False
     to = receiver_of_transmission(cell, station)
-    if not exceeds_interference(cell, count, station, to, radio.capture_threshold_basic):
+    if not delivery.exceeds_interference(cell, count, station, to, radio.capture_threshold_basic):
         return False
-    if sent == 0 or exceeds_interference(cell, count, station, to, radio.capture_threshold):
+    if sent == 0 or delivery.exceeds_interference(
+        cell, count, station, to, radio.capture_threshold
+    ):
         return True
     others = np.int64(0)
     for place in range(count):

@@ -1,33 +1,15 @@
-"""Who sends when: the contention of 802.11 stations for one medium.
+"""Who sends when: contention by IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one category).
 
-Back-off counters are not counted down one by one: every station that waits stands in a wheel
-at the number of the slot in which it will send, and a busy medium moves the clock under the
-wheel. So a transmission costs the same whatever the number of stations. Who has just
-collided waits for its timeout first and stands beside the wheel until the next transmission
-brings all clocks together again.
-
-The rules are those of IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one access category).
+Who waits stands in a wheel at the slot in which it will send, so a transmission costs the same for
+any number of stations; who has just collided stands beside it until the next transmission.
 """
 
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import below, kind_of
-from discostorm_simulation.kernels.queues import (
-    append,
-    burst_entry,
-    burst_frames,
-    change_length,
-    count_drop,
-    count_lost_receptions,
-    frames_to_all,
-    is_steady,
-    next_frame,
-    oldest_entry,
-    receiver_count,
-    source_host,
-)
 
 
 @njit
@@ -76,11 +58,7 @@ def back_off(cell, station, base):
 
 @njit
 def request_access(cell, station, time, busy):
-    """Let a station with something to send contend, if it does not yet.
-
-    A back-off that still runs goes on. If it has run out, the station sends without one
-    at the next slot on an idle medium, and draws one on a busy medium.
-    """
+    """Let a station with something to send contend; a back-off that still runs goes on."""
     state, its = cell.state[0], cell.stations[station]
     if its.waits:
         return
@@ -110,10 +88,7 @@ def next_slot(cell):
 
 @njit
 def first_to_send(cell, base):
-    """Return the slot of the next transmission if it surely begins before a tick, or -1.
-
-    Who counts from that tick on only may stand in the wheel at once, behind that slot.
-    """
+    """Return the slot of the next transmission if it surely begins before a tick, or -1."""
     state, radio = cell.state[0], cell.radio[0]
     if not radio.edca or radio.lifetime < st.NEVER or state.deferred > 0 or state.waiting == 0:
         return np.int64(-1)
@@ -126,11 +101,7 @@ def first_to_send(cell, base):
 
 @njit
 def synchronize(cell, time, sent_slot):
-    """Move the clock on to the transmission that starts now; everybody counts alike again.
-
-    With EDCA a counter goes down at the end of AIFS and at the end of each idle slot, so once
-    more than there were idle slots; with DCF only at the end of each idle slot.
-    """
+    """Let all count from the transmission that starts now; with EDCA they count AIFS as a slot."""
     state, radio = cell.state[0], cell.radio[0]
     if sent_slot >= 0:
         state.slot = sent_slot + radio.edca
@@ -150,15 +121,12 @@ def synchronize(cell, time, sent_slot):
     state.deferred, state.deferred_time = 0, st.NEVER
 
 
-# ---------------------------------------------------------------- what comes to be sent
-
-
 @njit
 def free_slots(cell, station, time):
     """Return how many frames a queue still takes; who is full throws out what is too old."""
     its = cell.stations[station]
     if its.length >= cell.radio[0].queue:
-        oldest_entry(cell, station, time)
+        queues.oldest_entry(cell, station, time)
     return cell.radio[0].queue - its.length
 
 
@@ -166,10 +134,10 @@ def free_slots(cell, station, time):
 def enqueue_or_drop(cell, station, frame, time):
     """Put one frame into a queue; return whether there was room."""
     if free_slots(cell, station, time) <= 0:
-        count_drop(cell, frame, station, st.QUEUE_FULL)
+        queues.count_drop(cell, frame, station, st.QUEUE_FULL)
         return False
-    append(cell, station, frame, time)
-    change_length(cell, station, 1)
+    queues.append(cell, station, frame, time)
+    queues.change_length(cell, station, 1)
     return True
 
 
@@ -179,11 +147,11 @@ def submit_frame(cell, frame, time):
     state = cell.state[0]
     if not frame & st.STEADY:
         state.open += 1
-        state.expected += receiver_count(cell, frame)
-        cell.stations[source_host(cell, frame)].sought += receiver_count(cell, frame)
+        state.expected += queues.receiver_count(cell, frame)
+        cell.stations[queues.source_host(cell, frame)].sought += queues.receiver_count(cell, frame)
     station = state.hosts
     if cell.kinds[kind_of(frame)].up:
-        station = source_host(cell, frame)
+        station = queues.source_host(cell, frame)
     if enqueue_or_drop(cell, station, frame, time):
         request_access(cell, station, time, time <= state.idle)
 
@@ -192,7 +160,7 @@ def submit_frame(cell, frame, time):
 def submit_burst(cell, host, burst, time):
     """Hand a burst to a host's queue: what does not fit is lost."""
     state = cell.state[0]
-    total = burst_frames(cell, host, burst)
+    total = queues.burst_frames(cell, host, burst)
     if total == 0:
         return
     for kind in range(state.kinds):
@@ -200,20 +168,20 @@ def submit_burst(cell, host, burst, time):
         # What has one hop only is handed over frame by frame.
         if cell.bursts[burst, kind] and not (row.up and row.down):
             for _ in range(total):
-                submit_frame(cell, next_frame(cell, host, burst), time)
+                submit_frame(cell, queues.next_frame(cell, host, burst), time)
             cell.stations[host].begun = 0
             return
     fits = min(max(free_slots(cell, host, time), 0), total)
-    multicast = frames_to_all(cell, host, burst)
-    if not is_steady(cell, burst):
+    multicast = queues.frames_to_all(cell, host, burst)
+    if not queues.is_steady(cell, burst):
         cut = max(multicast - fits, 0)
         state.open += fits
         state.expected += total + multicast * (state.links - 1)
         cell.stations[host].sought += total + multicast * (state.links - 1)
-        count_lost_receptions(
+        queues.count_lost_receptions(
             cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
         )
     if fits > 0:
-        append(cell, host, burst_entry(burst, fits), time)
-        change_length(cell, host, fits)
+        queues.append(cell, host, queues.burst_entry(burst, fits), time)
+        queues.change_length(cell, host, fits)
         request_access(cell, host, time, time <= state.idle)

@@ -3,24 +3,11 @@
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
 from discostorm_simulation.kernels.channel_access import enqueue_or_drop, request_access
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import destination_of, kind_of, uniform
-from discostorm_simulation.kernels.queues import (
-    burst_entry,
-    burst_of,
-    change_length,
-    count_drop,
-    count_user_data_drop,
-    dequeue_first_for,
-    drop_head,
-    frames_of,
-    next_frame,
-    oldest_entry,
-    receiving_host,
-    source_host,
-)
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
@@ -80,7 +67,7 @@ def deliver(cell, station, frame, time, alone):
         elif row.user:
             send_answers(cell, frame, destination_of(frame), time)
         return
-    sender = source_host(cell, frame)
+    sender = queues.source_host(cell, frame)
     for host in range(state.hosts):
         its = cell.stations[host]
         if host == sender:
@@ -90,7 +77,7 @@ def deliver(cell, station, frame, time, alone):
             state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:
-                count_user_data_drop(cell, frame, 1, station, st.LOST_ON_AIR)
+                queues.count_user_data_drop(cell, frame, 1, station, st.LOST_ON_AIR)
             continue
         state.arrived += burst
         if row.user:
@@ -102,10 +89,7 @@ def deliver(cell, station, frame, time, alone):
 
 @shared
 def pass_on(cell, host, time, alone):
-    """Pass on what has come to the access point from a host, in order.
-
-    What comes after a missing frame waits until that is there or given up (10.25).
-    """
+    """Pass on in order what has come from a host; what comes after a gap waits (10.25)."""
     its, ring = cell.stations[host], cell.radio[0].window
     end = cell.window[host, 0].number if its.held else its.following
     for number in range(its.passed, end):
@@ -124,8 +108,8 @@ def drop_expired(cell, station, time):
     for place in range(its.held):
         held = cell.window[station, place]
         if time - held.came > cell.radio[0].lifetime:
-            count_drop(cell, held.frame, station, st.EXPIRED)
-            change_length(cell, station, -1)
+            queues.count_drop(cell, held.frame, station, st.EXPIRED)
+            queues.change_length(cell, station, -1)
         else:
             move_forward(cell, station, place, kept)
             kept += 1
@@ -145,9 +129,9 @@ def first_free(cell, node):
     """Return the access point's first frame from one on that waits for no agreement, or -1."""
     state = cell.state[0]
     while node >= 0:
-        frames = frames_of(cell.pool[node].frame)
+        frames = queues.frames_of(cell.pool[node].frame)
         if frames:
-            to = receiving_host(cell, cell.pool[node].frame)
+            to = queues.receiving_host(cell, cell.pool[node].frame)
             if to == state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
         node = np.int64(cell.pool[node].next)
@@ -156,23 +140,19 @@ def first_free(cell, node):
 
 @shared
 def fill_window_for_one(cell, time):
-    """Fill what the access point sends next to the host that has waited longest.
-
-    What is not for all stays in the queue until it has arrived: so whoever has waited longest then
-    is next, not who lacks a part of the last A-MPDU.
-    """
+    """Fill what the access point sends next to the host that has waited longest."""
     state, radio = cell.state[0], cell.radio[0]
     station = state.hosts
     its = cell.stations[station]
     if its.bar_pending:
         return True
     its.held = 0
-    node = oldest_entry(cell, station, time)
+    node = queues.oldest_entry(cell, station, time)
     if state.cold:
         node = first_free(cell, node)
     if node < 0:
         return False
-    to, most = receiving_host(cell, cell.pool[node].frame), radio.mpdus
+    to, most = queues.receiving_host(cell, cell.pool[node].frame), radio.mpdus
     if state.cold and to < state.hosts:
         block_ack = cell.block_acks[to, st.DOWNWARD].state
         if block_ack == st.NO_BLOCK_ACK and cell.pool[node].same >= 0:
@@ -188,7 +168,7 @@ def fill_window_for_one(cell, time):
         its.held += 1
         node = waiting.same
         if to == state.hosts:
-            dequeue_first_for(cell, to)
+            queues.dequeue_first_for(cell, to)
             break
     return True
 
@@ -207,19 +187,19 @@ def fill_window(cell, station, time):
     while its.held < radio.mpdus:
         if its.held and its.following - cell.window[station, 0].number >= radio.window:
             break
-        node = oldest_entry(cell, station, time)
+        node = queues.oldest_entry(cell, station, time)
         if node < 0:
             break
         frame, came = cell.pool[node].frame, cell.pool[node].came
         if frame < 0:
-            left, burst = frames_of(frame) - 1, burst_of(frame)
-            cell.pool[node].frame = burst_entry(burst, left)
-            frame = next_frame(cell, station, burst)
+            left, burst = queues.frames_of(frame) - 1, queues.burst_of(frame)
+            cell.pool[node].frame = queues.burst_entry(burst, left)
+            frame = queues.next_frame(cell, station, burst)
             if left == 0:
                 its.begun = 0
-                drop_head(cell, station)
+                queues.drop_head(cell, station)
         else:
-            drop_head(cell, station)
+            queues.drop_head(cell, station)
         held = cell.window[station, its.held]
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
         its.following += 1

@@ -1,44 +1,19 @@
-"""The exchange of frames: how long it takes, what comes of it, and what a collision does.
-
-What a station sends before its data, such as an RTS, would belong into `tx_duration`.
-"""
+"""How long an exchange of frames takes and what comes of it; an RTS would go to `tx_duration`."""
 
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import channel_access, delivery, queues
 from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
 from discostorm_simulation.kernels.capture_effect import captured_station
-from discostorm_simulation.kernels.channel_access import (
-    back_off,
-    draw_backoff,
-    enter_backoff_wheel,
-    first_to_send,
-    request_access,
-    start_backoff,
-)
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.delivery import (
-    MISSING,
-    aggregates,
-    deliver,
-    is_multicast,
-    move_forward,
-    pass_on,
-    plan_ppdu,
-)
 from discostorm_simulation.kernels.primitives import below, kind_of, uniform
-from discostorm_simulation.kernels.queues import (
-    change_length,
-    count_drop,
-    dequeue_after,
-    receiving_host,
-)
 
 
 @njit
 def tx_duration(cell, station):
     """Return how long a station sends until its data end."""
-    return plan_ppdu(cell, station)
+    return delivery.plan_ppdu(cell, station)
 
 
 @njit
@@ -93,13 +68,13 @@ def drop_after_last_attempt(cell, station):
     tries = cell.pool[held.number].tries if station == state.hosts else held.tries
     if tries < cell.radio[0].attempts or is_established(cell, station, held.frame):
         return
-    count_drop(cell, held.frame, station, st.RETRY_LIMIT)
-    change_length(cell, station, -1)
+    queues.count_drop(cell, held.frame, station, st.RETRY_LIMIT)
+    queues.change_length(cell, station, -1)
     if station == state.hosts:
-        dequeue_after(cell, receiving_host(cell, held.frame), np.int64(-1))
+        queues.dequeue_after(cell, queues.receiving_host(cell, held.frame), np.int64(-1))
         return
     for place in range(1, its.held):
-        move_forward(cell, station, place, place - 1)
+        delivery.move_forward(cell, station, place, place - 1)
     its.held -= 1
 
 
@@ -114,7 +89,7 @@ def on_failure(cell, station, time):
         return
     for place in range(its.sent):
         held = cell.window[station, place]
-        if aggregates(cell, station):
+        if delivery.aggregates(cell, station):
             cell.pool[held.number].tries += 1
         else:
             held.tries += 1
@@ -124,9 +99,9 @@ def on_failure(cell, station, time):
         drop_after_last_attempt(cell, station)
     # Under a block acknowledgement frames are repeated until they arrive or are too old.
     elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
-        count_drop(cell, cell.window[station, 0].frame, station, st.RETRY_LIMIT)
+        queues.count_drop(cell, cell.window[station, 0].frame, station, st.RETRY_LIMIT)
         its.held = 0
-        change_length(cell, station, -1)
+        queues.change_length(cell, station, -1)
 
 
 @shared
@@ -138,7 +113,7 @@ def send_bar(cell, station, time, end):
     state.busy += end - time + radio.block_ack
     log_transmission(cell, station, time, state.idle, st.SUCCESS)
     its.bar_pending, its.failures = 0, 0
-    back_off(cell, station, state.base)
+    channel_access.back_off(cell, station, state.base)
 
 
 @shared
@@ -151,9 +126,9 @@ def send_addba(cell, station, time, end):
     log_transmission(cell, station, time, state.idle, st.SUCCESS)
     cell.stations[station].failures = 0
     other = addba_arrived(cell, station, state.idle)
-    back_off(cell, station, state.base)
+    channel_access.back_off(cell, station, state.base)
     if cell.stations[other].length > 0:
-        request_access(cell, other, end, False)
+        channel_access.request_access(cell, other, end, False)
 
 
 @shared
@@ -163,11 +138,11 @@ def dequeue_arrived(cell, to):
     last = np.int64(-1)
     for place in range(cell.stations[station].sent):
         held = cell.window[station, place]
-        if held.came & MISSING:
+        if held.came & delivery.MISSING:
             last = held.number
             cell.pool[last].tries += 1
         else:
-            dequeue_after(cell, to, last)
+            queues.dequeue_after(cell, to, last)
 
 
 @shared
@@ -181,9 +156,9 @@ def send_multicast(cell, time, end):
     state.busy += end - time
     log_transmission(cell, station, time, end, st.SUCCESS)
     its.held, its.failures = 0, 0
-    change_length(cell, station, -1)
-    back_off(cell, station, state.base)
-    deliver(cell, station, frame, end, its.sent == 1)
+    queues.change_length(cell, station, -1)
+    channel_access.back_off(cell, station, state.base)
+    delivery.deliver(cell, station, frame, end, its.sent == 1)
 
 
 @njit
@@ -196,14 +171,14 @@ def send_unicast(cell, station, time, end):
     state.base = state.idle + radio.aifs
     link = station
     if station == state.hosts:
-        link = receiving_host(cell, cell.window[station, 0].frame)
+        link = queues.receiving_host(cell, cell.window[station, 0].frame)
     loss = cell.stations[link].loss
     in_order = state.per_receiver and station < state.hosts
     good, damaged = np.int64(0), state.damaged
     for place in range(its.sent):
         held = cell.window[station, place]
         if place < damaged or (loss > 0 and uniform(state) < loss):
-            held.came |= MISSING
+            held.came |= delivery.MISSING
         else:
             cell.senders[good].frame = held.frame
             if in_order:
@@ -211,35 +186,35 @@ def send_unicast(cell, station, time, end):
             good += 1
     if good == 0:
         for place in range(its.sent):
-            cell.window[station, place].came &= ~MISSING
+            cell.window[station, place].came &= ~delivery.MISSING
         state.busy += end - time
         log_transmission(cell, station, time, end, st.ERROR)
         on_failure(cell, station, end)
-        back_off(cell, station, max(end + radio.timeout, state.others) + radio.aifs)
+        channel_access.back_off(cell, station, max(end + radio.timeout, state.others) + radio.aifs)
         return
     state.busy += end - time + answer
     log_transmission(cell, station, time, state.idle, st.SUCCESS)
     its.failures = 0
-    if aggregates(cell, station):
+    if delivery.aggregates(cell, station):
         dequeue_arrived(cell, link)
     else:
         kept = np.int64(0)
         for place in range(its.held):
             held = cell.window[station, place]
-            if place >= its.sent or held.came & MISSING:
-                held.tries += held.came >= MISSING
-                held.came &= ~MISSING
-                move_forward(cell, station, place, kept)
+            if place >= its.sent or held.came & delivery.MISSING:
+                held.tries += held.came >= delivery.MISSING
+                held.came &= ~delivery.MISSING
+                delivery.move_forward(cell, station, place, kept)
                 kept += 1
         its.held = kept
-    change_length(cell, station, -good)
-    back_off(cell, station, state.base)
+    queues.change_length(cell, station, -good)
+    channel_access.back_off(cell, station, state.base)
     alone = its.sent == 1 and state.others <= end
     if in_order:
-        pass_on(cell, station, end, alone)
+        delivery.pass_on(cell, station, end, alone)
         return
     for place in range(good):
-        deliver(cell, station, cell.senders[place].frame, end, alone)
+        delivery.deliver(cell, station, cell.senders[place].frame, end, alone)
 
 
 @njit
@@ -250,7 +225,7 @@ def send(cell, station, time):
         send_addba(cell, station, time, time + alone)
     elif cell.stations[station].sent == 0:
         send_bar(cell, station, time, time + alone)
-    elif is_multicast(cell, station):
+    elif delivery.is_multicast(cell, station):
         send_multicast(cell, time, time + alone)
     else:
         send_unicast(cell, station, time, time + alone)
@@ -258,16 +233,13 @@ def send(cell, station, time):
 
 @shared
 def answer_end(cell, station, time):
-    """Return when the answer to who is received in spite of others ends.
-
-    And for how long others send when neither who is received nor the answer is on the air.
-    """
+    """Return when the answer to a captured frame ends, and how long only others are on the air."""
     radio, its = cell.radio[0], cell.stations[station]
     end = time + tx_duration(cell, station)
     length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
     if is_addba(cell, station):
         length = radio.basic_ack
-    elif is_multicast(cell, station):
+    elif delivery.is_multicast(cell, station):
         length, pause = np.int64(0), np.int64(0)
     begun, others = end + pause, cell.state[0].others
     hidden = max(min(others, begun + length) - begun, 0)
@@ -276,10 +248,7 @@ def answer_end(cell, station, time):
 
 @shared
 def collide(cell, count, time):
-    """Let several stations send at once; return who is received in spite of the others, or -1.
-
-    What becomes of its frame is left to `send`; of all others nothing arrives.
-    """
+    """Let several stations send at once; return who is received in spite of the others, or -1."""
     state, radio = cell.state[0], cell.radio[0]
     last = np.int64(0)
     for place in range(count):
@@ -312,29 +281,31 @@ def collide(cell, count, time):
             continue
         its, held = cell.stations[station], cell.window[station, 0]
         log_transmission(cell, station, time, sender.end, st.COLLISION)
-        if is_multicast(cell, station):
+        if delivery.is_multicast(cell, station):
             # Nobody would have acknowledged it: the sender does not know.
-            count_drop(cell, held.frame, station, st.LOST_ON_AIR)
+            queues.count_drop(cell, held.frame, station, st.LOST_ON_AIR)
             its.held, its.failures = 0, 0
-            change_length(cell, station, -1)
+            queues.change_length(cell, station, -1)
         else:
             on_failure(cell, station, last)
             # Who hears an answer to another one waits for its end, not for the own timeout.
             if winner < 0 or sender.end >= answered:
                 base = max(sender.end + radio.timeout, quiet) + radio.aifs
-        sender.slots, sender.base = draw_backoff(cell, station), base
+        sender.slots, sender.base = channel_access.draw_backoff(cell, station), base
         if its.length == 0 or base == state.base:
-            start_backoff(cell, station, base, sender.slots)
+            channel_access.start_backoff(cell, station, base, sender.slots)
             sender.base = st.NEVER
         least = min(least, sender.base)
     if least == st.NEVER:
         return winner
-    slot = first_to_send(cell, least) if winner < 0 else np.int64(-1)
+    slot = channel_access.first_to_send(cell, least) if winner < 0 else np.int64(-1)
     for place in range(count):
         sender = cell.senders[place]
         if sender.base < st.NEVER:
             if slot >= 0:
-                enter_backoff_wheel(cell, sender.station, slot + radio.edca + sender.slots)
+                channel_access.enter_backoff_wheel(
+                    cell, sender.station, slot + radio.edca + sender.slots
+                )
             else:
-                start_backoff(cell, sender.station, sender.base, sender.slots)
+                channel_access.start_backoff(cell, sender.station, sender.base, sender.slots)
     return winner

@@ -41,9 +41,6 @@ def item_of(frame):
     return (frame >> st.ITEM_SHIFT) & st.ITEMS
 
 
-# ---------------------------------------------------------------- chance
-
-
 @njit
 def next_random(x):
     """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
@@ -79,9 +76,6 @@ def uniform(state):
     x = next_random(np.uint64(state.random))
     state.random = np.int64(x)
     return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
-
-
-# ---------------------------------------------------------------- events
 
 
 @shared

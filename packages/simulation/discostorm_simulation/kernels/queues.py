@@ -1,8 +1,4 @@
-"""What waits to be sent: queues with a length and a lifetime, and bursts that are not written out.
-
-A burst of many frames waits as one entry; its frames are made one after the other when it is
-their turn.
-"""
+"""What waits: queues with a length and a lifetime, in which a burst is a single entry."""
 
 import numpy as np
 
@@ -339,11 +335,7 @@ def next_frame(cell, host, burst):
 
 @shared
 def advance_frame(cell, host, burst):
-    """Return the next frame of a burst, like the last or not.
-
-    First the messages to all of each process, then, for each process, what goes to each
-    remote process, the next host first, in the order of the table.
-    """
+    """Return the next frame of a burst: those to all first, then for each process host by host."""
     generator, hosts, kinds = cell.stations[host], cell.state[0].hosts, cell.state[0].kinds
     if not generator.begun:
         generator.begun, generator.made, generator.stage = 1, 0, 0

@@ -1,28 +1,18 @@
 """What the middlewares do with what arrives: discovery, repair, leases.
 
-Whoever learns of a process sends it what the table says answers an announcement, above all one
-message for each of its own endpoints, an item. Over UDP a writer repeats Heartbeats to all
-that have not acknowledged, a reader answers each with an ACKNACK, and what this says is
-missing is sent again (OMG DDSI-RTPS 2.5, 8.4). Over TCP the sender repeats the first missing
-item when its timer ends, doubles the timer, and goes on as in slow start (RFC 6298, 5681); the
-acknowledgements of TCP travel for free. Who has not been heard of for a lease is forgotten
-with all that it sent, and may be discovered again.
+Over UDP a writer repeats Heartbeats until all have acknowledged, and sends again what an ACKNACK
+says is missing (OMG DDSI-RTPS 2.5, 8.4). Over TCP the first missing item is repeated when its timer
+ends, with slow start (RFC 6298, 5681). Who is silent for a lease is forgotten, and found again.
 """
 
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import primitives
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import submit_burst, submit_frame
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import (
-    compose,
-    item_of,
-    kind_of,
-    schedule_event,
-    source_of,
-    uniform,
-)
+from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
@@ -104,7 +94,7 @@ def start_heartbeats(cell, writer, time):
         its.heartbeat = repairs.heartbeat_period_initial
         if not its.heartbeat_active:
             its.heartbeat_active = 1
-            schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
+            primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
 @shared
@@ -124,7 +114,7 @@ def send_heartbeats(cell, writer, time):
     its.heartbeat_active = waiting
     if waiting:
         its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
-        schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
+        primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
 @shared
@@ -136,7 +126,7 @@ def start_rto_timer(cell, source, to, time):
     pair.expires_at = time + pair.rto
     if not pair.timer_running:
         pair.timer_running = 1
-        schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
 
 
 @shared
@@ -148,7 +138,7 @@ def on_rto(cell, source, to, time):
         return
     if pair.expires_at > time:
         pair.timer_running = 1
-        schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
         return
     for item in range(announcement_count(cell, source, to)):
         if not has_received(cell, to, source, item):
@@ -204,7 +194,7 @@ def discover(cell, finder, found, time):
             if kind.gap_number > 0:
                 what = pair_event(st.REPEAT, finder, found, row)
                 for number in range(1, kind.gap_number + 1):
-                    schedule_event(cell, time + number * kind.gap_first, what)
+                    primitives.schedule_event(cell, time + number * kind.gap_first, what)
     if announcement_count(cell, finder, found) > 0:
         start_heartbeats(cell, finder, time)
         if tcp:
@@ -245,15 +235,12 @@ def expire_leases(cell, reader, time):
                     forget(cell, writer, reader, time)
             else:
                 following = min(following, pair.last_heard + lease)
-    schedule_event(cell, following, st.LEASE_CHECK | reader)
+    primitives.schedule_event(cell, following, st.LEASE_CHECK | reader)
 
 
 @shared
 def send_by_clock(cell, host, burst, time):
-    """Send what a host's processes send by the clock: to all, or to each that is known.
-
-    User data go to those of whom everything is known, as a writer must have found the reader.
-    """
+    """Send what a host's processes send by the clock: to all, or to each that is known."""
     state, its = cell.state[0], cell.stations[host]
     flag = st.STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
     for process in range(its.first, its.first + its.processes):
@@ -286,15 +273,12 @@ def announce_again(cell, process, time):
             for item in range(multicast_count(cell, process, row)):
                 submit_frame(cell, compose(row, process, process, item) | st.STEADY, time)
     its.announce = min(2 * its.announce, repairs.announce_interval_max)
-    schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
+    primitives.schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
 
 
 @shared
 def answer_count(cell, row, process, source):
-    """Return how many messages of a row a process sends in answer to one of another's.
-
-    On average as many as the table has of the one for each of the other.
-    """
+    """Return how many messages answer one of another's: on average as the table's counts say."""
     answered = cell.kinds[row].answers
     wanted = cell.each[process, row]
     heard = cell.each[source, answered]
@@ -305,7 +289,7 @@ def answer_count(cell, row, process, source):
         return np.int64(0)
     times = np.int64(wanted / heard)
     if times < wanted / heard:
-        times += uniform(cell.state[0]) < wanted / heard - times
+        times += primitives.uniform(cell.state[0]) < wanted / heard - times
     return times
 
 
@@ -412,10 +396,7 @@ def receive_message(cell, frame, process, time):
 
 @njit
 def is_converged(cell):
-    """Return whether everybody knows everybody, or need not.
-
-    Beside user data a run without recovery lasts until its end is due.
-    """
+    """Return whether all know all; without recovery only user data keep a run from its end."""
     state = cell.state[0]
     return state.converged > 0 if state.repairs else state.stamp == 0
 
@@ -428,7 +409,7 @@ def dispatch_event(cell, time, what):
     if kind == st.SEND:
         period = cell.bursts[other, cell.state[0].kinds]
         if period > 0:
-            schedule_event(cell, time + period, what)
+            primitives.schedule_event(cell, time + period, what)
         else:
             cell.state[0].coming -= 1
         if cell.state[0].repairs or is_user_data(cell, other):

@@ -43,10 +43,7 @@ def is_user_data(cell, burst):
 
 @njit
 def may_send_data(cell, process, other):
-    """Return whether a process may send user data to another: it has all of it.
-
-    Without recovery nobody finds anybody, and all remote ones are sent to.
-    """
+    """Return whether a process has all of another; without recovery, whether that is remote."""
     if not cell.state[0].repairs:
         return cell.processes[process].host != cell.processes[other].host
     return cell.pairs[process, other].completed_at > 0
