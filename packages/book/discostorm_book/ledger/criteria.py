@@ -157,8 +157,7 @@ class Criterion:
 
         Examples
         --------
-        >>> from discostorm_book.ledger.quantities.model import control_saved
-        >>> Criterion(control_saved, (), "is", "significant").in_words()
+        >>> Criterion(QUANTITIES["control_saved"], (), "is", "significant").in_words()
         'at least 10% of the control messages of DDS saved by Zenoh: 50%'
         """
         unit, template = self._description()["unit"], self._description()["words"]
