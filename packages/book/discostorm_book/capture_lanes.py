@@ -52,6 +52,6 @@ def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
 
 def _diagnosis(capture: Capture) -> dict[str, Any]:
     """Return a part of a diagnosis as `discostorm capture --json` writes it."""
-    told = capture.diagnosis().to_dict()
-    hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in told["hosts"]]
-    return {key: told[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}
+    found = capture.diagnosis().to_dict()
+    hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in found["hosts"]]
+    return {key: found[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}

@@ -169,11 +169,11 @@ def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) 
     group = HostGroup(_SMALL_HOSTS, *small)
     lines = [
         pd.DataFrame(
-            {"protocol": protocol.name, "fleet": f"small robots {beside}"}
+            {"protocol": protocol.name, "fleet": f"small robots {company}"}
             | {"small_robots": _SMALL_HOSTS, "utilization": utilization(protocol, Fleet(groups))}
         )
         for protocol in PAPER_PROTOCOLS
-        for beside, groups in {"alone": (group,), "beside one laptop": (group, laptop)}.items()
+        for company, groups in {"alone": (group,), "beside one laptop": (group, laptop)}.items()
     ]
     return pd.concat([bars, *lines])
 
