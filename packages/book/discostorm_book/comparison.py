@@ -34,13 +34,10 @@ def only_hop(message: Message) -> str:
 
 
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
-    """Compare a measured model with the runs at each of its `points`.
+    """Compare a measured model with the runs at each of its `points`, in messages and in bytes.
 
-    A row for each ``point``, ``use``, ``window``, ``phase`` and ``kind`` of message, "all" of a
-    phase; what takes one hop only is a kind of its own, such as "SPDP, up" or "all, down". The
-    median of the runs is ``measured``, between ``least`` and ``most``, and ``expected`` is what
-    the model says [1]; ``error`` is relative to the median [1]. The same columns with ``_bytes``
-    behind the name are about bytes [B].
+    A row for each ``kind`` of message, and "all" of a phase; what takes one hop only is a kind of
+    its own, such as "SPDP, up". The median of the runs is ``measured``, ``expected`` is the model.
     """
     rows = []
     for point in points(protocol.name, shared):
@@ -95,10 +92,7 @@ def _counts(
 def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
     """Compare a model of the hybrid discovery with what its speakers sent in the lab.
 
-    A row for each ``hosts``, ``processes``, ``endpoints``, ``window`` and ``phase`` of the runs
-    without losses, in which all hosts ran the same software if `alike`: the number of ``runs``,
-    the median ``frames`` and ``bytes`` [B], what the model has as ``expected`` and
-    ``expected_bytes``, and its relative ``error`` and ``error_bytes`` [1].
+    Of runs without losses, in which all hosts ran the same software if `alike`.
     """
     protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
     runs = pd.DataFrame(read_data("measured/hybrid.csv", "discostorm_book"))

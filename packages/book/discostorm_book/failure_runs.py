@@ -54,10 +54,8 @@ def relations(name: str) -> list[tuple[str, str, str]]:
 def stagings(name: str) -> list[dict[str, Any]]:
     """Return the failures of a configuration's server or router, one for each event of the lab.
 
-    With the times after the failure at which the server or router was ``back``, a late joiner
-    ``joins`` and the observation came to its ``end`` [s], and the ``runs``: for each of the
-    `relations`, from when to when not all of them heard each other [s], None for to the end, or
-    None if they did throughout. Once a router is back, all late joiners are timed together.
+    The ``runs`` have for each of the `relations`, from when to when not all of them heard each
+    other [s], None for to the end, or None if they did throughout.
     """
     every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
     of_name = every[every["configuration"] == name]

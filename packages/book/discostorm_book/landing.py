@@ -1,7 +1,4 @@
-"""Frames on the air: what the first page simulates in the browser, and a picture of its first run.
-
-`picture` draws it from ``data/simulated/air.csv``, which ``scripts/sweeps`` simulates in Python.
-"""
+"""Frames on the air: what the first page simulates in the browser, and a picture of its run."""
 
 from typing import Any
 
@@ -88,13 +85,9 @@ def picture() -> Figure:
             rows = sent[chosen]
             begin, none = rows["start_s"], np.full(len(rows), np.nan)
             end = begin + np.maximum(rows["end_s"] - begin, THIN)
-            lanes.plot(
-                np.column_stack([begin, end, none]).ravel() * 1e3,
-                np.column_stack([rows["station"], rows["station"], none]).ravel(),
-                color=color,
-                linewidth=width,
-                solid_capstyle="butt",
-            )
+            times = np.column_stack([begin, end, none]).ravel() * 1e3
+            places = np.column_stack([rows["station"], rows["station"], none]).ravel()
+            lanes.plot(times, places, color=color, linewidth=width, solid_capstyle="butt")
         names = [*(f"robot {host + 1}" for host in range(HOSTS)), "access point"]
         lanes.set(yticks=range(HOSTS + 1), yticklabels=names, ylim=(HOSTS + 0.6, -0.6))
         lanes.grid(visible=False)

@@ -1,8 +1,6 @@
 """One start, frame by frame: what each transmission carries, and what waits after it.
 
-The chapter on the burst steps through these starts in the browser (``book/_static/live/`` with
-``trace``), `rows` does the same in Python, and ``data/simulated/events.csv`` holds the first of
-them for still pictures.
+The chapter on the burst steps through these starts in the browser, `rows` in Python.
 """
 
 from dataclasses import dataclass
@@ -87,12 +85,9 @@ def export() -> dict[str, Any]:
 
 def _exported(start: Start) -> dict[str, Any]:
     messages = [
-        {
-            "name": NAMES[str(message.role)],
-            "multicast": message.cast == "multicast",
-            "endpoint": message.role == "data",
-        }
-        for message in start.protocol.messages
+        {"name": NAMES[str(m.role)], "multicast": m.cast == "multicast"}
+        | {"endpoint": m.role == "data"}
+        for m in start.protocol.messages
     ]
     sizes = {name: getattr(start, name) for name in ("hosts", "processes", "endpoints")}
     setting = {"table": start.table, "radio": sweeps.channel().name, "recovery": False}

@@ -79,10 +79,7 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
 
 
 def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
-    """Return the airtime [µs] of unicast frames by the paper's line and by the standard's steps.
-
-    Rows without a message are the curves, those with one the frames of the protocols.
-    """
+    """Return the airtime [µs] of unicast frames: curves, and with a message those of protocols."""
     messages = [message for protocol in protocols for message in protocol.messages]
     lengths = np.arange(40, 521)
     octets = np.array([*lengths, *(int(message.frame_bytes) for message in messages)])

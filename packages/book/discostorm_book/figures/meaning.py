@@ -159,10 +159,7 @@ _SMALL_HOSTS = steps(1, 8)
 
 
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
-    """Return the airtime of large fleets by part, and the utilization of small robots.
-
-    A small robot has processes, and endpoints of each; they are alone or beside a laptop.
-    """
+    """Return the airtime of large fleets by part, and the utilization of small robots."""
     bars = large.drop(columns="total [s]").melt(
         ["protocol", "fleet"], var_name="part", value_name="utilization"
     )
@@ -179,11 +176,7 @@ def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) 
 
 
 def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
-    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop.
-
-    The large fleets are rows with protocol, fleet, ``robot-robot [s]``, ``robot-laptop [s]`` and
-    ``total [s]``.
-    """
+    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop."""
     with drawn(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
