@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from discostorm import words
 from discostorm_book import lab_counts
@@ -71,8 +71,7 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     back = since.get("return", RESTART)
     known = set(zip(rows["phase"], rows["who"], strict=True))
 
-    def times(phase: str, who: str, quantity: str) -> NDArray[np.float64]:
-        return death_times(name, event, phase, who, quantity)
+    times = partial(death_times, name, event)
 
     def spans() -> Iterator[list[list[float | None] | None]]:
         for who in _KNOWN:
@@ -94,13 +93,9 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
                 again = np.where(np.isinf(again), late, again)
             yield [_span(begin, end) for end in again]
 
-    return {
-        "event": event,
-        "back": back,
-        "joins": since["newcomer"],
-        "end": (rows["since_s"] + rows["watched_s"]).max(),
-        "runs": [list(run) for run in zip(*spans(), strict=True)],
-    }
+    runs = [list(run) for run in zip(*spans(), strict=True)]
+    end = (rows["since_s"] + rows["watched_s"]).max()
+    return {"event": event, "back": back, "joins": since["newcomer"], "end": end, "runs": runs}
 
 
 def _span(begin: float, end: float) -> list[float | None] | None:

@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 from textwrap import wrap
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -79,9 +80,9 @@ def _fold(figure: Figure, legend: Legend) -> None:
     handles = [handle for handle in legend.legend_handles if handle]
     labels = [text.get_text() for text in legend.get_texts()]
     legend.remove()
-    look = {"title": legend.get_title().get_text() or None, "loc": "outside lower center"}
-    ncols = max(1, min(columns + inside, int(figure.bbox.width / widest)))
-    figure.legend(handles, labels, ncols=ncols, columnspacing=1, **look)
+    look: dict[str, Any] = {"title": legend.get_title().get_text() or None, "columnspacing": 1}
+    look["ncols"] = max(1, min(columns + inside, int(figure.bbox.width / widest)))
+    figure.legend(handles, labels, loc="outside lower center", **look)
     figure.draw_without_rendering()
 
 

@@ -105,10 +105,7 @@ def _exported(start: Start) -> dict[str, Any]:
 
 
 def rows(start: Start) -> NDArray[np.float64]:
-    """Return a row a transmission: `COLUMNS`, then the frames that wait at each station.
-
-    Of radios that send one message in a frame, as a station then sends what its window begins with.
-    """
+    """Return a row a transmission of one message: `COLUMNS`, then frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS
@@ -125,11 +122,9 @@ def rows(start: Start) -> NDArray[np.float64]:
         for sent in cell.log[: now["logged"]]:
             held = cell.window[sent["station"], 0]
             frame = int(held["frame"]) >> KIND_BITS
-            parts = []
-            for bits in (PROCESS_BITS, PROCESS_BITS, ITEM_BITS):
-                parts.append(frame % 2**bits)
-                frame >>= bits
-            to, source, item = parts
+            frame, to = divmod(frame, 2**PROCESS_BITS)
+            frame, source = divmod(frame, 2**PROCESS_BITS)
+            item = frame % 2**ITEM_BITS
             found.append([*(sent[name] for name in LOG), source, to, item, held["came"], *after])
         now["logged"] = 0
     return np.array(found, dtype=float)

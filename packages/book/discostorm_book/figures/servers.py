@@ -50,7 +50,7 @@ CONSEQUENCES = {
 
 
 def _risks(column: str) -> dict[str, str]:
-    """Return a column of what is known of the risks of each configuration."""
+    """Return a column of the risks of each configuration."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     return {row["protocol"]: row[column] for row in rows}
 
@@ -137,11 +137,9 @@ def configurations() -> Figure:
         labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
             name, look = row["configuration"], consequence_look(row["what else fails"])
-            if name in instead_of():
-                y += 1.0
-                labels[y] = _SHORT.get(name, name)
-            else:
-                y += 1.6
+            y += 1.0 if name in instead_of() else 1.6
+            labels[y] = _SHORT.get(name, name)
+            if name not in instead_of():
                 labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
             ends = [row[f"one second, {names} names"] for names in ("same", "own")]

@@ -38,10 +38,7 @@ def sent_for_counted(product: str, message: str) -> float:
 
 
 def matching_ratio(product: str) -> float:
-    """Return how many times the messages a start has if names match instead of being unique.
-
-    The median over the swarms that were captured both ways.
-    """
+    """Return how many times the messages a start has if names match: the median of swarms."""
     sent = {point.name: _startup(point)[0] for point in lab_counts.points(product)}
     swarms = [name[:-1] for name in sent if name[-1] == "m" and f"{name[:-1]}u" in sent]
     return median(sent[f"{swarm}m"] / sent[f"{swarm}u"] for swarm in swarms)

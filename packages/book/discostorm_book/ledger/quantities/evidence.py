@@ -17,6 +17,7 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
+from discostorm_book.enumeration import Sent
 from discostorm_book.lab_counts import death_times
 
 #: Efforts of remedies that need neither new programs nor other software.
@@ -24,31 +25,19 @@ _CONFIGURATION = {"setting", "file"}
 
 
 def payloads_measured(protocol: Protocol) -> float:
-    """Return which part of the messages had, in captures, a payload in the paper's range.
-
-    Of at least one product that speaks the protocol, the median of all points of the lab.
-    """
-    products = [
-        name
-        for name, table in PROTOCOLS.items()
-        if name in MEASURED and table.messages[0].kind == protocol.messages[0].name
-    ]
-
-    def within(name: str, low: float, high: float) -> bool:
-        sizes = (lab_counts.payloads(product, name) for product in products)
-        return any(low <= median(each) <= high for each in sizes if each)
-
-    messages = protocol.messages
-    right = [within(each.name, each.payload.low, each.payload.high) for each in messages]
+    """Return which part of the messages had, of any product, a median payload in the range."""
+    first, right = protocol.messages[0].name, []
+    spoken = {name for name, table in PROTOCOLS.items() if table.messages[0].kind == first}
+    products = [name for name in MEASURED if name in spoken]
+    for message in protocol.messages:
+        sizes = (lab_counts.payloads(product, message.name) for product in products)
+        medians = [median(each) for each in sizes if each]
+        right.append(any(message.payload.low <= each <= message.payload.high for each in medians))
     return sum(right) / len(right)
 
 
 def start_saved(configuration: str, hosts: float) -> float:
-    """Return which part of the start's airtime a configuration saves, with any names the least.
-
-    Relative to the product without it, as both tables were measured, on the paper's channel, for
-    hosts of 2 processes with 10 endpoints, of which none or all match.
-    """
+    """Return the least part of the start's airtime that a configuration saves, with any names."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     saved = []
@@ -64,9 +53,7 @@ def start_saved(configuration: str, hosts: float) -> float:
 
 def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
-    cells = {
-        name: value if isinstance(value, str) else f"{value:g}" for name, value in wanted.items()
-    }
+    cells = {key: each if isinstance(each, str) else f"{each:g}" for key, each in wanted.items()}
     every = read_data(f"simulated/{table}.csv", "discostorm_book")
     rows = [row for row in every if cells.items() <= row.items()]
     if not rows:
@@ -129,10 +116,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
 
 
 def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
-    """Return the most messages of a host relative to the least, by enumeration.
-
-    Over the swarms of 2 hosts and more and of no endpoints and more, up to the largest.
-    """
+    """Return the most messages of a host relative to the least, of swarms of two hosts or more."""
     hosts, processes, endpoints = largest
     each = [
         sum(
@@ -155,9 +139,7 @@ def enumeration_ratio(protocol: Protocol, *swarm: int) -> float:
     return float(one_by_one / utilization(protocol, Fleet.swarm(*swarm)))
 
 
-def _walk(
-    protocol: Protocol, hosts: int, processes: int, endpoints: int
-) -> Iterator[enumeration.Sent]:
+def _walk(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[Sent]:
     return enumeration.walk(protocol.name, [[endpoints] * processes] * hosts)
 
 

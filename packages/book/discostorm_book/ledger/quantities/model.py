@@ -1,8 +1,4 @@
-"""Quantities of the paper's model: what a swarm sends, the airtime it takes, how many fit.
-
-A ``swarm`` is hosts, processes and endpoints; ``in_all`` are the endpoints of all processes of a
-host. A ``name`` means messages: a phase, a cast, one message (``SEDP_message``), control, or all.
-"""
+"""Quantities of the paper's model; ``in_all`` are the endpoints of all processes of a host."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -26,7 +22,7 @@ _PERIODIC = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
 
 
 def _chosen(protocol: Protocol, *names: str) -> list[Message]:
-    """Return the messages that some names mean."""
+    """Return the messages of phases, casts, one message (``SEDP_message``), control, or all."""
     names_of = {
         message: {"all", message.phase, message.cast, f"{message.name}_message"}
         | ({"control"} if message.name in _CONTROL else set())
@@ -60,11 +56,8 @@ def overhead_share(protocol: Protocol, *swarm: float) -> float:
     """Return the share of the airtime that is fixed overhead, not bits."""
     unicast, multicast = (replace(link, overhead=0.0) for link in (PAPER.unicast, PAPER.multicast))
     bits = replace(PAPER, unicast=unicast, multicast=multicast)
-    return float(
-        1
-        - utilization(protocol, Fleet.swarm(*swarm), wifi=bits)
-        / utilization(protocol, Fleet.swarm(*swarm))
-    )
+    fleet = Fleet.swarm(*swarm)
+    return float(1 - utilization(protocol, fleet, wifi=bits) / utilization(protocol, fleet))
 
 
 def gap_from_control(*swarm: float) -> float:
@@ -75,10 +68,7 @@ def gap_from_control(*swarm: float) -> float:
 
 
 def growth_exponent(protocol: Protocol, name: str, *from_to: float) -> float:
-    """Return the power of hosts, or else of processes, by which an airtime grows.
-
-    Hosts, processes and endpoints are given in pairs, before and after: 2, 12, 2, 2, 10, 10.
-    """
+    """Return the power of hosts, or else of processes, by which an airtime grows from, to, ..."""
     before, after = from_to[::2], from_to[1::2]
     ratio = airtime(protocol, name, *after) / airtime(protocol, name, *before)
     varied = 0 if before[0] != after[0] else 1
