@@ -80,12 +80,10 @@ def _counts(
             number = expected(message, point.fleet, window)
             total += number * (message.frames > 0)  # a part of another message is none itself
             size += number * message.payload.nominal
-    row = {}
+    row: dict[str, float] = {}
     for end, column, computed in (("", runs[:, 0], total), ("_bytes", runs[:, 2], size)):
-        row[f"measured{end}"] = float(np.median(column))
-        row[f"least{end}"] = float(column.min())
-        row[f"most{end}"] = float(column.max())
-        row[f"expected{end}"] = computed
+        row |= {f"measured{end}": float(np.median(column)), f"expected{end}": computed}
+        row |= {f"least{end}": float(column.min()), f"most{end}": float(column.max())}
     return row
 
 
@@ -109,15 +107,11 @@ def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
                 (expected(message, Fleet.swarm(*key[:3]), str(key[3])), message)
                 for message in protocol.of_phase(phase)
             ]
-            row = {
-                **dict(zip((*swarm, "window"), key, strict=True)),
-                "phase": phase,
-                "runs": len(counts),
-                "frames": counts["frames"].median(),
-                "expected": sum(number for number, message in sent if message.frames),
-                "bytes": counts["bytes"].median(),
-                "expected_bytes": sum(number * m.payload.nominal for number, m in sent),
-            }
+            row = dict(zip((*swarm, "window"), key, strict=True))
+            row |= {"phase": phase, "runs": len(counts), "frames": counts["frames"].median()}
+            row["expected"] = sum(number for number, message in sent if message.frames)
+            row["bytes"] = counts["bytes"].median()
+            row["expected_bytes"] = sum(number * m.payload.nominal for number, m in sent)
             if row["frames"] or row["expected"]:
                 rows.append(row)
     table = pd.DataFrame(rows)

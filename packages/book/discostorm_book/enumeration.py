@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import cycle, islice
 from typing import Any, Literal, TypeAlias
 
 #: Receiver of a multicast message.
@@ -101,14 +102,12 @@ def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     for host, counts in enumerate(_checked("hosts", hosts), start=1):
         for number, count in enumerate(_checked(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
-                raise ValueError(
-                    f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
-                    f"at least 0; got {count!r}"
-                )
-            process = Process(host, number)
-            processes[process] = [
-                Endpoint(process, index + 1, _TOPICS[index % 2]) for index in range(count)
-            ]
+                name = f"hosts[{host - 1}][{number - 1}]"
+                wanted = "a whole number of endpoints, at least 0"
+                raise ValueError(f"{name} must be {wanted}; got {count!r}")
+            process, topics = Process(host, number), islice(cycle(_TOPICS), count)
+            endpoints = (Endpoint(process, *named) for named in enumerate(topics, start=1))
+            processes[process] = list(endpoints)
     return processes
 
 
@@ -121,10 +120,8 @@ def _checked(name: str, value: Any) -> Iterable[Any]:
 def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     """Yield every message of the discovery among hosts, first up and then down.
 
-    All processes start at once. A message goes up to the access point and down again, once to
-    everyone if it is multicast, and those that hear it answer, as Sec. III-B and III-C of the
-    paper describe it. Messages inside a host do not use the air. `hosts` has, for each host, the
-    number of endpoints of each of its processes: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
+    Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
+    the endpoints of each process of each host: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
 
     Examples
     --------

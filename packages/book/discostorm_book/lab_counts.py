@@ -172,13 +172,8 @@ def deaths(table: str = "deaths") -> pd.DataFrame:
     runs = pd.DataFrame(read_data(f"measured/{table}.csv", "discostorm_book"))
     runs = runs.astype(dict.fromkeys(("since_s", "watched_s", "seconds"), float))
     runs["finite"] = np.isfinite(runs["seconds"])
-    columns = {
-        "since_s": ("since_s", "first"),
-        "watched_s": ("watched_s", "first"),
-        "runs": ("seconds", "size"),
-        "happened": ("finite", "sum"),
-        "median_s": ("seconds", "median"),
-        "least_s": ("seconds", "min"),
-        "most_s": ("seconds", "max"),
-    }
+    columns = {"since_s": ("since_s", "first"), "watched_s": ("watched_s", "first")}
+    columns |= {"runs": ("seconds", "size"), "happened": ("finite", "sum")}
+    columns |= {"median_s": ("seconds", "median")}
+    columns |= {"least_s": ("seconds", "min"), "most_s": ("seconds", "max")}
     return runs.groupby(list(_FAILURE), sort=False).agg(**columns).reset_index()

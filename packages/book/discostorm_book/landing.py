@@ -45,24 +45,14 @@ def choices() -> list[Protocol]:
 
 def export() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
-    return {
-        "hosts": HOSTS,
-        "most": MOST,
-        "table": TABLE,
-        "other": OTHER,
-        "processes": PROCESSES,
-        "endpoints": ENDPOINTS,
-        "queue": list(QUEUE),
-        "radios": [SINGLE.name, AGGREGATED.name],
-        "tables": [
-            {
-                "name": protocol.name,
-                "label": protocol.name + ", as the paper counts" * (protocol.basis == "paper"),
-                "color": figures.property_of(protocol),
-            }
-            for protocol in choices()
-        ],
-    }
+    tables = []
+    for protocol in choices():
+        label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
+        color = figures.property_of(protocol)
+        tables.append({"name": protocol.name, "label": label, "color": color})
+    sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
+    first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
+    return {**first, "radios": [SINGLE.name, AGGREGATED.name], "tables": tables}
 
 
 def picture() -> Figure:

@@ -44,11 +44,8 @@ def published() -> pd.DataFrame:
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
         paper, built = (ZENOH, "Zenoh peer") if zenoh else (DDS, "Fast DDS")
-        counts = {
-            "number": float(row["number"] or "nan"),
-            "paper": _as_counted(paper, row),
-            "as_built": _as_counted(PROTOCOLS[built], row),
-        }
+        counts = {"number": float(row["number"] or "nan"), "paper": _as_counted(paper, row)}
+        counts["as_built"] = _as_counted(PROTOCOLS[built], row)
         staging = row["staged"].partition(" ")[0]
         end = "_bytes" if row["quantity"] == "bytes" else ""
         columns = (row["quantity"].replace("packets", "count"), f"least{end}", f"most{end}")

@@ -257,6 +257,14 @@ def download(frame: pd.DataFrame, name: str) -> Download:
     """Offer a table as a CSV file under a name such as ``fig-paper-2``, inside the page itself.
 
     The index is in the file if it has a name.
+
+    Examples
+    --------
+    >>> print(download(pd.DataFrame({"hosts": [1, 2], "share": [1 / 3, 0.5]}), "fig-some").content)
+    hosts,share
+    1,0.3333333333
+    2,0.5
+    <BLANKLINE>
     """
     if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name):
         raise ValueError(

@@ -67,15 +67,9 @@ def guess(
     if not least < answer < most:
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
     digits = len(f"{step:g}".partition(".")[2])
-    data = {
-        "question": question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
-        "answer": round(float(answer), digits),
-        "least": least,
-        "most": most,
-        "step": step,
-        "places": digits,
-        "unit": unit,
-    }
+    question = question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
+    data = {"question": question, "answer": round(float(answer), digits)}
+    data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
     return carried("guess", data, "chapters/pages.css", "guess.js")
 
 

@@ -141,8 +141,6 @@ def sooner(row: pd.Series, other: pd.Series) -> bool:
 
 def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
     """Return how many times as long one takes, with the min and max that the runs allow."""
-    return (
-        float(slow["convergence_time_s"] / fast["convergence_time_s"]),
-        float(slow["convergence_time_s_low"] / fast["convergence_time_s_high"]),
-        float(slow["convergence_time_s_high"] / fast["convergence_time_s_low"]),
-    )
+    time, low, high = (f"convergence_time_s{end}" for end in ("", "_low", "_high"))
+    least, most = slow[low] / fast[high], slow[high] / fast[low]
+    return float(slow[time] / fast[time]), float(least), float(most)

@@ -92,16 +92,11 @@ def _exported(start: Start) -> dict[str, Any]:
     sizes = {name: getattr(start, name) for name in ("hosts", "processes", "endpoints")}
     setting = {"table": start.table, "radio": sweeps.channel().name, "recovery": False}
     setting |= {"fleet": {"groups": [sizes]}, "queue": start.queue, "seed": SEED}
-    return {
-        "label": start.label,
-        "hosts": start.hosts,
-        "processes": start.processes,
-        # Of each robot, for each other one.
-        "announcements": start.processes**2 * start.endpoints,
-        "color": figures.property_of(start.protocol),
-        "messages": messages,
-        "setting": setting,
-    }
+    shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
+    # Of each robot, for each other one.
+    shown |= {"announcements": start.processes**2 * start.endpoints}
+    color = figures.property_of(start.protocol)
+    return shown | {"color": color, "messages": messages, "setting": setting}
 
 
 def rows(start: Start) -> NDArray[np.float64]:

@@ -37,10 +37,8 @@ def start_data(
         columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
         columns |= {f"{p.name} [s]": timeline.demand(p, _TIME, hosts, **swarm) for p in products}
         requested.append(pd.DataFrame(columns))
-        row = {"hosts": hosts, "what": "idle"}
-        idle.append(
-            row | {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
-        )
+        times = {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
+        idle.append({"hosts": hosts, "what": "idle"} | times)
     return pd.concat([*requested, pd.DataFrame(idle)])
 
 
@@ -148,9 +146,8 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
         below.axhline(1, **LIMIT)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
         above.yaxis.set_major_formatter(PLAIN)
-        below.set(
-            ylim=(0, _STEADY_MAX), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$"
-        )
+        below.set(xlabel="hosts $N_H$", ylabel="steady-state utilization [%]")
+        below.set_ylim(0, _STEADY_MAX)
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
     return figure
 
@@ -160,9 +157,8 @@ _SMALL_HOSTS = steps(1, 8)
 
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
     """Return the airtime of large fleets by part, and the utilization of small robots."""
-    bars = large.drop(columns="total [s]").melt(
-        ["protocol", "fleet"], var_name="part", value_name="utilization"
-    )
+    parts = large.drop(columns="total [s]")
+    bars = parts.melt(["protocol", "fleet"], var_name="part", value_name="utilization")
     group = HostGroup(_SMALL_HOSTS, *small)
     lines = [
         pd.DataFrame(
@@ -197,11 +193,12 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
             color = COLORS[str(protocol)]
             lines.plot(_SMALL_HOSTS, used, "-" if alone else "--", color=color)
             full = np.interp(1, used, _SMALL_HOSTS)
-            look: Look = {"ha": "left", "va": "top", "color": color}
-            offset = (4, -4)
-            if protocol == "DDS":  # it is left of the other
-                look, offset = look | {"ha": "right", "va": "bottom"}, (-4, 4)
-            write(lines, f"{full:.1f}", (full, 1), offset, **look)
+            # DDS is left of the other.
+            side, edge, across = (
+                ("right", "bottom", -4) if protocol == "DDS" else ("left", "top", 4)
+            )
+            at, look = (full, 1), {"ha": side, "va": edge, "color": color}
+            write(lines, f"{full:.1f}", at, (across, -across), **look)
             name = f"{protocol}{'' if alone else ', laptop'}"
             write(lines, name, (8, used[-1]), (4, 0), va="center", color=color)
         lines.axhline(1, color="black", linewidth=1)
