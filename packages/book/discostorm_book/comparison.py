@@ -82,8 +82,8 @@ def _counts(
             size += number * message.payload.nominal
     row: dict[str, float] = {}
     for end, column, computed in (("", runs[:, 0], total), ("_bytes", runs[:, 2], size)):
-        row |= {f"measured{end}": float(np.median(column)), f"expected{end}": computed}
-        row |= {f"least{end}": float(column.min()), f"most{end}": float(column.max())}
+        row |= {f"measured{end}": float(np.median(column)), f"least{end}": float(column.min())}
+        row |= {f"most{end}": float(column.max()), f"expected{end}": computed}
     return row
 
 
